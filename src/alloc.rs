@@ -1,0 +1,57 @@
+//! The one place where memory sized by input is asked for, so that a huge count is an error and not an abort.
+
+use crate::error::{Error, Result};
+
+/// An empty vector with room for `capacity` elements.
+pub(crate) fn with_capacity<T>(capacity: usize) -> Result<Vec<T>> {
+    let mut vec = Vec::new();
+    reserve(&mut vec, capacity)?;
+    Ok(vec)
+}
+
+/// A vector of `len` copies of `value`.
+pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
+    let mut vec = with_capacity(len)?;
+    vec.resize(len, value);
+    Ok(vec)
+}
+
+/// Collects an iterator whose length is known.
+pub(crate) fn collect<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
+    let mut vec = with_capacity(items.len())?;
+    vec.extend(items);
+    Ok(vec)
+}
+
+/// A copy of a slice.
+pub(crate) fn copied<T: Copy>(items: &[T]) -> Result<Vec<T>> {
+    let mut vec = with_capacity(items.len())?;
+    vec.extend_from_slice(items);
+    Ok(vec)
+}
+
+/// Makes room for `additional` more elements.
+pub(crate) fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
+    vec.try_reserve(additional)
+        .map_err(|_| Error::OutOfMemory { bytes: (additional as u64).saturating_mul(size_of::<T>() as u64) })
+}
+
+/// Appends one element.
+pub(crate) fn push<T>(vec: &mut Vec<T>, item: T) -> Result<()> {
+    if vec.len() == vec.capacity() {
+        reserve(vec, 1)?;
+    }
+    vec.push(item);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_huge_count_is_an_error() {
+        let result = with_capacity::<u64>(usize::MAX / 16);
+        assert_eq!(result, Err(Error::OutOfMemory { bytes: (usize::MAX / 16) as u64 * 8 }));
+    }
+}

@@ -1,0 +1,231 @@
+//! What can go wrong, one variant for each cause, each naming the element it is about.
+
+use std::fmt;
+
+/// Which of two pieces an error is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The first piece.
+    A,
+    /// The second piece.
+    B,
+}
+
+impl fmt::Display for Side {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Side::A => "A",
+            Side::B => "B",
+        })
+    }
+}
+
+/// The causes of failure. Indices count from 0 and refer to the caller's own arrays.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A count is above the limit of this version.
+    TooLarge {
+        /// What is counted.
+        what: &'static str,
+        /// The count asked for.
+        count: u64,
+        /// The largest count accepted.
+        limit: u64,
+    },
+    /// The bytes of an array, count times stride, exceed what the machine can address.
+    SizeOverflow {
+        /// Which array.
+        what: &'static str,
+        /// Its element count.
+        count: u64,
+    },
+    /// An array has fewer bytes than its count and stride need.
+    ArrayTooShort {
+        /// Which array.
+        what: &'static str,
+        /// Bytes needed.
+        needed: u64,
+        /// Bytes given.
+        given: u64,
+    },
+    /// The distance between positions is smaller than one position.
+    StrideTooSmall {
+        /// The stride given, in bytes.
+        stride: u64,
+        /// The least stride, in bytes.
+        least: u64,
+    },
+    /// A mesh without vertices or without faces.
+    EmptyMesh {
+        /// `"vertices"` or `"faces"`.
+        what: &'static str,
+    },
+    /// Face offsets that do not start at 0 or that decrease.
+    BadOffsets {
+        /// The first offending entry.
+        entry: u32,
+        /// Its value.
+        value: u32,
+    },
+    /// A face of fewer than three corners.
+    FaceTooSmall {
+        /// The face.
+        face: u32,
+        /// Its corner count.
+        corners: u32,
+    },
+    /// A face names a vertex that does not exist.
+    IndexOutOfRange {
+        /// The face.
+        face: u32,
+        /// The corner: the position in the corner array.
+        corner: u32,
+        /// The vertex index found there.
+        vertex: u32,
+    },
+    /// A vertex used by a face has a coordinate that is NaN or infinite.
+    NotFinite {
+        /// The vertex.
+        vertex: u32,
+        /// The coordinate.
+        value: f64,
+    },
+    /// The second mesh has `f64` positions and the first `f32`: the result, in the first one's type, would round them.
+    MixedScalars,
+    /// There is no boundary loop that could be stitched.
+    NoLoop {
+        /// The piece without one.
+        side: Side,
+    },
+    /// A loop of fewer than three vertices.
+    LoopTooShort {
+        /// The piece.
+        side: Side,
+        /// The number of vertices given.
+        count: u32,
+    },
+    /// A loop passes a vertex twice.
+    LoopRepeatsVertex {
+        /// The piece.
+        side: Side,
+        /// The vertex.
+        vertex: u32,
+    },
+    /// Two consecutive loop vertices are not the ends of a free edge: an edge with exactly one face.
+    LoopEdgeNotFree {
+        /// The piece.
+        side: Side,
+        /// The place in the loop where the edge starts.
+        place: u32,
+        /// The vertex at that place (it may be out of range, which is one way not to be on a free edge).
+        vertex: u32,
+    },
+    /// Both loops pass the same vertex of the same mesh.
+    LoopsShareVertex {
+        /// The vertex.
+        vertex: u32,
+    },
+    /// The faces along one loop disagree in orientation.
+    LoopNotOriented {
+        /// The piece.
+        side: Side,
+        /// A face that runs against most others.
+        face: u32,
+    },
+    /// The second piece is oriented against the first, and the options refuse to turn it over.
+    OrientationConflict {
+        /// A face of the second piece.
+        face: u32,
+    },
+    /// Every strip, or the strip of the chosen rule, would use an edge twice that the mesh already has.
+    NoStrip {
+        /// The vertex of the first loop where the rule's meridian starts, if one is to blame.
+        vertex: u32,
+    },
+    /// An option is outside its range.
+    OptionOutOfRange {
+        /// The option's name.
+        option: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Memory for an array could not be had.
+    OutOfMemory {
+        /// Bytes asked for.
+        bytes: u64,
+    },
+    /// The host asked to stop.
+    Cancelled,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Error::TooLarge { what, count, limit } => {
+                write!(f, "{count} {what}: this version takes at most {limit}")
+            }
+            Error::SizeOverflow { what, count } => {
+                write!(f, "{count} {what} with this stride exceed the address space")
+            }
+            Error::ArrayTooShort { what, needed, given } => {
+                write!(f, "the array of {what} needs {needed} bytes and has {given}")
+            }
+            Error::StrideTooSmall { stride, least } => {
+                write!(f, "a position stride of {stride} bytes: one position takes {least}")
+            }
+            Error::EmptyMesh { what } => write!(f, "the mesh has no {what}"),
+            Error::BadOffsets { entry: 0, value } => {
+                write!(f, "face offset 0 is {value} instead of 0")
+            }
+            Error::BadOffsets { entry, value } => {
+                write!(f, "face offset {entry} is {value}, smaller than the one before")
+            }
+            Error::FaceTooSmall { face, corners } => {
+                write!(f, "face {face} has {corners} corners; it needs three")
+            }
+            Error::IndexOutOfRange { face, corner, vertex } => {
+                write!(f, "face {face}, corner {corner}: there is no vertex {vertex}")
+            }
+            Error::NotFinite { vertex, value } => {
+                write!(f, "vertex {vertex} has a coordinate that is {value}")
+            }
+            Error::MixedScalars => {
+                f.write_str("mesh B has f64 positions and mesh A f32: exchange them, or convert one")
+            }
+            Error::NoLoop { side } => {
+                write!(f, "mesh {side} has no boundary loop that can be stitched")
+            }
+            Error::LoopTooShort { side, count } => {
+                write!(f, "loop {side} has {count} vertices; it needs three")
+            }
+            Error::LoopRepeatsVertex { side, vertex } => {
+                write!(f, "loop {side} passes vertex {vertex} twice")
+            }
+            Error::LoopEdgeNotFree { side, place, vertex } => write!(
+                f,
+                "loop {side}: the edge that leaves place {place} (vertex {vertex}) is no free edge of the mesh"
+            ),
+            Error::LoopsShareVertex { vertex } => write!(f, "both loops pass vertex {vertex}"),
+            Error::LoopNotOriented { side, face } => {
+                write!(f, "the faces along loop {side} disagree in orientation, face {face} among them")
+            }
+            Error::OrientationConflict { face } => {
+                write!(f, "piece B (face {face} and the rest) is oriented against piece A")
+            }
+            Error::NoStrip { vertex } => {
+                write!(f, "no strip between the loops avoids the edges that the mesh already has (vertex {vertex})")
+            }
+            Error::OptionOutOfRange { option, value } => {
+                write!(f, "option {option} is out of range: {value}")
+            }
+            Error::OutOfMemory { bytes } => write!(f, "{bytes} bytes of memory could not be had"),
+            Error::Cancelled => f.write_str("cancelled by the host"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The result type of the library.
+pub type Result<T> = std::result::Result<T, Error>;

@@ -1,0 +1,95 @@
+//! How a long computation speaks with whoever started it: progress, cancel, notes, and the number of threads.
+
+use crate::error::{Error, Result};
+use std::ops::ControlFlow;
+
+/// Receives progress and notes. All calls come from the thread that started the computation.
+pub trait Progress {
+    /// `fraction` of the whole is done (0 to 1, never decreasing within a call of the library) and `stage` begins or
+    /// goes on. `Break` cancels: the computation returns [`Error::Cancelled`] soon after.
+    fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()>;
+
+    /// Something the caller may want to know that is no failure.
+    fn note(&self, _message: &str) {}
+}
+
+/// Neither listens nor cancels.
+struct Silent;
+
+impl Progress for Silent {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// The circumstances of one computation.
+#[derive(Clone, Copy)]
+pub struct Job<'a> {
+    threads: usize,
+    progress: &'a dyn Progress,
+    from: f64,
+    to: f64,
+}
+
+impl<'a> Job<'a> {
+    /// `threads`: 0 for as many as the machine has, 1 for the calling thread only. The result does not depend on it.
+    pub fn new(threads: usize, progress: &'a dyn Progress) -> Self {
+        Job { threads, progress, from: 0.0, to: 1.0 }
+    }
+
+    /// The number of threads asked for; 0 is automatic.
+    pub fn threads(&self) -> usize {
+        self.threads
+    }
+
+    /// The same job seen by one of its parts: what the part calls 0..1 is `from..to` of the whole.
+    pub fn part(&self, from: f64, to: f64) -> Job<'a> {
+        let span = self.to - self.from;
+        Job { from: self.from + span * from, to: self.from + span * to, ..*self }
+    }
+
+    /// Reports progress; [`Error::Cancelled`] if the host wants to stop.
+    pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
+        let whole = self.from + (self.to - self.from) * fraction.clamp(0.0, 1.0);
+        match self.progress.step(whole, stage) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(Error::Cancelled),
+        }
+    }
+
+    /// Passes a note to the host.
+    pub fn note(&self, message: &str) {
+        self.progress.note(message);
+    }
+}
+
+impl Default for Job<'_> {
+    /// Automatic threads, nobody listening.
+    fn default() -> Self {
+        Job::new(0, &Silent)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    struct Recorder(RefCell<Vec<f64>>);
+
+    impl Progress for Recorder {
+        fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
+            self.0.borrow_mut().push(fraction);
+            if fraction > 0.7 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
+    }
+
+    #[test]
+    fn parts_nest_and_break_cancels() {
+        let recorder = Recorder(RefCell::default());
+        let job = Job::new(1, &recorder).part(0.5, 1.0).part(0.0, 0.5);
+        assert_eq!(job.step(0.0, "a"), Ok(()));
+        assert_eq!(job.step(2.0, "b"), Err(Error::Cancelled));
+        assert_eq!(*recorder.0.borrow(), [0.5, 0.75]);
+    }
+}

@@ -1,0 +1,107 @@
+//! The mesh that the library returns.
+
+use super::view::{Faces, MeshView, Positions, Scalar};
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use glam::DVec3;
+
+/// Positions of one scalar type, packed.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PositionBuffer {
+    /// 32-bit coordinates.
+    F32(Vec<[f32; 3]>),
+    /// 64-bit coordinates.
+    F64(Vec<[f64; 3]>),
+}
+
+impl PositionBuffer {
+    /// Empty, with room for `capacity` positions.
+    pub(crate) fn with_capacity(scalar: Scalar, capacity: usize) -> Result<Self> {
+        Ok(match scalar {
+            Scalar::F32 => PositionBuffer::F32(alloc::with_capacity(capacity)?),
+            Scalar::F64 => PositionBuffer::F64(alloc::with_capacity(capacity)?),
+        })
+    }
+
+    /// Appends all positions of `from`: the same bits where the types agree, exact where `f32` becomes `f64`.
+    pub(crate) fn append(&mut self, from: &Positions<'_>) -> Result<()> {
+        match self {
+            PositionBuffer::F32(out) if from.scalar() == Scalar::F32 => append_bits(out, from),
+            PositionBuffer::F64(out) if from.scalar() == Scalar::F64 => append_bits(out, from),
+            PositionBuffer::F64(out) => {
+                alloc::reserve(out, from.len())?;
+                out.extend((0..from.len()).map(|v| from.get(v as u32).to_array()));
+                Ok(())
+            }
+            PositionBuffer::F32(out) => {
+                alloc::reserve(out, from.len())?;
+                out.extend((0..from.len()).map(|v| from.get(v as u32).as_vec3().to_array()));
+                Ok(())
+            }
+        }
+    }
+
+    /// Appends positions `vertices` of this buffer to `out`, bit for bit.
+    pub(crate) fn select(&self, vertices: &[u32]) -> Result<PositionBuffer> {
+        Ok(match self {
+            PositionBuffer::F32(p) => PositionBuffer::F32(alloc::collect(vertices.iter().map(|&v| p[v as usize]))?),
+            PositionBuffer::F64(p) => PositionBuffer::F64(alloc::collect(vertices.iter().map(|&v| p[v as usize]))?),
+        })
+    }
+
+    /// The number of positions.
+    pub fn len(&self) -> usize {
+        self.view().len()
+    }
+
+    /// True if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// A view of them.
+    pub fn view(&self) -> Positions<'_> {
+        match self {
+            PositionBuffer::F32(p) => Positions::from(p.as_slice()),
+            PositionBuffer::F64(p) => Positions::from(p.as_slice()),
+        }
+    }
+
+    /// Position `v` in double precision.
+    pub fn get(&self, v: u32) -> DVec3 {
+        self.view().get(v)
+    }
+}
+
+fn append_bits<T: bytemuck::Pod>(out: &mut Vec<T>, from: &Positions<'_>) -> Result<()> {
+    alloc::reserve(out, from.len())?;
+    match from.packed_bytes() {
+        Some(bytes) => out.extend(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned::<T>)),
+        None => out.extend((0..from.len()).map(|v| bytemuck::pod_read_unaligned::<T>(from.bits(v)))),
+    }
+    Ok(())
+}
+
+/// An owned polygon mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// The positions.
+    pub positions: PositionBuffer,
+    /// Where each face's corners start; one entry more than there are faces.
+    pub face_offsets: Vec<u32>,
+    /// Vertex indices, face after face.
+    pub face_corners: Vec<u32>,
+}
+
+impl Mesh {
+    /// The number of faces.
+    pub fn face_count(&self) -> usize {
+        self.face_offsets.len() - 1
+    }
+
+    /// A validated view; see [`MeshView::new`] for the errors.
+    pub fn view(&self, job: &Job<'_>) -> Result<MeshView<'_>> {
+        MeshView::new(self.positions.view(), Faces::polygons(&self.face_offsets, &self.face_corners)?, job)
+    }
+}

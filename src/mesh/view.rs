@@ -1,0 +1,375 @@
+//! The borrowed, validated view of a polygon mesh.
+
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use glam::DVec3;
+use std::ops::Range;
+
+/// The largest number of vertices and the largest number of half-edges of a mesh: 2^32 - 2.
+pub const MAX_ELEMENTS: u64 = u32::MAX as u64 - 1;
+
+/// Elements that one thread checks at a time.
+const CHUNK: usize = 1 << 16;
+
+/// The type of a coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Scalar {
+    /// 32-bit float.
+    F32,
+    /// 64-bit float.
+    F64,
+}
+
+impl Scalar {
+    /// Bytes of one position: three coordinates.
+    pub fn position_size(self) -> usize {
+        match self {
+            Scalar::F32 => 12,
+            Scalar::F64 => 24,
+        }
+    }
+}
+
+/// Positions as they lie in memory: `x, y, z` at the start of every `stride` bytes, at any alignment.
+#[derive(Debug, Clone, Copy)]
+pub struct Positions<'a> {
+    bytes: &'a [u8],
+    stride: usize,
+    count: usize,
+    scalar: Scalar,
+}
+
+impl<'a> Positions<'a> {
+    /// `bytes` starts with the first position; `stride` is in bytes, 0 for positions without gaps. The last position needs
+    /// its own bytes only, not a whole stride.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`], [`Error::ArrayTooShort`].
+    pub fn strided(bytes: &'a [u8], stride: usize, count: usize, scalar: Scalar) -> Result<Self> {
+        let needed = Self::bytes_needed(stride, count, scalar)?;
+        if bytes.len() < needed {
+            let (needed, given) = (needed as u64, bytes.len() as u64);
+            return Err(Error::ArrayTooShort { what: "positions", needed, given });
+        }
+        let stride = if stride == 0 { scalar.position_size() } else { stride };
+        Ok(Positions { bytes: &bytes[..needed], stride, count, scalar })
+    }
+
+    /// The number of bytes that `count` positions span.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
+    pub fn bytes_needed(stride: usize, count: usize, scalar: Scalar) -> Result<usize> {
+        let size = scalar.position_size();
+        if count as u64 > MAX_ELEMENTS {
+            return Err(Error::TooLarge { what: "vertices", count: count as u64, limit: MAX_ELEMENTS });
+        }
+        if stride != 0 && stride < size {
+            return Err(Error::StrideTooSmall { stride: stride as u64, least: size as u64 });
+        }
+        let stride = if stride == 0 { size } else { stride };
+        if count == 0 {
+            return Ok(0);
+        }
+        let bytes = (count - 1).checked_mul(stride).and_then(|n| n.checked_add(size));
+        bytes
+            .filter(|&n| n <= isize::MAX as usize)
+            .ok_or(Error::SizeOverflow { what: "positions", count: count as u64 })
+    }
+
+    /// The number of positions.
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// True if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The type of the coordinates.
+    pub fn scalar(&self) -> Scalar {
+        self.scalar
+    }
+
+    /// Position `v` in double precision, which is exact.
+    pub fn get(&self, v: u32) -> DVec3 {
+        let at = v as usize * self.stride;
+        match self.scalar {
+            Scalar::F32 => {
+                let p: [f32; 3] = bytemuck::pod_read_unaligned(&self.bytes[at..at + 12]);
+                DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))
+            }
+            Scalar::F64 => DVec3::from_array(bytemuck::pod_read_unaligned(&self.bytes[at..at + 24])),
+        }
+    }
+
+    /// Position `v` as stored, bit for bit.
+    pub(super) fn bits(&self, v: usize) -> &'a [u8] {
+        &self.bytes[v * self.stride..][..self.scalar.position_size()]
+    }
+
+    /// True if nothing lies between the positions.
+    pub(super) fn packed_bytes(&self) -> Option<&'a [u8]> {
+        (self.stride == self.scalar.position_size()).then_some(self.bytes)
+    }
+}
+
+impl<'a> From<&'a [[f32; 3]]> for Positions<'a> {
+    fn from(points: &'a [[f32; 3]]) -> Self {
+        let bytes = bytemuck::cast_slice(points);
+        Positions { bytes, stride: 12, count: points.len(), scalar: Scalar::F32 }
+    }
+}
+
+impl<'a> From<&'a [[f64; 3]]> for Positions<'a> {
+    fn from(points: &'a [[f64; 3]]) -> Self {
+        let bytes = bytemuck::cast_slice(points);
+        Positions { bytes, stride: 24, count: points.len(), scalar: Scalar::F64 }
+    }
+}
+
+/// Packed 32-bit indices at any alignment.
+#[derive(Debug, Clone, Copy)]
+struct Indices<'a>(&'a [u8]);
+
+impl<'a> Indices<'a> {
+    fn get(&self, i: usize) -> u32 {
+        bytemuck::pod_read_unaligned(&self.0[4 * i..4 * i + 4])
+    }
+
+    fn slice(&self, range: Range<usize>) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
+        self.0[4 * range.start..4 * range.end].chunks_exact(4).map(bytemuck::pod_read_unaligned)
+    }
+
+    fn len(&self) -> usize {
+        self.0.len() / 4
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Layout<'a> {
+    /// Every face has this many corners.
+    Uniform(u32),
+    /// Face f has the corners offsets\[f\] .. offsets\[f + 1\].
+    Offsets(Indices<'a>),
+}
+
+/// Faces as they lie in memory: vertex indices, face after face.
+#[derive(Debug, Clone, Copy)]
+pub struct Faces<'a> {
+    corners: Indices<'a>,
+    layout: Layout<'a>,
+    count: usize,
+}
+
+impl<'a> Faces<'a> {
+    /// `face_size` corners for every face; `corners` holds `count * face_size` native-endian `u32`.
+    ///
+    /// # Errors
+    /// [`Error::FaceTooSmall`], [`Error::TooLarge`], [`Error::ArrayTooShort`].
+    pub fn uniform(corners: &'a [u8], face_size: u32, count: usize) -> Result<Self> {
+        let needed = Self::corner_count(face_size, count)? * 4;
+        Ok(Faces { corners: indices(corners, needed, "corners")?, layout: Layout::Uniform(face_size), count })
+    }
+
+    /// Face `f` has the corners `offsets[f] .. offsets[f + 1]` of `corners`; both are native-endian `u32`, and `offsets`
+    /// has one entry more than there are faces.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::ArrayTooShort`]. The offsets themselves are checked by [`MeshView::new`].
+    pub fn with_offsets(offsets: &'a [u8], corners: &'a [u8], count: usize) -> Result<Self> {
+        if count as u64 > MAX_ELEMENTS {
+            return Err(Error::TooLarge { what: "faces", count: count as u64, limit: MAX_ELEMENTS });
+        }
+        let offsets = indices(offsets, (count + 1) * 4, "face offsets")?;
+        let needed = offsets.get(count) as usize * 4;
+        Ok(Faces { corners: indices(corners, needed, "corners")?, layout: Layout::Offsets(offsets), count })
+    }
+
+    /// The number of corners of `count` faces of `face_size` corners.
+    ///
+    /// # Errors
+    /// [`Error::FaceTooSmall`], [`Error::TooLarge`].
+    pub fn corner_count(face_size: u32, count: usize) -> Result<usize> {
+        if face_size < 3 {
+            return Err(Error::FaceTooSmall { face: 0, corners: face_size });
+        }
+        let total = (count as u64).saturating_mul(u64::from(face_size));
+        if total > MAX_ELEMENTS {
+            return Err(Error::TooLarge { what: "half-edges", count: total, limit: MAX_ELEMENTS });
+        }
+        Ok(total as usize)
+    }
+
+    /// Triangles.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`].
+    pub fn triangles(corners: &'a [[u32; 3]]) -> Result<Self> {
+        Self::uniform(bytemuck::cast_slice(corners), 3, corners.len())
+    }
+
+    /// Polygons: see [`Faces::with_offsets`].
+    ///
+    /// # Errors
+    /// [`Error::BadOffsets`] for empty offsets, and as there.
+    pub fn polygons(offsets: &'a [u32], corners: &'a [u32]) -> Result<Self> {
+        let count = offsets.len().checked_sub(1).ok_or(Error::BadOffsets { entry: 0, value: 0 })?;
+        Self::with_offsets(bytemuck::cast_slice(offsets), bytemuck::cast_slice(corners), count)
+    }
+
+    /// The number of faces.
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// True if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The range of corners (half-edges) of face `f`.
+    pub fn range(&self, f: usize) -> Range<usize> {
+        match self.layout {
+            Layout::Uniform(n) => f * n as usize..(f + 1) * n as usize,
+            Layout::Offsets(offsets) => offsets.get(f) as usize..offsets.get(f + 1) as usize,
+        }
+    }
+
+    /// The face that corner (half-edge) `h` belongs to: at once for uniform faces, else by bisection.
+    pub fn face_of(&self, h: u32) -> u32 {
+        match self.layout {
+            Layout::Uniform(n) => h / n,
+            Layout::Offsets(offsets) => {
+                let (mut low, mut high) = (0, self.count);
+                while high - low > 1 {
+                    let middle = usize::midpoint(low, high);
+                    if offsets.get(middle) <= h { low = middle } else { high = middle }
+                }
+                low as u32
+            }
+        }
+    }
+
+    /// The vertex at corner `h`, where half-edge `h` starts.
+    pub fn corner(&self, h: u32) -> u32 {
+        self.corners.get(h as usize)
+    }
+
+    /// The vertices of the corners in `range`.
+    pub fn corners(&self, range: Range<usize>) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
+        self.corners.slice(range)
+    }
+
+    /// The number of corners, which is the number of half-edges.
+    pub fn half_edge_count(&self) -> usize {
+        self.corners.len()
+    }
+}
+
+fn indices<'a>(bytes: &'a [u8], needed: usize, what: &'static str) -> Result<Indices<'a>> {
+    match bytes.get(..needed) {
+        Some(bytes) => Ok(Indices(bytes)),
+        None => Err(Error::ArrayTooShort { what, needed: needed as u64, given: bytes.len() as u64 }),
+    }
+}
+
+/// A polygon mesh in the host's memory that keeps the rules: at least one vertex and one face, monotone offsets, at least
+/// three corners a face, every index in range, and finite coordinates at every vertex that a face uses.
+///
+/// Vertices that no face uses may hold anything, as the empty cells of a range scan do; they are carried along untouched.
+#[derive(Debug, Clone, Copy)]
+pub struct MeshView<'a> {
+    positions: Positions<'a>,
+    faces: Faces<'a>,
+}
+
+impl<'a> MeshView<'a> {
+    /// Checks the rules, in O(vertices + corners), on the job's threads.
+    ///
+    /// # Errors
+    /// [`Error::EmptyMesh`], [`Error::BadOffsets`], [`Error::FaceTooSmall`], [`Error::IndexOutOfRange`],
+    /// [`Error::NotFinite`], each with the first offending element; [`Error::Cancelled`].
+    pub fn new(positions: Positions<'a>, faces: Faces<'a>, job: &Job<'_>) -> Result<Self> {
+        let mesh = MeshView { positions, faces };
+        if positions.is_empty() {
+            return Err(Error::EmptyMesh { what: "vertices" });
+        }
+        if faces.is_empty() {
+            return Err(Error::EmptyMesh { what: "faces" });
+        }
+        job.step(0.0, "checking the mesh")?;
+        let all = |results: Vec<Result<()>>| results.into_iter().collect::<Result<()>>();
+        if let Layout::Offsets(offsets) = faces.layout {
+            all(par::chunks(job.threads(), faces.count, CHUNK, |range| check_offsets(offsets, range)))?;
+        }
+        job.step(0.3, "checking the mesh")?;
+        let corners = faces.half_edge_count();
+        all(par::chunks(job.threads(), corners, CHUNK, |range| mesh.check_corners(range)))?;
+        job.step(0.6, "checking the mesh")?;
+        let finite = par::chunks(job.threads(), positions.len(), CHUNK, |mut range| {
+            range.all(|v| positions.get(v as u32).is_finite())
+        });
+        if !finite.into_iter().all(|chunk| chunk) {
+            // Rare: find out whether a face uses such a vertex.
+            let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
+            let firsts = par::chunks(job.threads(), corners, CHUNK, |mut range| range.find(bad));
+            if let Some(&h) = firsts.iter().flatten().next() {
+                let vertex = faces.corner(h as u32);
+                let p = positions.get(vertex).to_array();
+                let value = p.into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+                return Err(Error::NotFinite { vertex, value });
+            }
+        }
+        job.step(1.0, "checking the mesh")?;
+        Ok(mesh)
+    }
+
+    /// The positions.
+    pub fn positions(&self) -> &Positions<'a> {
+        &self.positions
+    }
+
+    /// The faces.
+    pub fn faces(&self) -> &Faces<'a> {
+        &self.faces
+    }
+
+    /// The vertices of face `f`, in order.
+    pub fn face(&self, f: usize) -> impl ExactSizeIterator<Item = u32> + Clone + 'a {
+        self.faces.corners(self.faces.range(f))
+    }
+
+    fn check_corners(&self, range: Range<usize>) -> Result<()> {
+        let count = self.positions.len();
+        // The maximum first: a loop without an exit runs several times as fast.
+        let highest = self.faces.corners(range.clone()).max().unwrap_or(0);
+        if (highest as usize) < count {
+            return Ok(());
+        }
+        let corner = self.faces.corners(range.clone()).position(|v| v as usize >= count).unwrap_or(0);
+        let corner = (range.start + corner) as u32;
+        Err(Error::IndexOutOfRange { face: self.faces.face_of(corner), corner, vertex: self.faces.corner(corner) })
+    }
+}
+
+fn check_offsets(offsets: Indices<'_>, faces: Range<usize>) -> Result<()> {
+    if faces.start == 0 && offsets.get(0) != 0 {
+        return Err(Error::BadOffsets { entry: 0, value: offsets.get(0) });
+    }
+    for f in faces {
+        let (start, end) = (offsets.get(f), offsets.get(f + 1));
+        match end.checked_sub(start) {
+            None => {
+                return Err(Error::BadOffsets { entry: f as u32 + 1, value: end });
+            }
+            Some(corners) if corners < 3 => {
+                return Err(Error::FaceTooSmall { face: f as u32, corners });
+            }
+            Some(_) => {}
+        }
+    }
+    Ok(())
+}

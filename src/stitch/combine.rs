@@ -1,0 +1,101 @@
+//! One mesh of both pieces and the strip.
+//!
+//! Vertices: those of A, then those of B. Faces: those of A, then those of B, then the strip. Positions keep their bits.
+
+use super::strip::{Corner, Triangle};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::mesh::{MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Scalar};
+use std::ops::Range;
+
+/// Old indices to new ones.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct IndexMap {
+    /// Per old vertex, the new one.
+    pub vertices: Vec<u32>,
+    /// Per old face, the new one.
+    pub faces: Vec<u32>,
+}
+
+/// A mesh under construction.
+pub(super) struct Combination {
+    pub(super) mesh: Mesh,
+}
+
+impl Combination {
+    /// Room for all of `pieces` and `extra` triangles.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::MixedScalars`], [`Error::OutOfMemory`].
+    pub(super) fn new(pieces: &[&MeshView<'_>], extra: usize) -> Result<Self> {
+        let scalar = pieces[0].positions().scalar();
+        if scalar == Scalar::F32 && pieces.iter().any(|p| p.positions().scalar() == Scalar::F64) {
+            return Err(Error::MixedScalars);
+        }
+        let total = |count: fn(&MeshView<'_>) -> usize| pieces.iter().map(|p| count(p)).sum::<usize>();
+        let vertices = total(|p| p.positions().len());
+        let corners = total(|p| p.faces().half_edge_count()) + 3 * extra;
+        for (what, count) in [("vertices", vertices as u64), ("half-edges", corners as u64)] {
+            if count > MAX_ELEMENTS {
+                return Err(Error::TooLarge { what, count, limit: MAX_ELEMENTS });
+            }
+        }
+        let mut face_offsets = alloc::with_capacity(total(|p| p.faces().len()) + extra + 1)?;
+        face_offsets.push(0);
+        Ok(Combination {
+            mesh: Mesh {
+                positions: PositionBuffer::with_capacity(scalar, vertices)?,
+                face_offsets,
+                face_corners: alloc::with_capacity(corners)?,
+            },
+        })
+    }
+
+    /// Appends a piece; the faces that `turn` names are turned over, each from its own first corner.
+    pub(super) fn append(&mut self, piece: &MeshView<'_>, mut turn: impl FnMut(usize) -> bool) -> Result<IndexMap> {
+        let (first_vertex, first_face) = (self.mesh.positions.len() as u32, self.mesh.face_count() as u32);
+        self.mesh.positions.append(piece.positions())?;
+        for f in 0..piece.faces().len() {
+            let start = self.mesh.face_corners.len();
+            self.mesh.face_corners.extend(piece.face(f).map(|v| v + first_vertex));
+            if turn(f) {
+                self.mesh.face_corners[start + 1..].reverse();
+            }
+            self.mesh.face_offsets.push(self.mesh.face_corners.len() as u32);
+        }
+        Ok(IndexMap {
+            vertices: alloc::collect((0..piece.positions().len()).map(|v| v as u32 + first_vertex))?,
+            faces: alloc::collect((0..piece.faces().len()).map(|f| f as u32 + first_face))?,
+        })
+    }
+
+    /// Appends the strip between the rims, whose vertices are given in new indices; returns its faces.
+    pub(super) fn append_strip(&mut self, triangles: &[Triangle], rim_a: &[u32], rim_b: &[u32]) -> Range<u32> {
+        let first = self.mesh.face_count() as u32;
+        for triangle in triangles {
+            self.mesh.face_corners.extend(triangle.map(|corner| match corner {
+                Corner::A(i) => rim_a[i as usize],
+                Corner::B(j) => rim_b[j as usize],
+            }));
+            self.mesh.face_offsets.push(self.mesh.face_corners.len() as u32);
+        }
+        first..self.mesh.face_count() as u32
+    }
+}
+
+/// The strip as a mesh of its own: the vertices of rim A in order, then those of rim B.
+pub(super) fn strip_alone(whole: &Mesh, triangles: &[Triangle], rim_a: &[u32], rim_b: &[u32]) -> Result<Mesh> {
+    let mut vertices = alloc::copied(rim_a)?;
+    alloc::reserve(&mut vertices, rim_b.len())?;
+    vertices.extend_from_slice(rim_b);
+    let mut face_corners = alloc::with_capacity(3 * triangles.len())?;
+    face_corners.extend(triangles.iter().flatten().map(|&corner| match corner {
+        Corner::A(i) => i,
+        Corner::B(j) => rim_a.len() as u32 + j,
+    }));
+    Ok(Mesh {
+        positions: whole.positions.select(&vertices)?,
+        face_offsets: alloc::collect((0..triangles.len() + 1).map(|f| 3 * f as u32))?,
+        face_corners,
+    })
+}

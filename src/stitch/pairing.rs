@@ -1,0 +1,74 @@
+//! Which two loops to stitch when the caller leaves that open: the two that lie nearest along their whole length.
+//!
+//! The distance of two loops is the mean over the vertices of each of the distance to the nearest vertex of the other, the
+//! larger of the two means. A single close pair does not make two loops near; facing each other all along does.
+
+use super::rim::{Rim, is_usable, shared_vertex};
+use crate::alloc;
+use crate::boundary::Boundary;
+use crate::error::{Error, Result, Side};
+use crate::geom::kd_tree::KdTree;
+use crate::job::Job;
+use crate::mesh::MeshView;
+use glam::DVec3;
+
+/// Every loop of the boundary that can carry a strip.
+pub(super) fn usable_rims(mesh: &MeshView<'_>, boundary: &Boundary) -> Result<Vec<Rim>> {
+    let mut rims = Vec::new();
+    for found in boundary.iter().filter(is_usable) {
+        alloc::push(&mut rims, Rim::found(mesh, &found)?)?;
+    }
+    Ok(rims)
+}
+
+/// Takes the nearest two rims out of the candidates, one from each side; of equally near pairs the first. On one mesh a
+/// rim is not paired with one that shares a vertex with it, itself above all.
+///
+/// Box tests for all pairs, and nearest-point searches for those that the boxes do not rule out.
+pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job: &Job<'_>) -> Result<(Rim, Rim)> {
+    let boxes: Vec<Extent> = alloc::collect(b.iter().map(Extent::of))?;
+    let mut best = (f64::INFINITY, None);
+    for (i, p) in a.iter().enumerate() {
+        job.step(i as f64 / a.len() as f64, "pairing the loops")?;
+        let (extent, tree) = (Extent::of(p), KdTree::new(&p.points)?);
+        for (j, q) in b.iter().enumerate() {
+            if extent.distance(&boxes[j]) >= best.0 {
+                continue;
+            }
+            // The cheaper half first.
+            let there = mean_distance(&q.points, &tree);
+            if there >= best.0 {
+                continue;
+            }
+            let distance = there.max(mean_distance(&p.points, &KdTree::new(&q.points)?));
+            if distance < best.0 && !(one_mesh && shared_vertex(p, q)?.is_some()) {
+                best = (distance, Some((i, j)));
+            }
+        }
+    }
+    let side = if a.is_empty() { Side::A } else { Side::B };
+    let (i, j) = best.1.ok_or(Error::NoLoop { side })?;
+    Ok((a.swap_remove(i), b.swap_remove(j)))
+}
+
+struct Extent {
+    low: DVec3,
+    high: DVec3,
+}
+
+impl Extent {
+    fn of(rim: &Rim) -> Self {
+        let start = Extent { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+        rim.points.iter().fold(start, |e, &p| Extent { low: e.low.min(p), high: e.high.max(p) })
+    }
+
+    /// A lower bound of every distance between points of the two rims.
+    fn distance(&self, other: &Extent) -> f64 {
+        (self.low - other.high).max(other.low - self.high).max(DVec3::ZERO).length()
+    }
+}
+
+fn mean_distance(from: &[DVec3], to: &KdTree<'_>) -> f64 {
+    let nearest = |p: &DVec3| to.nearest(*p, f64::INFINITY, |_| true).map_or(0.0, |(squared, _)| squared.sqrt());
+    from.iter().map(nearest).sum::<f64>() / from.len() as f64
+}

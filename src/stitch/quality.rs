@@ -1,0 +1,76 @@
+//! What a stitched mesh is worth.
+
+use crate::boundary::{self, boundary_loops};
+use crate::error::Result;
+use crate::geom::{scale::common_unit, triangle};
+use crate::job::Job;
+use crate::mesh::{Defect, Mesh};
+use std::f64::consts::FRAC_PI_3;
+
+/// Measures of the strip, and of the whole result's connectivity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quality {
+    /// The smallest angle of the strip's triangles, in radians; 0 if one is degenerate.
+    pub min_angle: f64,
+    /// The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
+    /// triangle, infinite for a degenerate one.
+    pub max_aspect: f64,
+    /// The longest edge of the strip, in the unit of the positions.
+    pub max_edge: f64,
+    /// The strip's area, in the square of that unit.
+    pub area: f64,
+    /// Triangles of the strip without area.
+    pub degenerate_faces: u32,
+    /// Boundary loops of the result; 0 if it is closed.
+    pub loops_left: u32,
+    /// Edges of the result with three or more faces.
+    pub non_manifold_edges: u32,
+    /// Edges of the result whose two faces disagree in orientation.
+    pub orientation_conflicts: u32,
+}
+
+impl Quality {
+    pub(super) fn of(whole: &Mesh, strip: &Mesh, job: &Job<'_>) -> Result<Self> {
+        let mut quality = Quality {
+            min_angle: FRAC_PI_3,
+            max_aspect: 1.0,
+            max_edge: 0.0,
+            area: 0.0,
+            degenerate_faces: 0,
+            loops_left: 0,
+            non_manifold_edges: 0,
+            orientation_conflicts: 0,
+        };
+        quality.measure_strip(strip)?;
+
+        let boundary =
+            boundary_loops(&whole.view(&job.part(0.0, 0.3))?, &boundary::Options::default(), &job.part(0.3, 1.0))?;
+        quality.loops_left = boundary.len() as u32;
+        for defect in boundary.defects() {
+            match defect {
+                Defect::NonManifoldEdge { .. } => quality.non_manifold_edges += 1,
+                Defect::OrientationConflict { .. } => quality.orientation_conflicts += 1,
+                Defect::DegenerateFace { .. } | Defect::BowTie { .. } => {}
+            }
+        }
+        Ok(quality)
+    }
+
+    fn measure_strip(&mut self, strip: &Mesh) -> Result<()> {
+        let points = crate::alloc::collect((0..strip.positions.len()).map(|v| strip.positions.get(v as u32)))?;
+        let unit = common_unit(&points);
+        let (mut longest, mut double_area): (f64, f64) = (0.0, 0.0);
+        for corners in strip.face_corners.chunks_exact(3) {
+            let [a, b, c] = [0, 1, 2].map(|k| points[corners[k] as usize] / unit);
+            let area = triangle::double_area(a, b, c);
+            self.min_angle = self.min_angle.min(triangle::min_angle(a, b, c));
+            self.max_aspect = self.max_aspect.max(triangle::aspect(a, b, c));
+            self.degenerate_faces += u32::from(area == 0.0);
+            longest = longest.max(a.distance(b)).max(b.distance(c)).max(c.distance(a));
+            double_area += area;
+        }
+        self.max_edge = longest * unit;
+        self.area = 0.5 * double_area * unit * unit;
+        Ok(())
+    }
+}

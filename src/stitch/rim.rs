@@ -1,0 +1,156 @@
+//! A rim: a boundary loop that a strip can be hung on.
+
+use crate::alloc;
+use crate::boundary::{Boundary, EdgeFlags, Loop, LoopFlags};
+use crate::error::{Error, Result, Side};
+use crate::mesh::MeshView;
+use glam::DVec3;
+
+/// A closed loop of free edges that passes each vertex once, with the surface on its left.
+pub(super) struct Rim {
+    pub(super) vertices: Vec<u32>,
+    /// Their positions, in a unit common to all rims of one stitch.
+    pub(super) points: Vec<DVec3>,
+    /// A face on the rim.
+    pub(super) face: u32,
+}
+
+/// Loops with any of these cannot carry a strip.
+const UNUSABLE: u32 = LoopFlags::OPEN | LoopFlags::NON_MANIFOLD | LoopFlags::NOT_ORIENTED;
+
+/// True if `candidate` can carry a strip.
+pub(super) fn is_usable(candidate: &Loop<'_>) -> bool {
+    !candidate.flags.any(UNUSABLE) && candidate.vertices.len() >= 3
+}
+
+impl Rim {
+    /// A usable loop of the boundary.
+    pub(super) fn found(mesh: &MeshView<'_>, found: &Loop<'_>) -> Result<Rim> {
+        Rim::new(mesh, alloc::copied(found.vertices)?, found.faces[0])
+    }
+
+    /// A loop given by the caller, in either direction.
+    pub(super) fn given(mesh: &MeshView<'_>, edges: &FreeEdges, vertices: &[u32], side: Side) -> Result<Rim> {
+        let count = vertices.len();
+        if count < 3 {
+            return Err(Error::LoopTooShort { side, count: count as u32 });
+        }
+        let mut sorted = alloc::copied(vertices)?;
+        sorted.sort_unstable();
+        if let Some(pair) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(Error::LoopRepeatsVertex { side, vertex: pair[0] });
+        }
+
+        // Faces that run the edges as the loop does, and faces that run them the other way.
+        let mut faces = [None, None];
+        for place in 0..count {
+            let (u, v) = (vertices[place], vertices[(place + 1) % count]);
+            match (edges.face_that_runs(u, v), edges.face_that_runs(v, u)) {
+                (Some(face), _) => faces[0] = Some(face),
+                (None, Some(face)) => faces[1] = Some(face),
+                (None, None) => {
+                    return Err(Error::LoopEdgeNotFree { side, place: place as u32, vertex: u });
+                }
+            }
+        }
+        let mut vertices = alloc::copied(vertices)?;
+        let face = match faces {
+            [Some(_), Some(face)] => return Err(Error::LoopNotOriented { side, face }),
+            [Some(face), None] => face,
+            [None, against] => {
+                vertices.reverse();
+                against.unwrap_or(0)
+            }
+        };
+        Rim::new(mesh, vertices, face)
+    }
+
+    fn new(mesh: &MeshView<'_>, vertices: Vec<u32>, face: u32) -> Result<Rim> {
+        let points = alloc::collect(vertices.iter().map(|&v| mesh.positions().get(v)))?;
+        Ok(Rim { vertices, points, face })
+    }
+
+    /// Runs the rim the other way.
+    pub(super) fn reverse(&mut self) {
+        self.vertices.reverse();
+        self.points.reverse();
+    }
+
+    /// Makes place `first` the new place 0.
+    pub(super) fn start_at(&mut self, first: usize) {
+        self.vertices.rotate_left(first);
+        self.points.rotate_left(first);
+    }
+}
+
+/// A vertex that both rims, of one mesh, pass.
+pub(super) fn shared_vertex(a: &Rim, b: &Rim) -> Result<Option<u32>> {
+    let mut sorted = alloc::copied(&a.vertices)?;
+    sorted.sort_unstable();
+    Ok(b.vertices.iter().copied().filter(|v| sorted.binary_search(v).is_ok()).min())
+}
+
+/// The edges with exactly one face, found by their ends in the direction of that face.
+pub(super) struct FreeEdges(Vec<(u32, u32, u32)>);
+
+impl FreeEdges {
+    pub(super) fn of(boundary: &Boundary) -> Result<Self> {
+        let mut edges = alloc::with_capacity(boundary.edge_count())?;
+        for found in boundary.iter() {
+            for (i, (&face, &flags)) in found.faces.iter().zip(found.edge_flags).enumerate() {
+                let (u, v) = (found.vertices[i], found.vertices[(i + 1) % found.vertices.len()]);
+                if flags & EdgeFlags::NON_MANIFOLD == 0 {
+                    edges.push(if flags & EdgeFlags::REVERSED == 0 { (u, v, face) } else { (v, u, face) });
+                }
+            }
+        }
+        edges.sort_unstable();
+        Ok(FreeEdges(edges))
+    }
+
+    fn face_that_runs(&self, u: u32, v: u32) -> Option<u32> {
+        let at = self.0.partition_point(|&(a, b, _)| (a, b) < (u, v));
+        self.0.get(at).filter(|&&(a, b, _)| (a, b) == (u, v)).map(|&(_, _, face)| face)
+    }
+}
+
+/// The edges that one mesh already has between its two rims. No meridian may repeat one: the edge would have four faces.
+pub(super) struct Bridges(Vec<(u32, u32)>);
+
+impl Bridges {
+    /// Rims on different meshes have none.
+    pub(super) fn none() -> Self {
+        Bridges(Vec::new())
+    }
+
+    /// The edges of `mesh` from a vertex of `a` to a vertex of `b`. One pass over the half-edges.
+    pub(super) fn between(mesh: &MeshView<'_>, a: &Rim, b: &Rim) -> Result<Self> {
+        let mut side = alloc::filled(None, mesh.positions().len())?;
+        a.vertices.iter().for_each(|&v| side[v as usize] = Some(Side::A));
+        b.vertices.iter().for_each(|&v| side[v as usize] = Some(Side::B));
+        let mut edges = Vec::new();
+        for f in 0..mesh.faces().len() {
+            let corners = mesh.face(f);
+            for (u, v) in corners.clone().zip(corners.clone().cycle().skip(1)) {
+                match (side[u as usize], side[v as usize]) {
+                    (Some(Side::A), Some(Side::B)) => alloc::push(&mut edges, (u, v))?,
+                    (Some(Side::B), Some(Side::A)) => alloc::push(&mut edges, (v, u))?,
+                    _ => {}
+                }
+            }
+        }
+        edges.sort_unstable();
+        edges.dedup();
+        Ok(Bridges(edges))
+    }
+
+    /// True if the mesh has an edge between vertex `u` of rim A and vertex `v` of rim B.
+    pub(super) fn has(&self, u: u32, v: u32) -> bool {
+        !self.0.is_empty() && self.0.binary_search(&(u, v)).is_ok()
+    }
+
+    /// True if the rims are joined by no edge.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}

@@ -1,0 +1,84 @@
+//! Do two rims run opposite ways round the gap between them?
+//!
+//! Both rims have their surface on the left. Where the pieces are parts of one oriented surface, the rims therefore run
+//! opposite ways; if they run the same way, one piece is inside out. The test compares the curves themselves: each is
+//! sampled at equal arc lengths and centred, and the second is laid on the first in both directions, at the best rotation.
+
+use glam::DVec3;
+
+/// Samples of each rim.
+const SAMPLES: usize = 64;
+
+/// A difference smaller than this part of the rims' own spread decides nothing: the rims are then nearly straight there and
+/// back, or mirror images of themselves from where the other one stands.
+const MARGIN: f64 = 0.01;
+
+/// True if rims `a` and `b` clearly run the same way, so that their surfaces disagree in orientation.
+pub(super) fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
+    let (p, q) = (centred_samples(a), centred_samples(b));
+    // The sum of squared distances is |p|^2 + |q|^2 - 2 sum(p . q): the least distance is the greatest correlation.
+    let best = |sign: usize| {
+        (0..SAMPLES)
+            .map(|shift| (0..SAMPLES).map(|k| p[k].dot(q[(shift + sign * k) % SAMPLES])).sum::<f64>())
+            .fold(f64::NEG_INFINITY, f64::max)
+    };
+    let (same, opposite) = (best(1), best(SAMPLES - 1));
+    let spread = |s: &[DVec3]| s.iter().map(|v| v.length_squared()).sum::<f64>();
+    2.0 * (same - opposite) > MARGIN * (spread(&p) + spread(&q))
+}
+
+/// Points at equal arc lengths along a closed polyline, moved so that their mean is the origin.
+fn centred_samples(points: &[DVec3]) -> [DVec3; SAMPLES] {
+    let n = points.len();
+    let length: f64 = (0..n).map(|i| points[i].distance(points[(i + 1) % n])).sum();
+    let mut samples = [points[0]; SAMPLES];
+    let (mut i, mut start) = (0, 0.0);
+    for (k, sample) in samples.iter_mut().enumerate() {
+        let at = length * k as f64 / SAMPLES as f64;
+        let mut edge = points[i].distance(points[(i + 1) % n]);
+        while i + 1 < n && start + edge < at {
+            start += edge;
+            i += 1;
+            edge = points[i].distance(points[(i + 1) % n]);
+        }
+        let t = if edge > 0.0 { ((at - start) / edge).clamp(0.0, 1.0) } else { 0.0 };
+        *sample = points[i].lerp(points[(i + 1) % n], t);
+    }
+    let mean = samples.iter().sum::<DVec3>() / SAMPLES as f64;
+    samples.map(|s| s - mean)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn circle(n: usize, turn: f64, lift: f64) -> Vec<DVec3> {
+        (0..n)
+            .map(|i| {
+                let t = turn + std::f64::consts::TAU * i as f64 / n as f64;
+                DVec3::new(t.cos(), t.sin(), lift)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn circles_of_any_count_phase_and_distance() {
+        for (n, m) in [(3, 4), (30, 20), (100, 7), (64, 64)] {
+            for lift in [0.0, 0.1, 50.0] {
+                for turn in [0.0, 1.0, 4.0] {
+                    let (a, mut b) = (circle(n, 0.0, 0.0), circle(m, turn, lift));
+                    assert!(run_the_same_way(&a, &b), "{n} {m} {lift} {turn}");
+                    b.reverse();
+                    assert!(!run_the_same_way(&a, &b), "{n} {m} {lift} {turn}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_told_is_left_alone() {
+        let line: Vec<_> = (0..10).chain((1..9).rev()).map(|i| DVec3::X * f64::from(i)).collect();
+        assert!(!run_the_same_way(&line, &line));
+        assert!(!run_the_same_way(&[DVec3::ONE; 3], &circle(5, 0.0, 0.0)));
+    }
+}
