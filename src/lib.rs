@@ -2,6 +2,7 @@
 mod alloc;
 pub mod boundary;
 pub mod error;
+pub mod ffi;
 mod geom;
 pub mod job;
 pub mod mesh;

@@ -168,7 +168,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
         boundary.walks += 1;
         split_simple(mesh, &walk, &mut place, |piece, closed| {
             let is_split = piece.len() < walk.len();
-            boundary.add(mesh, piece, closed, &walker, Walk { number, closed: closed_walk, is_split })
+            boundary.add(mesh, piece, closed, &walker, &Walk { number, closed: closed_walk, is_split })
         })?;
     }
     boundary.records.sort_by_key(|r| boundary.half_edges[r.edges.clone()].iter().copied().min());
@@ -194,7 +194,7 @@ impl Boundary {
         piece: &[Dart],
         closed: bool,
         walker: &Walker<'_, '_>,
-        walk: Walk,
+        walk: &Walk,
     ) -> Result<()> {
         let against = piece.iter().filter(|dart| !dart.forward).count();
         let turned = 2 * against > piece.len();

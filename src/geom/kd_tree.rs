@@ -100,7 +100,7 @@ mod tests {
             let points: Vec<DVec3> =
                 cells.iter().map(|&(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z))).collect();
             let query = DVec3::new(f64::from(query.0), f64::from(query.1), f64::from(query.2)) / 2.0;
-            let accept = |i: u32| i % skip == 0;
+            let accept = |i: u32| i.is_multiple_of(skip);
             let expected = (0..points.len() as u32)
                 .filter(|&i| accept(i))
                 .map(|i| (points[i as usize].distance_squared(query), i))

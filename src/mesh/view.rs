@@ -146,6 +146,21 @@ impl<'a> Indices<'a> {
     fn len(&self) -> usize {
         self.0.len() / 4
     }
+
+    /// Taken as face offsets: they start at 0, and each is at least 3 more than the one before.
+    fn check(self, job: &Job<'_>) -> Result<()> {
+        if self.get(0) != 0 {
+            return Err(Error::BadOffsets { entry: 0, value: self.get(0) });
+        }
+        let check = |mut faces: Range<usize>| {
+            faces.try_for_each(|f| match self.get(f + 1).checked_sub(self.get(f)) {
+                None => Err(Error::BadOffsets { entry: f as u32 + 1, value: self.get(f + 1) }),
+                Some(corners) if corners < 3 => Err(Error::FaceTooSmall { face: f as u32, corners }),
+                Some(_) => Ok(()),
+            })
+        };
+        par::chunks(job.threads(), self.len() - 1, CHUNK, check).into_iter().collect()
+    }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -180,10 +195,7 @@ impl<'a> Faces<'a> {
     /// # Errors
     /// [`Error::TooLarge`], [`Error::ArrayTooShort`]. The offsets themselves are checked by [`MeshView::new`].
     pub fn with_offsets(offsets: &'a [u8], corners: &'a [u8], count: usize) -> Result<Self> {
-        if count as u64 > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what: "faces", count: count as u64, limit: MAX_ELEMENTS });
-        }
-        let offsets = indices(offsets, (count + 1) * 4, "face offsets")?;
+        let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
         let needed = offsets.get(count) as usize * 4;
         Ok(Faces { corners: indices(corners, needed, "corners")?, layout: Layout::Offsets(offsets), count })
     }
@@ -201,6 +213,32 @@ impl<'a> Faces<'a> {
             return Err(Error::TooLarge { what: "half-edges", count: total, limit: MAX_ELEMENTS });
         }
         Ok(total as usize)
+    }
+
+    /// The number of offsets of `count` faces.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`].
+    pub fn offset_count(count: usize) -> Result<usize> {
+        if count as u64 > MAX_ELEMENTS {
+            return Err(Error::TooLarge { what: "faces", count: count as u64, limit: MAX_ELEMENTS });
+        }
+        Ok(count + 1)
+    }
+
+    /// Holds the offsets of `count` faces to the rules before anybody has seen the corners, and returns how many corners
+    /// there must be. For callers that learn the length of the corner array from the offsets alone.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::ArrayTooShort`], [`Error::BadOffsets`], [`Error::FaceTooSmall`].
+    pub fn check_offsets(offsets: &[u8], count: usize, job: &Job<'_>) -> Result<usize> {
+        let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
+        offsets.check(job)?;
+        let corners = u64::from(offsets.get(count));
+        if corners > MAX_ELEMENTS {
+            return Err(Error::TooLarge { what: "half-edges", count: corners, limit: MAX_ELEMENTS });
+        }
+        Ok(corners as usize)
     }
 
     /// Triangles.
@@ -301,13 +339,13 @@ impl<'a> MeshView<'a> {
             return Err(Error::EmptyMesh { what: "faces" });
         }
         job.step(0.0, "checking the mesh")?;
-        let all = |results: Vec<Result<()>>| results.into_iter().collect::<Result<()>>();
         if let Layout::Offsets(offsets) = faces.layout {
-            all(par::chunks(job.threads(), faces.count, CHUNK, |range| check_offsets(offsets, range)))?;
+            offsets.check(job)?;
         }
         job.step(0.3, "checking the mesh")?;
         let corners = faces.half_edge_count();
-        all(par::chunks(job.threads(), corners, CHUNK, |range| mesh.check_corners(range)))?;
+        let checked = par::chunks(job.threads(), corners, CHUNK, |range| mesh.check_corners(range));
+        checked.into_iter().collect::<Result<()>>()?;
         job.step(0.6, "checking the mesh")?;
         let finite = par::chunks(job.threads(), positions.len(), CHUNK, |mut range| {
             range.all(|v| positions.get(v as u32).is_finite())
@@ -353,23 +391,4 @@ impl<'a> MeshView<'a> {
         let corner = (range.start + corner) as u32;
         Err(Error::IndexOutOfRange { face: self.faces.face_of(corner), corner, vertex: self.faces.corner(corner) })
     }
-}
-
-fn check_offsets(offsets: Indices<'_>, faces: Range<usize>) -> Result<()> {
-    if faces.start == 0 && offsets.get(0) != 0 {
-        return Err(Error::BadOffsets { entry: 0, value: offsets.get(0) });
-    }
-    for f in faces {
-        let (start, end) = (offsets.get(f), offsets.get(f + 1));
-        match end.checked_sub(start) {
-            None => {
-                return Err(Error::BadOffsets { entry: f as u32 + 1, value: end });
-            }
-            Some(corners) if corners < 3 => {
-                return Err(Error::FaceTooSmall { face: f as u32, corners });
-            }
-            Some(_) => {}
-        }
-    }
-    Ok(())
 }

@@ -29,5 +29,6 @@ mod sense;
 mod start;
 mod strip;
 
+pub use combine::IndexMap;
 pub use join::{Meridians, Options, Orientation, Request, Stitch, stitch};
 pub use quality::Quality;

@@ -171,6 +171,7 @@ impl<F: Fn(usize, usize) -> bool> Table<'_, Option<F>> {
     }
 
     /// Replaces row i - 1 by row i, and notes how the best paths arrive.
+    #[allow(clippy::needless_range_loop, reason = "j is a place on rim B, and indexes seven arrays")]
     fn next_row(&mut self, i: usize, row: &mut Row, arrivals: &mut [u8]) {
         self.measure(i);
         let (n, m) = (self.a.len(), self.b.len());

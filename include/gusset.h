@@ -1,0 +1,861 @@
+/* gusset: joins surfaces that come in pieces. Generated from src/ffi by cbindgen; do not edit.
+ *
+ * Every function is reentrant. Pointers are to the caller's own arrays unless said otherwise; counts are in elements,
+ * strides in bytes, angles in radians, lengths in the unit of the positions, indices from 0.
+ * Structs that begin with struct_size: set it to sizeof the struct, all other fields to 0 for the defaults.
+ */
+
+#ifndef GUSSET_H
+#define GUSSET_H
+
+#include <stddef.h>
+#include <stdint.h>
+#if defined(_WIN32) && defined(GUSSET_SHARED)
+#define GUSSET_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define GUSSET_API __attribute__((visibility("default")))
+#else
+#define GUSSET_API
+#endif
+
+#if defined(__GNUC__)
+#define GUSSET_MUST_USE __attribute__((warn_unused_result))
+#else
+#define GUSSET_MUST_USE
+#endif
+
+/** Version of this header; compare with gusset_version() of the library loaded. */
+#define GUSSET_VERSION_MAJOR 0
+#define GUSSET_VERSION_MINOR 1
+#define GUSSET_VERSION_PATCH 0
+#define GUSSET_VERSION_STRING "0.1.0"
+
+
+/**
+ * At an edge with three or more faces each face has a border of its own; loops run along it and are always closed.
+ */
+#define GUSSET_NON_MANIFOLD_CUT 0
+
+/**
+ * Only edges with exactly one face belong to loops; one that meets an edge with more ends there, as an open chain.
+ */
+#define GUSSET_NON_MANIFOLD_STOP 1
+
+/**
+ * The chain does not close: it has one vertex more than it has edges.
+ */
+#define GUSSET_LOOP_OPEN 1
+
+/**
+ * The loop passes a vertex where the surface touches itself.
+ */
+#define GUSSET_LOOP_BOW_TIE 2
+
+/**
+ * It was cut from a longer walk at a vertex that the walk passed twice.
+ */
+#define GUSSET_LOOP_SPLIT 4
+
+/**
+ * It runs along, or ends at, an edge with three or more faces.
+ */
+#define GUSSET_LOOP_NON_MANIFOLD 8
+
+/**
+ * The faces along it disagree in orientation.
+ */
+#define GUSSET_LOOP_NOT_ORIENTED 16
+
+/**
+ * It has an edge of length 0.
+ */
+#define GUSSET_LOOP_ZERO_LENGTH 32
+
+/**
+ * The loop runs this edge against its face.
+ */
+#define GUSSET_EDGE_REVERSED 1
+
+/**
+ * The edge has three or more faces.
+ */
+#define GUSSET_EDGE_NON_MANIFOLD 2
+
+/**
+ * The edge has length 0.
+ */
+#define GUSSET_EDGE_ZERO_LENGTH 4
+
+/**
+ * A face (index) that repeats a vertex (other).
+ */
+#define GUSSET_DEFECT_DEGENERATE_FACE 1
+
+/**
+ * An edge whose two faces run it in the same direction: half-edges index and other.
+ */
+#define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
+
+/**
+ * An edge with three or more faces (count): its first half-edge is index.
+ */
+#define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
+
+/**
+ * A vertex (index) where the surface touches itself: its faces form more than one fan.
+ */
+#define GUSSET_DEFECT_BOW_TIE 4
+
+/**
+ * Coordinates are 32-bit floats.
+ */
+#define GUSSET_F32 1
+
+/**
+ * Coordinates are 64-bit floats.
+ */
+#define GUSSET_F64 2
+
+/**
+ * Indices and face offsets are 32-bit unsigned integers.
+ */
+#define GUSSET_U32 0
+
+/**
+ * Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
+ */
+#define GUSSET_U64 1
+
+/**
+ * The strip of least area among all closed bands of triangles through the first meridian: exact, O(N M).
+ */
+#define GUSSET_MERIDIANS_MIN_AREA 0
+
+/**
+ * The paper's rule by index, O(N + M): good for evenly spaced rims.
+ */
+#define GUSSET_MERIDIANS_INDEX 1
+
+/**
+ * A second piece that is oriented against the first is turned over. Two loops of one connected piece are taken as they are.
+ */
+#define GUSSET_ORIENTATION_FIX 0
+
+/**
+ * Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
+ */
+#define GUSSET_ORIENTATION_REFUSE 1
+
+/**
+ * The rims are not compared: the faces are taken to be right as they are.
+ */
+#define GUSSET_ORIENTATION_KEEP 2
+
+/**
+ * What a function returns; `GUSSET_OK` is 0.
+ */
+enum gusset_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Success.
+     */
+    GUSSET_OK = 0,
+    /**
+     * A pointer that must not be NULL is NULL.
+     */
+    GUSSET_ERROR_NULL_ARGUMENT = 1,
+    /**
+     * A pointer to a struct, a handle or an output is not aligned for it. (Element arrays may have any alignment.)
+     */
+    GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
+    /**
+     * struct_size is smaller than the first version of the struct.
+     */
+    GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
+    /**
+     * An enumerator, a reserved field or a field unknown to this version has an unknown value.
+     */
+    GUSSET_ERROR_UNKNOWN_VALUE = 4,
+    /**
+     * An option is outside its range.
+     */
+    GUSSET_ERROR_OUT_OF_RANGE = 5,
+    /**
+     * The caller's buffer is too small; nothing was written but the size needed.
+     */
+    GUSSET_ERROR_BUFFER_TOO_SMALL = 6,
+    /**
+     * The context is in use by another call: on another thread, or further up this one's stack.
+     */
+    GUSSET_ERROR_CONTEXT_BUSY = 7,
+    /**
+     * There is no element of this index.
+     */
+    GUSSET_ERROR_NO_SUCH_ELEMENT = 8,
+    /**
+     * position_stride is smaller than one position.
+     */
+    GUSSET_ERROR_BAD_STRIDE = 9,
+    /**
+     * Exactly one of face_offsets and face_size must be given.
+     */
+    GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
+    /**
+     * More vertices, faces or half-edges than this version takes.
+     */
+    GUSSET_ERROR_TOO_LARGE = 1000,
+    /**
+     * The bytes of an array exceed the address space.
+     */
+    GUSSET_ERROR_SIZE_OVERFLOW = 1001,
+    /**
+     * A mesh without vertices or without faces.
+     */
+    GUSSET_ERROR_EMPTY_MESH = 1002,
+    /**
+     * Face offsets do not start at 0 or decrease.
+     */
+    GUSSET_ERROR_BAD_OFFSETS = 1003,
+    /**
+     * A face of fewer than three corners.
+     */
+    GUSSET_ERROR_FACE_TOO_SMALL = 1004,
+    /**
+     * A face names a vertex that does not exist.
+     */
+    GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
+    /**
+     * A vertex used by a face has a coordinate that is NaN or infinite.
+     */
+    GUSSET_ERROR_NOT_FINITE = 1006,
+    /**
+     * Mesh B has f64 positions and mesh A f32.
+     */
+    GUSSET_ERROR_MIXED_SCALARS = 1007,
+    /**
+     * There is no boundary loop that can be stitched.
+     */
+    GUSSET_ERROR_NO_LOOP = 1100,
+    /**
+     * A loop of fewer than three vertices.
+     */
+    GUSSET_ERROR_LOOP_TOO_SHORT = 1101,
+    /**
+     * A loop passes a vertex twice.
+     */
+    GUSSET_ERROR_LOOP_REPEATS_VERTEX = 1102,
+    /**
+     * Consecutive vertices of a loop are not joined by an edge with exactly one face.
+     */
+    GUSSET_ERROR_LOOP_EDGE_NOT_FREE = 1103,
+    /**
+     * Both loops pass the same vertex of the same mesh.
+     */
+    GUSSET_ERROR_LOOPS_SHARE_VERTEX = 1104,
+    /**
+     * The faces along a loop disagree in orientation.
+     */
+    GUSSET_ERROR_LOOP_NOT_ORIENTED = 1105,
+    /**
+     * The second piece is oriented against the first, and the options refuse to turn it over.
+     */
+    GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
+    /**
+     * Every strip would repeat an edge that the mesh already has.
+     */
+    GUSSET_ERROR_NO_STRIP = 1107,
+    /**
+     * Memory could not be had.
+     */
+    GUSSET_ERROR_OUT_OF_MEMORY = 2000,
+    /**
+     * The host cancelled.
+     */
+    GUSSET_ERROR_CANCELLED = 2001,
+    /**
+     * A defect of the library; the context and all handles remain usable.
+     */
+    GUSSET_ERROR_PANIC = 9999,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum gusset_status gusset_status;
+#else
+typedef int32_t gusset_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The free boundary loops of a mesh. Opaque and immutable; it keeps nothing of the mesh.
+ */
+typedef struct gusset_boundary gusset_boundary;
+
+/**
+ * Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at a time, but
+ * gusset_context_cancel and gusset_context_progress may be called from any.
+ */
+typedef struct gusset_context gusset_context;
+
+/**
+ * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
+ */
+typedef struct gusset_stitch gusset_stitch;
+
+/**
+ * A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing is copied on the way in.
+ *
+ * As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners (TOO_LARGE); at
+ * least three corners a face (FACE_TOO_SMALL); indices below vertex_count (INDEX_OUT_OF_RANGE); finite coordinates at all
+ * vertices that faces use (NOT_FINITE), while unused ones may hold anything. The arrays may have any alignment. They must
+ * be as long as the counts say, which the library cannot see, and must not change during a call.
+ *
+ * As output: packed positions, face_offsets given, face_size 0.
+ */
+typedef struct gusset_mesh_view {
+    /**
+     * sizeof(gusset_mesh_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * x, y, z at the start of every stride, of the type that scalar names.
+     */
+    const void *positions;
+    /**
+     * Bytes from one position to the next; 0 if they are packed.
+     */
+    size_t position_stride;
+    /**
+     * The number of vertices.
+     */
+    size_t vertex_count;
+    /**
+     * face_count + 1 entries: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1. NULL if face_size is given.
+     */
+    const void *face_offsets;
+    /**
+     * The vertex at each corner, face after face. Corner h is also the name of the half-edge that starts there.
+     */
+    const void *face_corners;
+    /**
+     * The number of faces.
+     */
+    size_t face_count;
+    /**
+     * GUSSET_F32 or GUSSET_F64. Zero is no valid value: it must be said.
+     */
+    uint32_t scalar;
+    /**
+     * GUSSET_U32.
+     */
+    uint32_t index;
+    /**
+     * The number of corners of every face, or 0 if face_offsets is given.
+     */
+    uint32_t face_size;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_mesh_view;
+
+/**
+ * How loops are found; all zero is the default.
+ */
+typedef struct gusset_boundary_options {
+    /**
+     * sizeof(gusset_boundary_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_NON_MANIFOLD_...
+     */
+    uint32_t non_manifold;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_boundary_options;
+
+/**
+ * Indices that a result lends, or that the caller gives.
+ */
+typedef struct gusset_indices {
+    /**
+     * The first one; may be NULL if count is 0.
+     */
+    const uint32_t *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} gusset_indices;
+
+/**
+ * One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a closed loop back to
+ * vertices[0]. Pointers are valid until the boundary is destroyed.
+ */
+typedef struct gusset_loop_view {
+    /**
+     * sizeof(gusset_loop_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The vertices in order, each once; a closed loop starts at its smallest half-edge.
+     */
+    struct gusset_indices vertices;
+    /**
+     * The half-edge (position in face_corners) that each edge is.
+     */
+    struct gusset_indices half_edges;
+    /**
+     * The face that each edge borders.
+     */
+    struct gusset_indices faces;
+    /**
+     * GUSSET_EDGE_... of each edge: as many as half_edges.
+     */
+    const uint8_t *edge_flags;
+    /**
+     * The sum of the edges' lengths, in the unit of the positions.
+     */
+    double length;
+    /**
+     * GUSSET_LOOP_... bits; 0 for an ordinary closed loop.
+     */
+    uint32_t flags;
+    /**
+     * The number of the walk that the loop was cut from.
+     */
+    uint32_t walk;
+} gusset_loop_view;
+
+/**
+ * Something wrong or unusual in a mesh.
+ */
+typedef struct gusset_defect {
+    /**
+     * GUSSET_DEFECT_...
+     */
+    uint32_t kind;
+    /**
+     * The face, half-edge or vertex.
+     */
+    uint32_t index;
+    /**
+     * The second element of the kinds that have one, else UINT32_MAX.
+     */
+    uint32_t other;
+    /**
+     * How many faces meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
+     */
+    uint32_t count;
+} gusset_defect;
+
+/**
+ * Called now and then during long work, on the thread that made the call. fraction: part done, 0 to 1. stage: what is
+ * being done, valid during the callback only. Return nonzero to cancel the call. It must not use the context, except for
+ * gusset_context_cancel and gusset_context_progress, and must not throw or longjmp.
+ */
+typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage);
+
+/**
+ * Called with remarks that are no failures, on the thread that made the call; message is valid during the callback only.
+ * The same rules as for progress.
+ */
+typedef void (*gusset_log_fn)(void *user, const char *message);
+
+/**
+ * What the index in a report counts.
+ */
+typedef uint32_t gusset_element;
+
+/**
+ * What went wrong in the last call, for programs.
+ */
+typedef struct gusset_report {
+    /**
+     * sizeof(gusset_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The status that the call returned.
+     */
+    int32_t status;
+    /**
+     * What index counts: one of GUSSET_ELEMENT_...
+     */
+    gusset_element element;
+    /**
+     * The first offending element.
+     */
+    uint64_t index;
+    /**
+     * Its value where it has one: the coordinate, the vertex index, the limit exceeded.
+     */
+    double value;
+    /**
+     * The mesh or loop that it belongs to: 0 the first, 1 the second.
+     */
+    uint32_t input;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_report;
+
+/**
+ * How to stitch; all zero is the default.
+ */
+typedef struct gusset_stitch_options {
+    /**
+     * sizeof(gusset_stitch_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MERIDIANS_...
+     */
+    uint32_t meridians;
+    /**
+     * GUSSET_ORIENTATION_...
+     */
+    uint32_t orientation;
+    /**
+     * The first meridian joins the closest pair; with a twist, the vertex of rim B so many places later, counted in the
+     * direction in which rim A runs (negative: earlier). Any value; taken modulo the length of rim B.
+     */
+    int64_t twist;
+} gusset_stitch_options;
+
+/**
+ * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
+ */
+typedef struct gusset_stitch_parts {
+    /**
+     * sizeof(gusset_stitch_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Per old vertex of each mesh, its index in the result; empty for the second if there was only one mesh.
+     */
+    struct gusset_indices vertex_map[2];
+    /**
+     * Per old face, its index in the result.
+     */
+    struct gusset_indices face_map[2];
+    /**
+     * The vertices of each rim, by their indices in the result, from the first meridian on, side by side: rim 0 has its
+     * surface on the left, rim 1 on the right. They are also the strip's own vertices in order: rim 0, then rim 1.
+     */
+    struct gusset_indices rim[2];
+    /**
+     * The meridians as places on the rims, i and j by turns: meridian k is (data[2 k], data[2 k + 1]), from (0, 0) to (N, M)
+     * for rims of N and M vertices, where place N is place 0 again; count is twice the number of meridians.
+     */
+    struct gusset_indices meridians;
+    /**
+     * The first of the strip's faces in the result; they are the last ones.
+     */
+    size_t strip_face_first;
+    /**
+     * How many there are: N + M.
+     */
+    size_t strip_face_count;
+    /**
+     * 1 if the second piece was turned over, else 0.
+     */
+    uint32_t turned;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_stitch_parts;
+
+/**
+ * Measures of a strip, and of the whole result's connectivity.
+ */
+typedef struct gusset_quality {
+    /**
+     * sizeof(gusset_quality), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The smallest angle of the strip's triangles, in radians; 0 if one is degenerate.
+     */
+    double min_angle;
+    /**
+     * The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
+     * triangle, infinite for a degenerate one.
+     */
+    double max_aspect;
+    /**
+     * The longest edge of the strip, in the unit of the positions.
+     */
+    double max_edge;
+    /**
+     * The strip's area, in the square of that unit.
+     */
+    double area;
+    /**
+     * Triangles of the strip without area.
+     */
+    uint32_t degenerate_faces;
+    /**
+     * Boundary loops of the result; 0 if it is closed.
+     */
+    uint32_t loops_left;
+    /**
+     * Edges of the result with three or more faces.
+     */
+    uint32_t non_manifold_edges;
+    /**
+     * Edges of the result whose two faces disagree in orientation.
+     */
+    uint32_t orientation_conflicts;
+} gusset_quality;
+
+/**
+ * The report's index means nothing.
+ */
+#define GUSSET_ELEMENT_NONE 0
+
+/**
+ * A vertex of the input mesh.
+ */
+#define GUSSET_ELEMENT_VERTEX 1
+
+/**
+ * A face of the input mesh.
+ */
+#define GUSSET_ELEMENT_FACE 2
+
+/**
+ * A half-edge: a position in face_corners.
+ */
+#define GUSSET_ELEMENT_HALF_EDGE 3
+
+/**
+ * An entry of face_offsets.
+ */
+#define GUSSET_ELEMENT_OFFSET 4
+
+/**
+ * A place in the loop given.
+ */
+#define GUSSET_ELEMENT_LOOP_PLACE 5
+
+/**
+ * A count of elements or bytes.
+ */
+#define GUSSET_ELEMENT_COUNT 6
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only.
+ *
+ * Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise from outside, the surface
+ * is on the left and the hole on the right of someone who walks along the loop on the outside. Every loop passes each of
+ * its vertices once: where the boundary touches itself it is cut into several loops. Loops come in the order of their
+ * smallest half-edges. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
+ *
+ * options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure.
+ * Errors: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
+ * linear extra memory.
+ * Source: Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_boundary_create(const struct gusset_context *context,
+                                     const struct gusset_mesh_view *mesh,
+                                     const struct gusset_boundary_options *options,
+                                     struct gusset_boundary **boundary);
+
+/**
+ * Destroys a boundary; NULL is allowed.
+ */
+GUSSET_API void gusset_boundary_destroy(struct gusset_boundary *boundary);
+
+/**
+ * The number of loops and open chains: 0 if the mesh is closed, or for NULL.
+ */
+GUSSET_API size_t gusset_boundary_loop_count(const struct gusset_boundary *boundary);
+
+/**
+ * The number of walks that the loops were cut from: loops that touch at vertices, counted as one where the walk round the
+ * boundary passes from one to the next. 0 for NULL.
+ */
+GUSSET_API
+size_t gusset_boundary_walk_count(const struct gusset_boundary *boundary);
+
+/**
+ * Lends loop number `index`, below gusset_boundary_loop_count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_boundary_loop(const struct gusset_boundary *boundary,
+                                   size_t index,
+                                   struct gusset_loop_view *view);
+
+/**
+ * Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh, and
+ * the bow-tie vertices on its boundary. Valid until the boundary is destroyed; NULL and 0 if there is nothing.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_boundary_defects(const struct gusset_boundary *boundary,
+                                      const struct gusset_defect **defects,
+                                      size_t *count);
+
+/**
+ * Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ */
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_context_create(struct gusset_context **context);
+
+/**
+ * Destroys a context; NULL is allowed. No call may be using it.
+ */
+GUSSET_API void gusset_context_destroy(struct gusset_context *context);
+
+/**
+ * Sets the number of threads: 0 as many as the machine has, 1 the calling thread only. Results do not depend on it.
+ * Errors: NULL_ARGUMENT, CONTEXT_BUSY.
+ */
+GUSSET_API gusset_status gusset_context_set_threads(struct gusset_context *context, uint32_t threads);
+
+/**
+ * Sets the progress callback, or none if NULL; user is handed to it. Errors: NULL_ARGUMENT, CONTEXT_BUSY.
+ */
+GUSSET_API
+gusset_status gusset_context_set_progress(struct gusset_context *context,
+                                          gusset_progress_fn progress,
+                                          void *user);
+
+/**
+ * Sets the log callback, or none if NULL; user is handed to it. Errors: NULL_ARGUMENT, CONTEXT_BUSY.
+ */
+GUSSET_API gusset_status gusset_context_set_log(struct gusset_context *context, gusset_log_fn log, void *user);
+
+/**
+ * Cancels the running call, and every later one until gusset_context_reset. From any thread; NULL is allowed.
+ */
+GUSSET_API void gusset_context_cancel(const struct gusset_context *context);
+
+/**
+ * Takes a cancel back. NULL is allowed.
+ */
+GUSSET_API void gusset_context_reset(const struct gusset_context *context);
+
+/**
+ * How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread.
+ */
+GUSSET_API double gusset_context_progress(const struct gusset_context *context);
+
+/**
+ * What went wrong in the last call with this context, as an English sentence; empty after a success. Never NULL. Valid
+ * until the next call with the context. Empty too for NULL, and while a call is running.
+ */
+GUSSET_API const char *gusset_context_message(const struct gusset_context *context);
+
+/**
+ * What went wrong in the last call with this context, as numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, CONTEXT_BUSY.
+ */
+GUSSET_API gusset_status gusset_context_report(const struct gusset_context *context, struct gusset_report *report);
+
+/**
+ * What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.
+ */
+GUSSET_API const char *gusset_status_text(int32_t status);
+
+/**
+ * Joins two boundary loops by a closed band of triangles: loops of two meshes, or of one.
+ *
+ * mesh_b: NULL if both loops are of mesh_a. loop_a, loop_b: the vertices of each loop in order, in either direction, each
+ * consecutive pair (and the last with the first) an edge with exactly one face; NULL leaves the choice open, and the
+ * loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
+ * gusset_stitch_destroy; NULL on failure.
+ *
+ * The result has the vertices of A, then of B; the faces of A, then of B, then the strip. Positions are of the scalar type
+ * of A and keep their bits. No vertex is added, and every face is kept.
+ *
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
+ * LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions),
+ * TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, plus O(N M) or O(N + M) by
+ * the choice of meridians; linear extra memory, and for MIN_AREA one byte for each of the N M pairs, at most 64 MiB.
+ * Source: Nesterenko, for whole loops, which repeat their start: N + 1 and M + 1 points.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_create(const struct gusset_context *context,
+                                   const struct gusset_mesh_view *mesh_a,
+                                   const struct gusset_indices *loop_a,
+                                   const struct gusset_mesh_view *mesh_b,
+                                   const struct gusset_indices *loop_b,
+                                   const struct gusset_stitch_options *options,
+                                   struct gusset_stitch **stitch);
+
+/**
+ * Destroys a stitch; NULL is allowed.
+ */
+GUSSET_API void gusset_stitch_destroy(struct gusset_stitch *stitch);
+
+/**
+ * Lends the whole result, valid until the stitch is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_mesh(const struct gusset_stitch *stitch,
+                                 struct gusset_mesh_view *view);
+
+/**
+ * Lends the strip alone: the vertices of the two rims and the triangles between them. Errors and validity as for
+ * gusset_stitch_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_strip(const struct gusset_stitch *stitch,
+                                  struct gusset_mesh_view *view);
+
+/**
+ * Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_view(const struct gusset_stitch *stitch,
+                                 struct gusset_stitch_parts *parts);
+
+/**
+ * Measures of the strip and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+ * thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_quality(const struct gusset_stitch *stitch,
+                                    struct gusset_quality *quality);
+
+/**
+ * The library's version, "major.minor.patch". Never NULL; static.
+ */
+GUSSET_API const char *gusset_version(void);
+
+/**
+ * The number of the binary interface. It changes whenever a program built against an older header could break; until 1.0
+ * that is when the minor version changes.
+ */
+GUSSET_API
+uint32_t gusset_abi(void);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* GUSSET_H */

@@ -1,0 +1,21 @@
+//! What becomes of a panic, and of a context that is in use.
+
+use super::context::gusset_context;
+use super::status::{Failure, gusset_status};
+use crate::job::Job;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Runs `body` with the context's job, or with the defaults if the context is NULL; records the outcome in the context.
+///
+/// A panic becomes `GUSSET_ERROR_PANIC`: nothing unwinds into the host.
+pub(super) fn guard(
+    context: *const gusset_context,
+    body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
+) -> gusset_status {
+    let caught = catch_unwind(AssertUnwindSafe(|| gusset_context::run(context, body)));
+    caught.unwrap_or_else(|panic| {
+        // The payload's own destructor could panic; it is small and rare, so it is leaked.
+        std::mem::forget(panic);
+        gusset_status::GUSSET_ERROR_PANIC
+    })
+}

@@ -1,0 +1,141 @@
+//! Raw pointers to values, slices and structs, each checked for what can be checked.
+
+use super::status::Failure;
+use super::status::gusset_status::{
+    GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ERROR_MISALIGNED_ARGUMENT, GUSSET_ERROR_SIZE_OVERFLOW,
+};
+use std::mem::MaybeUninit;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
+    if pointer.is_null() {
+        Err(Failure::null(name))
+    } else if !pointer.is_aligned() {
+        let message = format!("{name} is not aligned to {} bytes", align_of::<T>());
+        Err(Failure::new(GUSSET_ERROR_MISALIGNED_ARGUMENT, message))
+    } else {
+        Ok(())
+    }
+}
+
+/// A handle, or another object that lives while the call runs.
+pub(super) fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
+    aligned(pointer, name)?;
+    // SAFETY: not NULL and aligned; that it points to a live T is the caller's promise.
+    Ok(unsafe { &*pointer })
+}
+
+/// Where a result goes; `cleared` is written at once, so that a failure leaves nothing old behind.
+pub(super) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> Result<&'a mut T, Failure> {
+    aligned(pointer, name)?;
+    // SAFETY: not NULL and aligned; that it points to writable memory for a T is the caller's promise.
+    unsafe {
+        pointer.write(cleared);
+        Ok(&mut *pointer)
+    }
+}
+
+/// Frees what a `_create` function gave out; NULL is allowed.
+pub(super) fn destroy<T>(handle: *mut T) {
+    // A destructor cannot fail; should one panic, the host must not see it.
+    let dropped = catch_unwind(AssertUnwindSafe(|| {
+        if !handle.is_null() {
+            // SAFETY: it came from Box::into_raw in a `_create` function, and the caller gives it up.
+            drop(unsafe { Box::from_raw(handle) });
+        }
+    }));
+    if let Err(panic) = dropped {
+        std::mem::forget(panic);
+    }
+}
+
+/// `count` elements of the caller's, read as bytes: any alignment will do.
+pub(super) fn bytes<'a>(
+    pointer: *const libc::c_void,
+    count: usize,
+    size: usize,
+    name: &'static str,
+) -> Result<&'a [u8], Failure> {
+    let length = count.checked_mul(size).filter(|&n| n <= isize::MAX as usize);
+    let Some(length) = length else {
+        return Err(Failure::new(
+            GUSSET_ERROR_SIZE_OVERFLOW,
+            format!("{count} elements of {name} exceed the address space"),
+        ));
+    };
+    if length == 0 {
+        return Ok(&[]);
+    }
+    if pointer.is_null() {
+        return Err(Failure::null(name));
+    }
+    // SAFETY: not NULL, at most isize::MAX bytes, and bytes need no alignment; that so many can be read, and that nobody
+    // writes to them during the call, is the caller's promise.
+    Ok(unsafe { std::slice::from_raw_parts(pointer.cast(), length) })
+}
+
+/// A struct of plain numbers and pointers that begins with `size_t struct_size`.
+///
+/// # Safety
+/// `repr(C)`, its first field is the size, and all bytes zero are a valid value.
+pub(super) unsafe trait Versioned: Copy {
+    /// The size of the first version that was published.
+    const LEAST_SIZE: usize;
+}
+
+/// Reads the struct, as long as the caller's version of it is; fields that it lacks are 0. NULL gives all zeros if `optional`.
+pub(super) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'static str) -> Result<T, Failure> {
+    // SAFETY: zeros are valid, by the trait.
+    let mut value: T = unsafe { MaybeUninit::zeroed().assume_init() };
+    if optional && pointer.is_null() {
+        return Ok(value);
+    }
+    let size = struct_size(pointer, name)?;
+    let known = size_of::<T>().min(size);
+    // SAFETY: aligned and not NULL; the caller promises `size` readable bytes. Copying a prefix over zeros gives a value
+    // of plain fields.
+    unsafe { std::ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), known) };
+    let tail = bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
+    match tail.iter().find(|&&byte| byte != 0) {
+        Some(&byte) => Err(Failure::unknown("a field that this version does not know", byte.into())),
+        None => Ok(value),
+    }
+}
+
+/// Clears a struct that the caller wants filled, all but its size, and returns the writer.
+pub(super) fn output_struct<T: Versioned>(pointer: *mut T, name: &'static str) -> Result<Output<T>, Failure> {
+    let size = struct_size(pointer, name)?;
+    let field = size_of::<usize>();
+    // SAFETY: aligned and not NULL; the caller promises `size` writable bytes.
+    unsafe { pointer.cast::<u8>().add(field).write_bytes(0, size - field) };
+    Ok(Output { pointer, size })
+}
+
+/// A struct of the caller's to be filled.
+pub(super) struct Output<T> {
+    pointer: *mut T,
+    size: usize,
+}
+
+impl<T: Versioned> Output<T> {
+    /// Writes the fields that the caller's version has; its struct_size stays.
+    pub(super) fn write(self, value: T) {
+        let (field, end) = (size_of::<usize>(), self.size.min(size_of::<T>()));
+        // SAFETY: as in output_struct; `value` is at least `end` bytes long.
+        unsafe {
+            let from = (&raw const value).cast::<u8>().add(field);
+            std::ptr::copy_nonoverlapping(from, self.pointer.cast::<u8>().add(field), end - field);
+        }
+    }
+}
+
+fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
+    aligned(pointer, name)?;
+    // SAFETY: aligned and not NULL, and every version begins with the size.
+    let size = unsafe { pointer.cast::<usize>().read() };
+    if size < T::LEAST_SIZE || size > 4096 {
+        let message = format!("{name}: struct_size is {size}, and this version has {}", size_of::<T>());
+        return Err(Failure { value: size as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) });
+    }
+    Ok(size)
+}

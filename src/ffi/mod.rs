@@ -1,0 +1,26 @@
+//! The C interface: checks pointers, turns panics into status codes, computes nothing.
+//!
+//! | file | what it owns |
+//! |---|---|
+//! | [`status`] | the status codes, and which one each error of the core becomes |
+//! | [`guard`](self) | what becomes of a panic, and of a context in use |
+//! | [`input`](self) | raw pointers to slices, views and structs |
+//! | [`context`] | threads, progress, cancel, log, message, report |
+//! | [`version`] | what is loaded |
+//! | [`mesh`] | the mesh view, in and out |
+//! | [`boundary`], [`stitch`] | one file for each module of the core |
+//!
+//! This is the only part of the crate with unsafe code.
+
+#![allow(unsafe_code, reason = "the border to C")]
+#![allow(non_camel_case_types, reason = "these are the names that C sees")]
+#![allow(clippy::missing_safety_doc, reason = "each C function documents its pointers in C's terms")]
+
+pub mod boundary;
+pub mod context;
+mod guard;
+mod input;
+pub mod mesh;
+pub mod status;
+pub mod stitch;
+pub mod version;

@@ -1,0 +1,221 @@
+//! Status codes. Numbers are fixed for ever: 1-999 mistakes of the caller, 1000-1999 data, 2000-2999 environment.
+
+use crate::error::{Error, Side};
+use std::borrow::Cow;
+
+/// What a function returns; `GUSSET_OK` is 0.
+#[repr(i32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs, reason = "cbindgen takes the comments below, one each")]
+pub enum gusset_status {
+    /// Success.
+    GUSSET_OK = 0,
+    /// A pointer that must not be NULL is NULL.
+    GUSSET_ERROR_NULL_ARGUMENT = 1,
+    /// A pointer to a struct, a handle or an output is not aligned for it. (Element arrays may have any alignment.)
+    GUSSET_ERROR_MISALIGNED_ARGUMENT = 2,
+    /// struct_size is smaller than the first version of the struct.
+    GUSSET_ERROR_BAD_STRUCT_SIZE = 3,
+    /// An enumerator, a reserved field or a field unknown to this version has an unknown value.
+    GUSSET_ERROR_UNKNOWN_VALUE = 4,
+    /// An option is outside its range.
+    GUSSET_ERROR_OUT_OF_RANGE = 5,
+    /// The caller's buffer is too small; nothing was written but the size needed.
+    GUSSET_ERROR_BUFFER_TOO_SMALL = 6,
+    /// The context is in use by another call: on another thread, or further up this one's stack.
+    GUSSET_ERROR_CONTEXT_BUSY = 7,
+    /// There is no element of this index.
+    GUSSET_ERROR_NO_SUCH_ELEMENT = 8,
+    /// position_stride is smaller than one position.
+    GUSSET_ERROR_BAD_STRIDE = 9,
+    /// Exactly one of face_offsets and face_size must be given.
+    GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
+    /// More vertices, faces or half-edges than this version takes.
+    GUSSET_ERROR_TOO_LARGE = 1000,
+    /// The bytes of an array exceed the address space.
+    GUSSET_ERROR_SIZE_OVERFLOW = 1001,
+    /// A mesh without vertices or without faces.
+    GUSSET_ERROR_EMPTY_MESH = 1002,
+    /// Face offsets do not start at 0 or decrease.
+    GUSSET_ERROR_BAD_OFFSETS = 1003,
+    /// A face of fewer than three corners.
+    GUSSET_ERROR_FACE_TOO_SMALL = 1004,
+    /// A face names a vertex that does not exist.
+    GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
+    /// A vertex used by a face has a coordinate that is NaN or infinite.
+    GUSSET_ERROR_NOT_FINITE = 1006,
+    /// Mesh B has f64 positions and mesh A f32.
+    GUSSET_ERROR_MIXED_SCALARS = 1007,
+    /// There is no boundary loop that can be stitched.
+    GUSSET_ERROR_NO_LOOP = 1100,
+    /// A loop of fewer than three vertices.
+    GUSSET_ERROR_LOOP_TOO_SHORT = 1101,
+    /// A loop passes a vertex twice.
+    GUSSET_ERROR_LOOP_REPEATS_VERTEX = 1102,
+    /// Consecutive vertices of a loop are not joined by an edge with exactly one face.
+    GUSSET_ERROR_LOOP_EDGE_NOT_FREE = 1103,
+    /// Both loops pass the same vertex of the same mesh.
+    GUSSET_ERROR_LOOPS_SHARE_VERTEX = 1104,
+    /// The faces along a loop disagree in orientation.
+    GUSSET_ERROR_LOOP_NOT_ORIENTED = 1105,
+    /// The second piece is oriented against the first, and the options refuse to turn it over.
+    GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
+    /// Every strip would repeat an edge that the mesh already has.
+    GUSSET_ERROR_NO_STRIP = 1107,
+    /// Memory could not be had.
+    GUSSET_ERROR_OUT_OF_MEMORY = 2000,
+    /// The host cancelled.
+    GUSSET_ERROR_CANCELLED = 2001,
+    /// A defect of the library; the context and all handles remain usable.
+    GUSSET_ERROR_PANIC = 9999,
+}
+
+use gusset_status::*;
+
+/// What the index in a report counts.
+pub type gusset_element = u32;
+/// The report's index means nothing.
+pub const GUSSET_ELEMENT_NONE: gusset_element = 0;
+/// A vertex of the input mesh.
+pub const GUSSET_ELEMENT_VERTEX: gusset_element = 1;
+/// A face of the input mesh.
+pub const GUSSET_ELEMENT_FACE: gusset_element = 2;
+/// A half-edge: a position in face_corners.
+pub const GUSSET_ELEMENT_HALF_EDGE: gusset_element = 3;
+/// An entry of face_offsets.
+pub const GUSSET_ELEMENT_OFFSET: gusset_element = 4;
+/// A place in the loop given.
+pub const GUSSET_ELEMENT_LOOP_PLACE: gusset_element = 5;
+/// A count of elements or bytes.
+pub const GUSSET_ELEMENT_COUNT: gusset_element = 6;
+
+/// A failure on its way to the host.
+#[derive(Debug)]
+pub(super) struct Failure {
+    pub(super) status: gusset_status,
+    pub(super) message: Cow<'static, str>,
+    pub(super) element: gusset_element,
+    pub(super) index: u64,
+    pub(super) value: f64,
+    /// Which mesh: 0 the first, 1 the second.
+    pub(super) input: u32,
+}
+
+impl Failure {
+    pub(super) fn new(status: gusset_status, message: impl Into<Cow<'static, str>>) -> Self {
+        Failure { status, message: message.into(), element: GUSSET_ELEMENT_NONE, index: 0, value: 0.0, input: 0 }
+    }
+
+    pub(super) fn null(argument: &'static str) -> Self {
+        Failure::new(GUSSET_ERROR_NULL_ARGUMENT, format!("{argument} is NULL"))
+    }
+
+    pub(super) fn unknown(what: &'static str, value: u64) -> Self {
+        Failure {
+            value: value as f64,
+            ..Failure::new(GUSSET_ERROR_UNKNOWN_VALUE, format!("{what} has the unknown value {value}"))
+        }
+    }
+
+    pub(super) fn no_such(what: &'static str, index: usize) -> Self {
+        let message = format!("there is no {what} {index}");
+        Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
+    }
+
+    /// The same failure, of input mesh `input`.
+    pub(super) fn of_input(self, input: u32) -> Self {
+        Failure { input, ..self }
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        let at = |status, element, index: u32| (status, element, u64::from(index), 0.0);
+        let count = |status, count| (status, GUSSET_ELEMENT_COUNT, count, 0.0);
+        let none = |status| (status, GUSSET_ELEMENT_NONE, 0, 0.0);
+        let (status, element, index, value) = match error {
+            Error::TooLarge { count: n, limit, .. } => (GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, n, limit as f64),
+            Error::SizeOverflow { count: n, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, n),
+            Error::ArrayTooShort { needed, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, needed),
+            Error::StrideTooSmall { stride, .. } => count(GUSSET_ERROR_BAD_STRIDE, stride),
+            Error::EmptyMesh { .. } => none(GUSSET_ERROR_EMPTY_MESH),
+            Error::BadOffsets { entry, value } => {
+                (GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, entry.into(), f64::from(value))
+            }
+            Error::FaceTooSmall { face, corners } => {
+                (GUSSET_ERROR_FACE_TOO_SMALL, GUSSET_ELEMENT_FACE, face.into(), f64::from(corners))
+            }
+            Error::IndexOutOfRange { corner, vertex, .. } => {
+                (GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, corner.into(), f64::from(vertex))
+            }
+            Error::NotFinite { vertex, value } => {
+                (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, vertex.into(), value)
+            }
+            Error::MixedScalars => none(GUSSET_ERROR_MIXED_SCALARS),
+            Error::NoLoop { .. } => none(GUSSET_ERROR_NO_LOOP),
+            Error::LoopTooShort { count: n, .. } => count(GUSSET_ERROR_LOOP_TOO_SHORT, n.into()),
+            Error::LoopRepeatsVertex { vertex, .. } => {
+                at(GUSSET_ERROR_LOOP_REPEATS_VERTEX, GUSSET_ELEMENT_VERTEX, vertex)
+            }
+            Error::LoopEdgeNotFree { place, vertex, .. } => {
+                (GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, place.into(), f64::from(vertex))
+            }
+            Error::LoopsShareVertex { vertex } => at(GUSSET_ERROR_LOOPS_SHARE_VERTEX, GUSSET_ELEMENT_VERTEX, vertex),
+            Error::LoopNotOriented { face, .. } => at(GUSSET_ERROR_LOOP_NOT_ORIENTED, GUSSET_ELEMENT_FACE, face),
+            Error::OrientationConflict { face } => at(GUSSET_ERROR_ORIENTATION_CONFLICT, GUSSET_ELEMENT_FACE, face),
+            Error::NoStrip { vertex } => at(GUSSET_ERROR_NO_STRIP, GUSSET_ELEMENT_VERTEX, vertex),
+            Error::OptionOutOfRange { value, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, value),
+            Error::OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
+            Error::Cancelled => none(GUSSET_ERROR_CANCELLED),
+        };
+        let input = match error {
+            Error::MixedScalars | Error::OrientationConflict { .. } => 1,
+            Error::NoLoop { side: Side::B }
+            | Error::LoopTooShort { side: Side::B, .. }
+            | Error::LoopRepeatsVertex { side: Side::B, .. }
+            | Error::LoopEdgeNotFree { side: Side::B, .. }
+            | Error::LoopNotOriented { side: Side::B, .. } => 1,
+            _ => 0,
+        };
+        Failure { status, message: error.to_string().into(), element, index, value, input }
+    }
+}
+
+/// What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.
+#[unsafe(no_mangle)]
+pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
+    let text = match status {
+        0 => c"success",
+        1 => c"a pointer that must not be NULL is NULL",
+        2 => c"a pointer is misaligned",
+        3 => c"struct_size is too small",
+        4 => c"a field has an unknown value",
+        5 => c"an option is out of range",
+        6 => c"the buffer is too small",
+        7 => c"the context is in use",
+        8 => c"there is no such element",
+        9 => c"the position stride is too small",
+        10 => c"exactly one of face_offsets and face_size must be given",
+        1000 => c"the mesh is too large",
+        1001 => c"an array exceeds the address space",
+        1002 => c"the mesh is empty",
+        1003 => c"the face offsets are not monotone from 0",
+        1004 => c"a face has fewer than three corners",
+        1005 => c"a vertex index is out of range",
+        1006 => c"a coordinate is not finite",
+        1007 => c"the scalar types of the meshes cannot be combined",
+        1100 => c"there is no loop to stitch",
+        1101 => c"a loop has fewer than three vertices",
+        1102 => c"a loop passes a vertex twice",
+        1103 => c"a loop runs along an edge that is not free",
+        1104 => c"the loops share a vertex",
+        1105 => c"the faces along a loop disagree in orientation",
+        1106 => c"the second piece is oriented against the first",
+        1107 => c"no strip avoids the edges that the mesh already has",
+        2000 => c"out of memory",
+        2001 => c"cancelled",
+        9999 => c"internal error",
+        _ => c"unknown status",
+    };
+    text.as_ptr()
+}

@@ -1,0 +1,121 @@
+//! The C interface as built: header, version, symbols, what the linker was told.
+//!
+//! `GUSSET_UPDATE=1 cargo test --test c_interface` rewrites the committed header and the list of symbols.
+
+use std::ffi::CStr;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+/// What a C program links besides the static library, on Linux. README.md and the pkg-config file say the same.
+const STATIC_LINK_LINE: &str = "-lgcc_s -lutil -lrt -lpthread -lm -ldl -lc";
+
+/// Compares a committed file with what it must be, or rewrites it.
+fn committed(path: &str, generated: &str) {
+    let path = Path::new(ROOT).join(path);
+    if env::var_os("GUSSET_UPDATE").is_some() {
+        fs::write(&path, generated).unwrap();
+    }
+    let found = fs::read_to_string(&path).unwrap_or_default();
+    let line = found.lines().zip(generated.lines()).position(|(a, b)| a != b);
+    assert!(
+        found == generated,
+        "{} is not what the sources say, from line {} on; GUSSET_UPDATE=1 cargo test --test c_interface rewrites it",
+        path.display(),
+        line.unwrap_or(found.lines().count().min(generated.lines().count())) + 1
+    );
+}
+
+#[test]
+fn the_committed_header_is_the_generated_one() {
+    committed("include/gusset.h", &fs::read_to_string(concat!(env!("OUT_DIR"), "/gusset.h")).unwrap());
+}
+
+#[test]
+fn the_version_is_the_package_s() {
+    // SAFETY: the function returns a static string.
+    #[allow(unsafe_code)]
+    let version = unsafe { CStr::from_ptr(gusset::ffi::version::gusset_version()) };
+    assert_eq!(version.to_str().unwrap(), env!("CARGO_PKG_VERSION"));
+    let header = fs::read_to_string(Path::new(ROOT).join("include/gusset.h")).unwrap();
+    let parts: Vec<_> = env!("CARGO_PKG_VERSION").split('.').collect();
+    for (name, part) in ["MAJOR", "MINOR", "PATCH"].iter().zip(parts) {
+        assert!(header.contains(&format!("#define GUSSET_VERSION_{name} {part}\n")), "{name}");
+    }
+}
+
+#[test]
+fn every_status_has_a_text_of_its_own() {
+    let header = fs::read_to_string(Path::new(ROOT).join("include/gusset.h")).unwrap();
+    let numbers: Vec<i32> = header
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("GUSSET_")?.split_once(" = ")?.1.trim_end_matches(',').parse().ok())
+        .collect();
+    assert!(numbers.len() > 20);
+    #[allow(unsafe_code)]
+    let text = |status| {
+        // SAFETY: the function returns a static string.
+        unsafe { CStr::from_ptr(gusset::ffi::status::gusset_status_text(status)) }.to_str().unwrap()
+    };
+    let mut texts: Vec<_> = numbers.iter().map(|&n| text(n)).collect();
+    assert!(!texts.contains(&"unknown status"));
+    assert_eq!(text(-1), "unknown status");
+    texts.sort_unstable();
+    texts.dedup();
+    assert_eq!(texts.len(), numbers.len());
+}
+
+/// Cargo puts the C libraries where this test program is, or one folder up.
+#[cfg(target_os = "linux")]
+fn built(name: &str) -> PathBuf {
+    let here = env::current_exe().unwrap();
+    let mut folders = here.ancestors().skip(1).take(2).map(|folder| folder.join(name));
+    folders.find(|path| path.exists()).unwrap_or_else(|| panic!("{name} was not built"))
+}
+
+#[cfg(target_os = "linux")]
+fn run(command: &mut Command) -> String {
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{command:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn the_library_exports_what_the_header_declares_and_nothing_else() {
+    let listing = run(Command::new("nm").args(["-D", "--defined-only"]).arg(built("libgusset.so")));
+    let symbols: Vec<_> = listing.lines().filter_map(|line| line.split_whitespace().nth(2)).collect();
+    committed("include/gusset.symbols", &(symbols.join("\n") + "\n"));
+    let header = fs::read_to_string(Path::new(ROOT).join("include/gusset.h")).unwrap();
+    for symbol in &symbols {
+        assert!(header.contains(&format!("{symbol}(")), "{symbol} is not declared");
+    }
+    let declared = header.matches("GUSSET_API").count() - header.matches("#define GUSSET_API").count();
+    assert_eq!(declared, symbols.len());
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn the_library_has_its_soname_and_stays_loaded() {
+    let dynamic = run(Command::new("readelf").arg("-d").arg(built("libgusset.so")));
+    let (major_minor, _) = env!("CARGO_PKG_VERSION").rsplit_once('.').unwrap();
+    assert!(dynamic.contains(&format!("[libgusset.so.{major_minor}]")), "{dynamic}");
+    assert!(dynamic.contains("NODELETE"), "{dynamic}");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn the_static_link_line_suffices() {
+    let folder = env::temp_dir().join(format!("gusset-link-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let (source, program) = (folder.join("link.c"), folder.join("link"));
+    fs::write(&source, "#include <gusset.h>\nint main(void) { return gusset_abi() == 0 || gusset_version() == 0; }\n")
+        .unwrap();
+    let mut gcc = Command::new("gcc");
+    gcc.args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-nodefaultlibs", "-I"]);
+    gcc.arg(Path::new(ROOT).join("include")).arg(&source).arg(built("libgusset.a"));
+    run(gcc.args(STATIC_LINK_LINE.split(' ')).arg("-o").arg(&program));
+    run(&mut Command::new(&program));
+    fs::remove_dir_all(&folder).unwrap();
+}
