@@ -1,0 +1,418 @@
+/* Everything that a host can get wrong: each mistake has its own status, clears the outputs, and leaves the context fit
+ * for the next call. Run under valgrind too, which sees every byte read that is not ours. */
+#include "check.h"
+#include <math.h>
+#include <stdlib.h>
+
+static gusset_context *context;
+
+/* An address that no struct of ours may have. */
+static void *misaligned(void) {
+    static double room[64];
+    return (char *)room + 1;
+}
+
+/* The context still works, and its report tells of the last call. */
+static void fit_for_more(void) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    gusset_boundary *boundary = NULL;
+    EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    CHECK(gusset_boundary_loop_count(boundary) == 1);
+    gusset_boundary_destroy(boundary);
+}
+
+/* The mesh is refused with this status by all functions that take one; the report names the element. */
+static void refused(gusset_mesh_view mesh, gusset_status status, gusset_element element, uint64_t index, int line) {
+    const gusset_mesh_view good = pyramid(pyramid_down);
+    gusset_boundary *boundary = (gusset_boundary *)misaligned();
+    gusset_stitch *stitch = (gusset_stitch *)misaligned();
+    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    const int before = failures;
+
+    EXPECT(status, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    CHECK(boundary == NULL);
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.status == status && report.element == element && report.index == index && report.input == 0);
+    CHECK(strlen(gusset_context_message(context)) > 10);
+    EXPECT(status, gusset_stitch_create(context, &mesh, NULL, &good, NULL, NULL, &stitch));
+    CHECK(stitch == NULL);
+    stitch = (gusset_stitch *)misaligned();
+    EXPECT(status, gusset_stitch_create(context, &good, NULL, &mesh, NULL, NULL, &stitch));
+    CHECK(stitch == NULL);
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.status == status && report.element == element && report.index == index && report.input == 1);
+    /* Without a context too. */
+    EXPECT(status, gusset_boundary_create(NULL, &mesh, NULL, &boundary));
+    fit_for_more();
+    if (failures != before) {
+        printf("  in the case of line %d: element %u index %llu\n", line, (unsigned)report.element,
+               (unsigned long long)report.index);
+    }
+}
+
+#define REFUSED(change, status, element, index)                                                                        \
+    do {                                                                                                               \
+        gusset_mesh_view m = pyramid(pyramid_up);                                                                      \
+        change;                                                                                                        \
+        refused(m, status, element, index, __LINE__);                                                                  \
+    } while (0)
+
+static void meshes(void) {
+    double points[5][3];
+    float floats[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
+    uint32_t corners[12];
+    uint32_t offsets[5] = {0, 3, 6, 9, 12};
+    const size_t most = (size_t)UINT32_MAX - 1;
+
+    /* Fields. */
+    REFUSED(m.scalar = 0, GUSSET_ERROR_UNKNOWN_VALUE, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.scalar = 3, GUSSET_ERROR_UNKNOWN_VALUE, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.index = GUSSET_U64, GUSSET_ERROR_UNKNOWN_VALUE, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.reserved = 1, GUSSET_ERROR_UNKNOWN_VALUE, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.struct_size = 0, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.struct_size = 71, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.struct_size = SIZE_MAX, GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_NONE, 0);
+
+    /* Arrays that are not there. */
+    REFUSED(m.positions = NULL, GUSSET_ERROR_NULL_ARGUMENT, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.face_corners = NULL, GUSSET_ERROR_NULL_ARGUMENT, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.face_size = 0, GUSSET_ERROR_BAD_FACE_LAYOUT, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.face_offsets = offsets, GUSSET_ERROR_BAD_FACE_LAYOUT, GUSSET_ELEMENT_NONE, 0);
+
+    /* Empty. */
+    REFUSED(m.vertex_count = 0, GUSSET_ERROR_EMPTY_MESH, GUSSET_ELEMENT_NONE, 0);
+    REFUSED(m.face_count = 0, GUSSET_ERROR_EMPTY_MESH, GUSSET_ELEMENT_NONE, 0);
+    REFUSED((m.face_count = 0, m.face_size = 0, m.face_corners = NULL), GUSSET_ERROR_EMPTY_MESH, GUSSET_ELEMENT_NONE, 0);
+
+    /* Counts: above the limits, and whose bytes overflow. Nothing of the arrays is read then. */
+    REFUSED(m.vertex_count = SIZE_MAX, GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, SIZE_MAX);
+    REFUSED(m.vertex_count = most + 1, GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, most + 1);
+    REFUSED(m.face_count = SIZE_MAX, GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, SIZE_MAX);
+    REFUSED(m.face_count = SIZE_MAX / 3, GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, SIZE_MAX / 3);
+    REFUSED(m.face_count = most / 3 + 1, GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, 3 * (uint64_t)(most / 3 + 1));
+    REFUSED(m.face_size = UINT32_MAX, GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, 4 * (uint64_t)UINT32_MAX);
+    REFUSED((m.face_size = 0, m.face_offsets = offsets, m.face_count = SIZE_MAX), GUSSET_ERROR_TOO_LARGE,
+            GUSSET_ELEMENT_COUNT, SIZE_MAX);
+    REFUSED(m.position_stride = SIZE_MAX, GUSSET_ERROR_SIZE_OVERFLOW, GUSSET_ELEMENT_COUNT, 5);
+    REFUSED((m.vertex_count = most, m.position_stride = SIZE_MAX / most), GUSSET_ERROR_SIZE_OVERFLOW,
+            GUSSET_ELEMENT_COUNT, most);
+    REFUSED(m.position_stride = 23, GUSSET_ERROR_BAD_STRIDE, GUSSET_ELEMENT_COUNT, 23);
+    REFUSED((m.positions = floats, m.scalar = GUSSET_F32, m.position_stride = 11), GUSSET_ERROR_BAD_STRIDE,
+            GUSSET_ELEMENT_COUNT, 11);
+
+    /* Faces. */
+    REFUSED(m.face_size = 2, GUSSET_ERROR_FACE_TOO_SMALL, GUSSET_ELEMENT_FACE, 0);
+    REFUSED(m.vertex_count = 4, GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, 8);
+    memcpy(corners, pyramid_faces, sizeof corners);
+    corners[7] = UINT32_MAX;
+    REFUSED(m.face_corners = corners, GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, 7);
+    offsets[0] = 1;
+    REFUSED((m.face_size = 0, m.face_offsets = offsets), GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, 0);
+    offsets[0] = 0, offsets[2] = 2;
+    REFUSED((m.face_size = 0, m.face_offsets = offsets), GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, 2);
+    offsets[2] = 6, offsets[3] = UINT32_MAX;
+    REFUSED((m.face_size = 0, m.face_offsets = offsets), GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, 4);
+    offsets[3] = 10;
+    REFUSED((m.face_size = 0, m.face_offsets = offsets), GUSSET_ERROR_FACE_TOO_SMALL, GUSSET_ELEMENT_FACE, 3);
+    offsets[3] = 9, offsets[4] = UINT32_MAX;
+    REFUSED((m.face_size = 0, m.face_offsets = offsets), GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, UINT32_MAX);
+
+    /* Coordinates. */
+    memcpy(points, pyramid_up, sizeof points);
+    points[3][1] = NAN;
+    REFUSED(m.positions = points, GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 3);
+    points[3][1] = -INFINITY;
+    REFUSED(m.positions = points, GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 3);
+    floats[2][2] = NAN;
+    REFUSED((m.positions = floats, m.scalar = GUSSET_F32), GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 2);
+}
+
+/* Pointers of gusset_boundary_create and its readers: NULL, then misaligned. */
+static void boundary_pointers(void) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    gusset_boundary_options options = {sizeof options, 0, 0};
+    gusset_boundary *boundary = (gusset_boundary *)misaligned();
+    gusset_loop_view loop;
+    const gusset_defect *defects;
+    size_t count;
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_create(context, NULL, NULL, &boundary));
+    CHECK(boundary == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_create(context, &mesh, NULL, NULL));
+    boundary = (gusset_boundary *)misaligned();
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_create(context, misaligned(), NULL, &boundary));
+    CHECK(boundary == NULL);
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_create(context, &mesh, misaligned(), &boundary));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_create(context, &mesh, NULL, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_create(misaligned(), &mesh, NULL, &boundary));
+    options.non_manifold = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_boundary_create(context, &mesh, &options, &boundary));
+    options.non_manifold = 0, options.reserved = 7;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_boundary_create(context, &mesh, &options, &boundary));
+    options.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_boundary_create(context, &mesh, &options, &boundary));
+
+    EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    memset(&loop, 0xff, sizeof loop);
+    loop.struct_size = sizeof loop;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_loop(NULL, 0, &loop));
+    CHECK(loop.vertices.data == NULL && loop.vertices.count == 0 && loop.flags == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_loop(boundary, 0, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_loop(misaligned(), 0, &loop));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_loop(boundary, 0, misaligned()));
+    loop.struct_size = 16;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_boundary_loop(boundary, 0, &loop));
+    loop.struct_size = sizeof loop;
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_boundary_loop(boundary, SIZE_MAX, &loop));
+
+    defects = (const gusset_defect *)misaligned(), count = 7;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_defects(NULL, &defects, &count));
+    CHECK(defects == NULL && count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_defects(boundary, NULL, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_defects(boundary, &defects, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_defects(misaligned(), &defects, &count));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_defects(boundary, misaligned(), &count));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_defects(boundary, &defects, misaligned()));
+    CHECK(gusset_boundary_loop_count(NULL) == 0 && gusset_boundary_walk_count(NULL) == 0);
+    CHECK(gusset_boundary_loop_count(misaligned()) == 0 && gusset_boundary_walk_count(misaligned()) == 0);
+    gusset_boundary_destroy(boundary);
+    gusset_boundary_destroy(NULL);
+}
+
+/* Pointers and options of gusset_stitch_create and its readers. */
+static void stitch_pointers(void) {
+    const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
+    gusset_stitch_options options = {sizeof options, 0, 0, 0};
+    gusset_indices loop = {NULL, 4};
+    gusset_stitch *stitch = (gusset_stitch *)misaligned();
+    gusset_mesh_view view;
+    gusset_stitch_parts parts;
+    gusset_quality quality;
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_create(context, NULL, NULL, &down, NULL, NULL, &stitch));
+    CHECK(stitch == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_create(context, &up, &loop, &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_create(misaligned(), &up, NULL, &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_stitch_create(context, misaligned(), NULL, &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_stitch_create(context, &up, misaligned(), &down, NULL, NULL, &stitch));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_create(context, &up, NULL, misaligned(), NULL, NULL, &stitch));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_stitch_create(context, &up, NULL, &down, misaligned(), NULL, &stitch));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_stitch_create(context, &up, NULL, &down, NULL, misaligned(), &stitch));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, misaligned()));
+    options.meridians = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    options.meridians = 0, options.orientation = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    options.struct_size = 1;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    CHECK(stitch == NULL);
+
+    EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, &stitch));
+    memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_mesh(NULL, &view));
+    CHECK(view.positions == NULL && view.face_count == 0 && view.struct_size == sizeof view);
+    memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_strip(NULL, &view));
+    CHECK(view.positions == NULL && view.face_count == 0);
+    memset(&parts, 0xff, sizeof parts), parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_view(NULL, &parts));
+    CHECK(parts.rim[1].data == NULL && parts.turned == 0);
+    memset(&quality, 0xff, sizeof quality), quality.struct_size = sizeof quality;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_quality(NULL, &quality));
+    CHECK(quality.area == 0.0 && quality.loops_left == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_mesh(stitch, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_strip(stitch, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_view(stitch, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_quality(stitch, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_mesh(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_strip(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_view(misaligned(), &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_quality(misaligned(), &quality));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_mesh(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_strip(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_view(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_quality(stitch, misaligned()));
+    view.struct_size = parts.struct_size = quality.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_mesh(stitch, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_strip(stitch, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_view(stitch, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_quality(stitch, &quality));
+    gusset_stitch_destroy(stitch);
+    gusset_stitch_destroy(NULL);
+}
+
+/* Loop B, or the pieces, are refused with this status; the report names the element. */
+static void unstitchable(const gusset_mesh_view *a, const gusset_indices *loop_a, const gusset_mesh_view *b,
+                         const gusset_indices *loop_b, const gusset_stitch_options *options, gusset_status status,
+                         gusset_element element, uint64_t index, uint32_t input) {
+    gusset_stitch *stitch = (gusset_stitch *)misaligned();
+    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    EXPECT(status, gusset_stitch_create(context, a, loop_a, b, loop_b, options, &stitch));
+    CHECK(stitch == NULL);
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.status == status && report.element == element && report.index == index && report.input == input);
+    if (report.element != element || report.index != index || report.input != input) {
+        printf("  status %d: element %u index %llu input %u\n", (int)status, (unsigned)report.element,
+               (unsigned long long)report.index, (unsigned)report.input);
+    }
+    fit_for_more();
+}
+
+static void loops(void) {
+    const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
+    gusset_mesh_view closed = up, turned = down, narrow = up;
+    float floats[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
+    const uint32_t closed_faces[12] = {1, 3, 2, 0, 1, 2, 0, 2, 3, 0, 3, 1};
+    const uint32_t turned_faces[12] = {0, 2, 1, 0, 3, 2, 0, 4, 3, 0, 1, 4};
+    uint32_t places[5] = {1, 2, 3, 4, 1};
+    char bytes[1 + sizeof places];
+    gusset_indices loop = {places, 4};
+    gusset_stitch_options refuse = {sizeof refuse, 0, GUSSET_ORIENTATION_REFUSE, 0};
+    gusset_stitch *stitch = NULL;
+
+    closed.face_corners = closed_faces;
+    unstitchable(&up, NULL, &closed, NULL, NULL, GUSSET_ERROR_NO_LOOP, GUSSET_ELEMENT_NONE, 0, 1);
+    unstitchable(&closed, NULL, &up, NULL, NULL, GUSSET_ERROR_NO_LOOP, GUSSET_ELEMENT_NONE, 0, 0);
+    /* One mesh with one loop only. */
+    unstitchable(&up, NULL, NULL, NULL, NULL, GUSSET_ERROR_NO_LOOP, GUSSET_ELEMENT_NONE, 0, 1);
+    unstitchable(&up, &loop, NULL, &loop, NULL, GUSSET_ERROR_LOOPS_SHARE_VERTEX, GUSSET_ELEMENT_VERTEX, 1, 0);
+    loop.count = 2;
+    unstitchable(&up, NULL, &down, &loop, NULL, GUSSET_ERROR_LOOP_TOO_SHORT, GUSSET_ELEMENT_COUNT, 2, 1);
+    loop.data = NULL, loop.count = 0;
+    unstitchable(&up, &loop, &down, NULL, NULL, GUSSET_ERROR_LOOP_TOO_SHORT, GUSSET_ELEMENT_COUNT, 0, 0);
+    loop.count = SIZE_MAX;
+    unstitchable(&up, NULL, &down, &loop, NULL, GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, SIZE_MAX, 1);
+    loop.data = places, loop.count = 5;
+    unstitchable(&up, NULL, &down, &loop, NULL, GUSSET_ERROR_LOOP_REPEATS_VERTEX, GUSSET_ELEMENT_VERTEX, 1, 1);
+    loop.count = 4, places[2] = 0;
+    unstitchable(&up, NULL, &down, &loop, NULL, GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, 1, 1);
+    places[2] = UINT32_MAX;
+    unstitchable(&up, &loop, &down, NULL, NULL, GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, 1, 0);
+
+    turned.face_corners = turned_faces;
+    unstitchable(&up, NULL, &turned, NULL, &refuse, GUSSET_ERROR_ORIENTATION_CONFLICT, GUSSET_ELEMENT_FACE, 0, 1);
+    narrow.positions = floats, narrow.scalar = GUSSET_F32;
+    unstitchable(&narrow, NULL, &down, NULL, NULL, GUSSET_ERROR_MIXED_SCALARS, GUSSET_ELEMENT_NONE, 0, 1);
+    EXPECT(GUSSET_OK, gusset_stitch_create(context, &down, NULL, &narrow, NULL, NULL, &stitch));
+    gusset_stitch_destroy(stitch);
+
+    /* Indices at an odd address are no mistake. */
+    places[2] = 3;
+    memcpy(bytes + 1, places, sizeof places);
+    loop.data = (const uint32_t *)(const void *)(bytes + 1);
+    EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, &loop, &down, NULL, NULL, &stitch));
+    gusset_stitch_destroy(stitch);
+}
+
+/* Arrays at odd addresses with odd strides, ending at the last byte of their block, give what aligned ones give. */
+static void odd_addresses(void) {
+    enum { STRIDE = 29 };
+    const size_t size = 1 + 4 * STRIDE + 24;
+    char *points = malloc(size), *faces = malloc(1 + sizeof pyramid_faces);
+    gusset_mesh_view mesh = pyramid(pyramid_up);
+    const gusset_mesh_view down = pyramid(pyramid_down);
+    gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0};
+    gusset_stitch *stitch = NULL;
+    int i;
+    CHECK(points != NULL && faces != NULL);
+    if (points == NULL || faces == NULL) {
+        return;
+    }
+    for (i = 0; i < 5; ++i) {
+        memcpy(points + 1 + i * STRIDE, pyramid_up[i], 24);
+    }
+    memcpy(faces + 1, pyramid_faces, sizeof pyramid_faces);
+    mesh.positions = points + 1, mesh.position_stride = STRIDE, mesh.face_corners = faces + 1;
+    EXPECT(GUSSET_OK, gusset_stitch_create(context, &mesh, NULL, &down, NULL, NULL, &stitch));
+    free(points);
+    free(faces);
+    EXPECT(GUSSET_OK, gusset_stitch_mesh(stitch, &out));
+    CHECK(out.vertex_count == 10 && memcmp(out.positions, pyramid_up, sizeof pyramid_up) == 0);
+    gusset_stitch_destroy(stitch);
+}
+
+/* A struct of a later version: accepted if what this one does not know is zero. */
+static void later_versions(void) {
+    struct {
+        gusset_mesh_view view;
+        uint64_t more[4];
+    } later;
+    gusset_boundary *boundary = NULL;
+    memset(&later, 0, sizeof later);
+    later.view = pyramid(pyramid_up);
+    later.view.struct_size = sizeof later;
+    EXPECT(GUSSET_OK, gusset_boundary_create(context, &later.view, NULL, &boundary));
+    gusset_boundary_destroy(boundary);
+    later.more[3] = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_boundary_create(context, &later.view, NULL, &boundary));
+    CHECK(boundary == NULL);
+}
+
+static gusset_status status_inside;
+
+static int call_again(void *user, double fraction, const char *stage) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    gusset_boundary *boundary = NULL;
+    (void)user, (void)fraction, (void)stage;
+    status_inside = gusset_boundary_create(context, &mesh, NULL, &boundary);
+    return 0;
+}
+
+static void contexts(void) {
+    gusset_context *other = (gusset_context *)misaligned();
+    gusset_report report;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_create(NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_create(misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_set_threads(NULL, 1));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_set_threads(misaligned(), 1));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_set_progress(NULL, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_set_progress(misaligned(), NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_set_log(NULL, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_set_log(misaligned(), NULL, NULL));
+    memset(&report, 0xff, sizeof report), report.struct_size = sizeof report;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_report(NULL, &report));
+    CHECK(report.status == 0 && report.index == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_report(context, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_report(misaligned(), &report));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_report(context, misaligned()));
+    report.struct_size = 4;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_context_report(context, &report));
+    CHECK(strcmp(gusset_context_message(NULL), "") == 0 && strcmp(gusset_context_message(misaligned()), "") == 0);
+    CHECK(gusset_context_progress(NULL) == 0.0 && gusset_context_progress(misaligned()) == 0.0);
+    gusset_context_cancel(NULL);
+    gusset_context_reset(NULL);
+    gusset_context_cancel(misaligned());
+    gusset_context_reset(misaligned());
+    gusset_context_destroy(NULL);
+    CHECK(strcmp(gusset_status_text(123456), "unknown status") == 0);
+
+    EXPECT(GUSSET_OK, gusset_context_create(&other));
+    gusset_context_destroy(other);
+    /* A call from within a call. */
+    EXPECT(GUSSET_OK, gusset_context_set_progress(context, call_again, NULL));
+    fit_for_more();
+    CHECK(status_inside == GUSSET_ERROR_CONTEXT_BUSY);
+    EXPECT(GUSSET_OK, gusset_context_set_progress(context, NULL, NULL));
+}
+
+int main(void) {
+    if (gusset_context_create(&context) != GUSSET_OK) {
+        return 1;
+    }
+    meshes();
+    boundary_pointers();
+    stitch_pointers();
+    loops();
+    odd_addresses();
+    later_versions();
+    contexts();
+    fit_for_more();
+    gusset_context_destroy(context);
+    return failures != 0;
+}

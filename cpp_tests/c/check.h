@@ -1,0 +1,49 @@
+/* What the C tests share: a check that counts, and a mesh written down by hand. */
+#ifndef CHECK_H
+#define CHECK_H
+
+#include <gusset.h>
+#include <stdio.h>
+#include <string.h>
+
+static int failures;
+
+#define CHECK(condition)                                                                                               \
+    do {                                                                                                               \
+        if (!(condition)) {                                                                                            \
+            printf("%s:%d: %s\n", __FILE__, __LINE__, #condition);                                                     \
+            ++failures;                                                                                                \
+        }                                                                                                              \
+    } while (0)
+
+/* The call returns this status. */
+#define EXPECT(expected, call)                                                                                         \
+    do {                                                                                                               \
+        const gusset_status got_ = (call);                                                                             \
+        if (got_ != (expected)) {                                                                                      \
+            printf("%s:%d: %s\n  gives %d (%s), not %s\n", __FILE__, __LINE__, #call, (int)got_,                       \
+                   gusset_status_text(got_), #expected);                                                               \
+            ++failures;                                                                                                \
+        }                                                                                                              \
+    } while (0)
+
+/* An open pyramid: apex 0, rim 1 2 3 4, faces counter-clockwise from above. */
+static const double pyramid_up[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
+/* The same seen in a mirror below: apex 0, rim 1 2 3 4, faces counter-clockwise from outside too. */
+static const double pyramid_down[5][3] = {{0, 0, -2}, {1, 0, -1}, {0, -1, -1}, {-1, 0, -1}, {0, 1, -1}};
+static const uint32_t pyramid_faces[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
+
+static gusset_mesh_view pyramid(const double points[5][3]) {
+    gusset_mesh_view view;
+    memset(&view, 0, sizeof view);
+    view.struct_size = sizeof view;
+    view.positions = points;
+    view.vertex_count = 5;
+    view.face_corners = pyramid_faces;
+    view.face_count = 4;
+    view.face_size = 3;
+    view.scalar = GUSSET_F64;
+    return view;
+}
+
+#endif

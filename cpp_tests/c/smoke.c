@@ -1,0 +1,147 @@
+/* The whole way in pure C99: two open pyramids become a closed octahedron-like solid. */
+#include "check.h"
+
+static void layouts(void) {
+    CHECK(sizeof(gusset_status) == 4);
+    CHECK(strcmp(gusset_version(), GUSSET_VERSION_STRING) == 0);
+    CHECK(gusset_abi() == 1);
+    if (sizeof(void *) == 8) {
+        CHECK(sizeof(gusset_indices) == 16);
+        CHECK(sizeof(gusset_mesh_view) == 72 && offsetof(gusset_mesh_view, scalar) == 56);
+        CHECK(sizeof(gusset_boundary_options) == 16);
+        CHECK(sizeof(gusset_loop_view) == 80 && offsetof(gusset_loop_view, length) == 64);
+        CHECK(sizeof(gusset_defect) == 16);
+        CHECK(sizeof(gusset_report) == 40 && offsetof(gusset_report, value) == 24);
+        CHECK(sizeof(gusset_stitch_options) == 24 && offsetof(gusset_stitch_options, twist) == 16);
+        CHECK(sizeof(gusset_stitch_parts) == 144 && offsetof(gusset_stitch_parts, turned) == 136);
+        CHECK(sizeof(gusset_quality) == 56 && offsetof(gusset_quality, loops_left) == 44);
+    }
+}
+
+static void loop_of_a_pyramid(void) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    gusset_boundary *boundary = NULL;
+    gusset_loop_view loop = {sizeof loop, {NULL, 0}, {NULL, 0}, {NULL, 0}, NULL, 0.0, 0, 0};
+    const gusset_defect *defects = NULL;
+    size_t i, defect_count = 1;
+
+    EXPECT(GUSSET_OK, gusset_boundary_create(NULL, &mesh, NULL, &boundary));
+    CHECK(gusset_boundary_loop_count(boundary) == 1 && gusset_boundary_walk_count(boundary) == 1);
+    EXPECT(GUSSET_OK, gusset_boundary_loop(boundary, 0, &loop));
+    CHECK(loop.struct_size == sizeof loop && loop.flags == 0 && loop.vertices.count == 4 && loop.half_edges.count == 4);
+    for (i = 0; i < 4 && i < loop.vertices.count; ++i) {
+        const uint32_t h = loop.half_edges.data[i];
+        CHECK(loop.faces.data[i] == h / 3 && loop.edge_flags[i] == 0);
+        /* The loop runs as the face does: the surface is on its left. */
+        CHECK(pyramid_faces[h] == loop.vertices.data[i]);
+        CHECK(loop.vertices.data[(i + 1) % 4] == loop.vertices.data[i] % 4 + 1);
+    }
+    CHECK(loop.length > 5.656854 && loop.length < 5.656855);
+    EXPECT(GUSSET_OK, gusset_boundary_defects(boundary, &defects, &defect_count));
+    CHECK(defect_count == 0);
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_boundary_loop(boundary, 1, &loop));
+    CHECK(loop.vertices.data == NULL && loop.struct_size == sizeof loop);
+    gusset_boundary_destroy(boundary);
+}
+
+static void stitch_two_pyramids(gusset_context *context) {
+    const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
+    const uint32_t rim[4] = {3, 2, 1, 4};
+    const gusset_indices loop = {rim, 4};
+    gusset_stitch_options options = {sizeof options, GUSSET_MERIDIANS_INDEX, GUSSET_ORIENTATION_REFUSE, 0};
+    gusset_mesh_view whole = {sizeof whole, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0}, strip = whole;
+    gusset_stitch_parts parts;
+    gusset_quality quality;
+    gusset_stitch *stitch = NULL;
+    int round;
+
+    for (round = 0; round < 2; ++round) {
+        if (round == 0) {
+            EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, &stitch));
+        } else {
+            EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, &loop, &down, &loop, &options, &stitch));
+        }
+        EXPECT(GUSSET_OK, gusset_stitch_mesh(stitch, &whole));
+        CHECK(whole.vertex_count == 10 && whole.face_count == 16 && whole.scalar == GUSSET_F64);
+        CHECK(memcmp(whole.positions, pyramid_up, sizeof pyramid_up) == 0);
+        EXPECT(GUSSET_OK, gusset_stitch_strip(stitch, &strip));
+        CHECK(strip.vertex_count == 8 && strip.face_count == 8);
+
+        memset(&parts, 0, sizeof parts);
+        parts.struct_size = sizeof parts;
+        EXPECT(GUSSET_OK, gusset_stitch_view(stitch, &parts));
+        CHECK(parts.vertex_map[0].count == 5 && parts.vertex_map[1].count == 5 && parts.vertex_map[1].data[0] == 5);
+        CHECK(parts.face_map[0].count == 4 && parts.face_map[1].data[3] == 7);
+        CHECK(parts.rim[0].count == 4 && parts.rim[1].count == 4 && parts.turned == 0);
+        CHECK(parts.strip_face_first == 8 && parts.strip_face_count == 8);
+        CHECK(parts.meridians.count >= 10 && parts.meridians.data[0] == 0 && parts.meridians.data[1] == 0);
+        CHECK(parts.meridians.data[parts.meridians.count - 1] == 4);
+
+        memset(&quality, 0, sizeof quality);
+        quality.struct_size = sizeof quality;
+        EXPECT(GUSSET_OK, gusset_stitch_quality(stitch, &quality));
+        CHECK(quality.loops_left == 0 && quality.non_manifold_edges == 0 && quality.orientation_conflicts == 0);
+        /* A square tube of side sqrt(2) and height 2. */
+        CHECK(quality.area > 11.3137 && quality.area < 11.3138 && quality.degenerate_faces == 0);
+        gusset_stitch_destroy(stitch);
+    }
+}
+
+static int count_steps(void *user, double fraction, const char *stage) {
+    ++*(int *)user;
+    return fraction < 0.0 || fraction > 1.0 || stage == NULL;
+}
+
+static int stop_at_once(void *user, double fraction, const char *stage) {
+    (void)user, (void)fraction, (void)stage;
+    return 1;
+}
+
+static void ignore(void *user, const char *message) {
+    (void)user, (void)message;
+}
+
+static void context_of_a_call(void) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    gusset_context *context = NULL;
+    gusset_boundary *boundary = NULL;
+    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    int steps = 0;
+
+    EXPECT(GUSSET_OK, gusset_context_create(&context));
+    EXPECT(GUSSET_OK, gusset_context_set_threads(context, 1));
+    EXPECT(GUSSET_OK, gusset_context_set_log(context, ignore, NULL));
+    EXPECT(GUSSET_OK, gusset_context_set_progress(context, count_steps, &steps));
+    EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    CHECK(steps > 0 && gusset_context_progress(context) == 1.0);
+    gusset_boundary_destroy(boundary);
+    stitch_two_pyramids(context);
+
+    /* The callback's no is for one call. */
+    EXPECT(GUSSET_OK, gusset_context_set_progress(context, stop_at_once, NULL));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    CHECK(boundary == NULL);
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.status == GUSSET_ERROR_CANCELLED && strlen(gusset_context_message(context)) > 0);
+    EXPECT(GUSSET_OK, gusset_context_set_progress(context, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    CHECK(strlen(gusset_context_message(context)) == 0);
+    gusset_boundary_destroy(boundary);
+
+    /* The host's cancel stays until it is taken back. */
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    gusset_context_reset(context);
+    EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
+    gusset_boundary_destroy(boundary);
+    gusset_context_destroy(context);
+}
+
+int main(void) {
+    layouts();
+    loop_of_a_pyramid();
+    stitch_two_pyramids(NULL);
+    context_of_a_call();
+    return failures != 0;
+}

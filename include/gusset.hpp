@@ -1,0 +1,453 @@
+// gusset: joins surfaces that come in pieces. The C++17 face of gusset.h: RAII, ranges, exceptions. Header only.
+//
+// * Every failure is a gusset::Error that carries the status, the sentence and the report.
+// * A callback may throw: the call is cancelled, and the exception comes out of it.
+// * Results own their memory; spans and views into them are valid as long as they live. Results are immutable and may be
+//   read from many threads. A Context serves one call at a time.
+#ifndef GUSSET_HPP
+#define GUSSET_HPP
+
+#include <gusset.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace gusset {
+
+/// What went wrong. what() is a sentence.
+class Error : public std::runtime_error {
+public:
+    Error(const char *sentence, const gusset_report &report) : std::runtime_error(sentence), report_(report) {}
+    /// GUSSET_ERROR_...
+    int32_t status() const noexcept { return report_.status; }
+    /// Which element, and its value.
+    const gusset_report &report() const noexcept { return report_; }
+
+private:
+    gusset_report report_;
+};
+
+/// A run of elements in somebody else's memory.
+template <class T>
+class Span {
+public:
+    Span() = default;
+    Span(T *data, std::size_t size) : data_(data), size_(size) {}
+    /// From any container that keeps its elements side by side.
+    template <class Container, class = std::enable_if_t<std::is_convertible_v<
+                                   decltype(std::data(std::declval<Container &>())), T *>>>
+    Span(Container &&container) : data_(std::data(container)), size_(std::size(container)) {}
+
+    T *data() const noexcept { return data_; }
+    std::size_t size() const noexcept { return size_; }
+    bool empty() const noexcept { return size_ == 0; }
+    T &operator[](std::size_t i) const { return data_[i]; }
+    T *begin() const noexcept { return data_; }
+    T *end() const noexcept { return data_ + size_; }
+
+private:
+    T *data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+/// Vertex, face or half-edge indices.
+using Indices = Span<const uint32_t>;
+
+namespace detail {
+inline Indices indices(const gusset_indices &lent) { return {lent.data, lent.count}; }
+inline void check(gusset_status status) {
+    if (status != GUSSET_OK) {
+        gusset_report report{};
+        report.struct_size = sizeof report;
+        report.status = status;
+        throw Error(gusset_status_text(status), report);
+    }
+}
+} // namespace detail
+
+/// Threads, progress, log and cancel for the calls that it is given to.
+class Context {
+public:
+    /// Receives the part done (0 to 1) and the name of the stage; returns false to cancel the call. May throw.
+    using Progress = std::function<bool(double fraction, const char *stage)>;
+    /// Receives remarks that are no failures. May throw.
+    using Log = std::function<void(const char *message)>;
+
+    Context() : host_(std::make_unique<Host>()) {
+        gusset_context *created = nullptr;
+        detail::check(gusset_context_create(&created));
+        context_.reset(created);
+    }
+
+    /// 0: as many threads as the machine has; 1: the calling thread only. Results do not depend on it.
+    void set_threads(uint32_t threads) { detail::check(gusset_context_set_threads(get(), threads)); }
+    void set_progress(Progress progress) {
+        host_->progress = std::move(progress);
+        install();
+    }
+    void set_log(Log log) {
+        host_->log = std::move(log);
+        install();
+    }
+
+    /// Cancels the running call and all later ones until reset(). From any thread.
+    void cancel() const noexcept { gusset_context_cancel(get()); }
+    void reset() const noexcept { gusset_context_reset(get()); }
+    /// How much of the running call is done, 0 to 1. From any thread.
+    double progress() const noexcept { return gusset_context_progress(get()); }
+
+    gusset_context *get() const noexcept { return context_.get(); }
+
+    /// Makes a call of the C interface, `function(gusset_context *)`, and throws what it has to say.
+    template <class Function>
+    void call(Function &&function) const {
+        host_->thrown = nullptr;
+        const gusset_status status = function(get());
+        if (host_->thrown) {
+            std::rethrow_exception(std::exchange(host_->thrown, nullptr));
+        }
+        if (status == GUSSET_OK) {
+            return;
+        }
+        gusset_report report{};
+        report.struct_size = sizeof report;
+        // A context that is busy keeps its message for the call that it is busy with.
+        if (status == GUSSET_ERROR_CONTEXT_BUSY || gusset_context_report(get(), &report) != GUSSET_OK) {
+            detail::check(status);
+        }
+        throw Error(gusset_context_message(get()), report);
+    }
+
+private:
+    struct Host {
+        Progress progress;
+        Log log;
+        std::exception_ptr thrown;
+    };
+    struct Destroy {
+        void operator()(gusset_context *context) const noexcept { gusset_context_destroy(context); }
+    };
+
+    static int on_progress(void *user, double fraction, const char *stage) noexcept {
+        Host &host = *static_cast<Host *>(user);
+        if (host.thrown) {
+            return 1;
+        }
+        try {
+            return host.progress && !host.progress(fraction, stage);
+        } catch (...) {
+            host.thrown = std::current_exception();
+            return 1;
+        }
+    }
+    static void on_log(void *user, const char *message) noexcept {
+        Host &host = *static_cast<Host *>(user);
+        try {
+            if (host.log && !host.thrown) {
+                host.log(message);
+            }
+        } catch (...) {
+            host.thrown = std::current_exception();
+        }
+    }
+    void install() {
+        // Progress is listened to for the log's sake too: that is how a log callback that throws stops the call.
+        const bool listens = host_->progress || host_->log;
+        detail::check(gusset_context_set_progress(get(), listens ? on_progress : nullptr, host_.get()));
+        detail::check(gusset_context_set_log(get(), host_->log ? on_log : nullptr, host_.get()));
+    }
+
+    std::unique_ptr<Host> host_;
+    std::unique_ptr<gusset_context, Destroy> context_;
+};
+
+/// A polygon mesh in memory: yours on the way in, a result's on the way out. It owns nothing.
+class MeshView {
+public:
+    explicit MeshView(const gusset_mesh_view &view) : view_(view) {}
+
+    /// Faces of `face_size` corners each. `points`: elements whose first bytes are three floats or doubles, p[0] to p[2].
+    template <class Point>
+    static MeshView uniform(Span<const Point> points, Indices corners, uint32_t face_size) {
+        gusset_mesh_view view = with_points(points);
+        view.face_corners = corners.data();
+        view.face_count = face_size == 0 ? 0 : corners.size() / face_size;
+        view.face_size = face_size;
+        if (face_size != 0 && corners.size() % face_size != 0) {
+            throw std::invalid_argument("gusset: the number of corners is no multiple of face_size");
+        }
+        return MeshView(view);
+    }
+    template <class Points>
+    static MeshView triangles(const Points &points, Indices corners) {
+        return uniform(Span<const typename Points::value_type>(points), corners, 3);
+    }
+
+    /// Face f has the corners offsets[f] to offsets[f + 1] - 1.
+    template <class Points>
+    static MeshView polygons(const Points &points, Indices offsets, Indices corners) {
+        if (offsets.empty() || offsets[offsets.size() - 1] != corners.size()) {
+            throw std::invalid_argument("gusset: the last offset is not the number of corners");
+        }
+        gusset_mesh_view view = with_points(Span<const typename Points::value_type>(points));
+        view.face_offsets = offsets.data();
+        view.face_corners = corners.data();
+        view.face_count = offsets.size() - 1;
+        return MeshView(view);
+    }
+
+    const gusset_mesh_view &get() const noexcept { return view_; }
+    std::size_t vertex_count() const noexcept { return view_.vertex_count; }
+    std::size_t face_count() const noexcept { return view_.face_count; }
+
+    /// Position `v` < vertex_count().
+    std::array<double, 3> position(std::size_t v) const {
+        const bool wide = view_.scalar == GUSSET_F64;
+        const std::size_t stride = view_.position_stride != 0 ? view_.position_stride : (wide ? 24 : 12);
+        const char *at = static_cast<const char *>(view_.positions) + v * stride;
+        std::array<double, 3> wide_point;
+        if (wide) {
+            std::memcpy(wide_point.data(), at, 24);
+            return wide_point;
+        }
+        std::array<float, 3> point;
+        std::memcpy(point.data(), at, 12);
+        return {point[0], point[1], point[2]};
+    }
+
+    /// The vertices of face `f` < face_count().
+    Indices face(std::size_t f) const {
+        const auto *corners = static_cast<const uint32_t *>(view_.face_corners);
+        if (view_.face_offsets == nullptr) {
+            return {corners + f * view_.face_size, view_.face_size};
+        }
+        const auto *offsets = static_cast<const uint32_t *>(view_.face_offsets);
+        return {corners + offsets[f], offsets[f + 1] - offsets[f]};
+    }
+
+private:
+    template <class Point>
+    static gusset_mesh_view with_points(Span<const Point> points) {
+        using Scalar = std::decay_t<decltype(std::declval<const Point &>()[0])>;
+        static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>, "points of float or double");
+        static_assert(sizeof(Point) >= 3 * sizeof(Scalar), "three coordinates");
+        gusset_mesh_view view{};
+        view.struct_size = sizeof view;
+        view.positions = points.data();
+        view.position_stride = sizeof(Point);
+        view.vertex_count = points.size();
+        view.scalar = std::is_same_v<Scalar, float> ? GUSSET_F32 : GUSSET_F64;
+        return view;
+    }
+
+    gusset_mesh_view view_;
+};
+
+/// One boundary loop or open chain; see gusset_loop_view.
+struct Loop {
+    Indices vertices;
+    Indices half_edges;
+    Indices faces;
+    Span<const uint8_t> edge_flags;
+    double length;
+    uint32_t flags;
+    uint32_t walk;
+    bool is_closed() const noexcept { return (flags & GUSSET_LOOP_OPEN) == 0; }
+};
+
+enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
+
+struct BoundaryOptions {
+    NonManifold non_manifold = NonManifold::cut;
+};
+
+/// All free boundary loops of a mesh, surface on the left; a range of Loop. See gusset_boundary_create.
+class Boundary {
+public:
+    explicit Boundary(const MeshView &mesh, const BoundaryOptions &options = {}, const Context &context = Context()) {
+        gusset_boundary_options given{};
+        given.struct_size = sizeof given;
+        given.non_manifold = static_cast<uint32_t>(options.non_manifold);
+        gusset_boundary *created = nullptr;
+        context.call([&](gusset_context *c) { return gusset_boundary_create(c, &mesh.get(), &given, &created); });
+        boundary_.reset(created);
+    }
+
+    std::size_t size() const noexcept { return gusset_boundary_loop_count(boundary_.get()); }
+    bool empty() const noexcept { return size() == 0; }
+    std::size_t walk_count() const noexcept { return gusset_boundary_walk_count(boundary_.get()); }
+
+    /// Loop `i`; throws Error (GUSSET_ERROR_NO_SUCH_ELEMENT) from size() on.
+    Loop operator[](std::size_t i) const {
+        gusset_loop_view view{};
+        view.struct_size = sizeof view;
+        detail::check(gusset_boundary_loop(boundary_.get(), i, &view));
+        using detail::indices;
+        return {indices(view.vertices), indices(view.half_edges), indices(view.faces),
+                {view.edge_flags, view.half_edges.count}, view.length, view.flags, view.walk};
+    }
+
+    Span<const gusset_defect> defects() const {
+        const gusset_defect *data = nullptr;
+        std::size_t count = 0;
+        detail::check(gusset_boundary_defects(boundary_.get(), &data, &count));
+        return {data, count};
+    }
+
+    class iterator {
+    public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = Loop;
+        using difference_type = std::ptrdiff_t;
+        using pointer = void;
+        using reference = Loop;
+        iterator(const Boundary *boundary, std::size_t i) : boundary_(boundary), i_(i) {}
+        Loop operator*() const { return (*boundary_)[i_]; }
+        iterator &operator++() {
+            ++i_;
+            return *this;
+        }
+        iterator operator++(int) {
+            iterator old = *this;
+            ++i_;
+            return old;
+        }
+        friend bool operator==(const iterator &a, const iterator &b) { return a.i_ == b.i_; }
+        friend bool operator!=(const iterator &a, const iterator &b) { return a.i_ != b.i_; }
+
+    private:
+        const Boundary *boundary_;
+        std::size_t i_;
+    };
+    iterator begin() const noexcept { return {this, 0}; }
+    iterator end() const noexcept { return {this, size()}; }
+
+private:
+    struct Destroy {
+        void operator()(gusset_boundary *boundary) const noexcept { gusset_boundary_destroy(boundary); }
+    };
+    std::unique_ptr<gusset_boundary, Destroy> boundary_;
+};
+
+enum class Meridians : uint32_t { min_area = GUSSET_MERIDIANS_MIN_AREA, index = GUSSET_MERIDIANS_INDEX };
+enum class Orientation : uint32_t {
+    fix = GUSSET_ORIENTATION_FIX,
+    refuse = GUSSET_ORIENTATION_REFUSE,
+    keep = GUSSET_ORIENTATION_KEEP
+};
+
+/// How to stitch; see gusset_stitch_options.
+struct StitchOptions {
+    Meridians meridians = Meridians::min_area;
+    Orientation orientation = Orientation::fix;
+    int64_t twist = 0;
+};
+
+/// A finished stitch: the whole mesh, the strip, and where everything went. Made by stitch() and stitch_within().
+class Stitch {
+public:
+    MeshView mesh() const { return view(gusset_stitch_mesh); }
+    MeshView strip() const { return view(gusset_stitch_strip); }
+
+    gusset_quality quality() const {
+        gusset_quality quality{};
+        quality.struct_size = sizeof quality;
+        detail::check(gusset_stitch_quality(stitch_.get(), &quality));
+        return quality;
+    }
+
+    /// Old index to new one, of mesh 0 or 1.
+    Indices vertex_map(int mesh) const { return detail::indices(parts().vertex_map[mesh != 0]); }
+    Indices face_map(int mesh) const { return detail::indices(parts().face_map[mesh != 0]); }
+    /// The vertices of a rim in the result, from the first meridian on.
+    Indices rim(int mesh) const { return detail::indices(parts().rim[mesh != 0]); }
+    /// Pairs of places on the rims, i and j by turns.
+    Indices meridians() const { return detail::indices(parts().meridians); }
+    /// The strip's faces in the result: the first, and how many.
+    std::pair<std::size_t, std::size_t> strip_faces() const {
+        const gusset_stitch_parts found = parts();
+        return {found.strip_face_first, found.strip_face_count};
+    }
+    /// True if the second piece was turned over.
+    bool turned() const { return parts().turned != 0; }
+
+    /// The C interface's own call; stitch() and stitch_within() are its cases.
+    Stitch(const MeshView &a, const Indices *loop_a, const MeshView *b, const Indices *loop_b,
+           const StitchOptions &options, const Context &context) {
+        gusset_stitch_options given{};
+        given.struct_size = sizeof given;
+        given.meridians = static_cast<uint32_t>(options.meridians);
+        given.orientation = static_cast<uint32_t>(options.orientation);
+        given.twist = options.twist;
+        const auto as_c = [](const Indices *loop) {
+            return loop != nullptr ? gusset_indices{loop->data(), loop->size()} : gusset_indices{nullptr, 0};
+        };
+        const gusset_indices first = as_c(loop_a), second = as_c(loop_b);
+        gusset_stitch *created = nullptr;
+        context.call([&](gusset_context *c) {
+            return gusset_stitch_create(c, &a.get(), loop_a != nullptr ? &first : nullptr,
+                                        b != nullptr ? &b->get() : nullptr, loop_b != nullptr ? &second : nullptr,
+                                        &given, &created);
+        });
+        stitch_.reset(created);
+    }
+
+private:
+    struct Destroy {
+        void operator()(gusset_stitch *stitch) const noexcept { gusset_stitch_destroy(stitch); }
+    };
+    MeshView view(gusset_status (*get)(const gusset_stitch *, gusset_mesh_view *)) const {
+        gusset_mesh_view view{};
+        view.struct_size = sizeof view;
+        detail::check(get(stitch_.get(), &view));
+        return MeshView(view);
+    }
+    gusset_stitch_parts parts() const {
+        gusset_stitch_parts parts{};
+        parts.struct_size = sizeof parts;
+        detail::check(gusset_stitch_view(stitch_.get(), &parts));
+        return parts;
+    }
+
+    std::unique_ptr<gusset_stitch, Destroy> stitch_;
+};
+
+/// Joins the two loops of a and b that lie nearest to each other.
+inline Stitch stitch(const MeshView &a, const MeshView &b, const StitchOptions &options = {},
+                     const Context &context = Context()) {
+    return Stitch(a, nullptr, &b, nullptr, options, context);
+}
+/// Joins loop_a of a to loop_b of b; loops are vertices in order, in either direction.
+inline Stitch stitch(const MeshView &a, Indices loop_a, const MeshView &b, Indices loop_b,
+                     const StitchOptions &options = {}, const Context &context = Context()) {
+    return Stitch(a, &loop_a, &b, &loop_b, options, context);
+}
+/// Joins the two loops of one mesh that lie nearest to each other.
+inline Stitch stitch_within(const MeshView &mesh, const StitchOptions &options = {},
+                            const Context &context = Context()) {
+    return Stitch(mesh, nullptr, nullptr, nullptr, options, context);
+}
+/// Joins two loops of one mesh.
+inline Stitch stitch_within(const MeshView &mesh, Indices loop_a, Indices loop_b, const StitchOptions &options = {},
+                            const Context &context = Context()) {
+    return Stitch(mesh, &loop_a, nullptr, &loop_b, options, context);
+}
+
+/// The version of the library that is loaded; GUSSET_VERSION_STRING is the header's.
+inline const char *version() noexcept { return gusset_version(); }
+/// Its binary interface.
+inline uint32_t abi() noexcept { return gusset_abi(); }
+
+} // namespace gusset
+
+#endif // GUSSET_HPP

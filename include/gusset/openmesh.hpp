@@ -1,0 +1,116 @@
+// OpenMesh meshes as input and output of gusset. Needs OpenMesh 8 or later.
+//
+// The view's vertex v is the host's VertexHandle(v): positions are read where OpenMesh keeps them, deleted vertices
+// included, which no face uses. Faces are numbered without the deleted ones; face(f) is the host's handle.
+#ifndef GUSSET_OPENMESH_HPP
+#define GUSSET_OPENMESH_HPP
+
+#include <gusset.hpp>
+
+#include <OpenMesh/Core/Geometry/VectorT.hh>
+#include <OpenMesh/Core/Mesh/Handles.hh>
+
+#include <vector>
+
+namespace gusset::openmesh {
+
+/// A mesh of the host's as gusset sees it. Positions stay where they are, so the mesh must outlive this and keep its
+/// vertices meanwhile; OpenMesh has no array of its faces' vertices, so those are gathered here.
+template <class Mesh>
+class Input {
+public:
+    explicit Input(const Mesh &mesh) : mesh_(&mesh) {
+        offsets_.reserve(mesh.n_faces() + 1);
+        corners_.reserve(3 * mesh.n_faces());
+        faces_.reserve(mesh.n_faces());
+        offsets_.push_back(0);
+        // faces_begin() to faces_end() passes deleted faces too: they are left out here.
+        for (auto it = mesh.faces_begin(); it != mesh.faces_end(); ++it) {
+            if (mesh.has_face_status() && mesh.status(*it).deleted()) {
+                continue;
+            }
+            for (auto vertex = mesh.cfv_ccwbegin(*it); vertex != mesh.cfv_ccwend(*it); ++vertex) {
+                corners_.push_back(static_cast<uint32_t>(vertex->idx()));
+            }
+            offsets_.push_back(static_cast<uint32_t>(corners_.size()));
+            faces_.push_back(*it);
+        }
+    }
+
+    MeshView view() const {
+        const Span<const typename Mesh::Point> points(mesh_->points(), mesh_->n_vertices());
+        return MeshView::polygons(Points{points}, offsets_, corners_);
+    }
+
+    OpenMesh::FaceHandle face(uint32_t f) const { return faces_[f]; }
+    OpenMesh::VertexHandle vertex(uint32_t v) const { return OpenMesh::VertexHandle(static_cast<int>(v)); }
+
+private:
+    struct Points {
+        using value_type = typename Mesh::Point;
+        Span<const value_type> span;
+        const value_type *data() const { return span.data(); }
+        std::size_t size() const { return span.size(); }
+    };
+
+    const Mesh *mesh_;
+    std::vector<uint32_t> offsets_, corners_;
+    std::vector<OpenMesh::FaceHandle> faces_;
+};
+
+namespace detail {
+/// Adds faces `first` .. of `view`, whose vertex v is the host's vertices[v]; returns those that OpenMesh refuses.
+template <class Mesh>
+std::vector<uint32_t> add_faces(Mesh &mesh, const MeshView &view, const std::vector<OpenMesh::VertexHandle> &vertices) {
+    std::vector<uint32_t> refused;
+    std::vector<typename Mesh::VertexHandle> corners;
+    for (std::size_t f = 0; f < view.face_count(); ++f) {
+        corners.clear();
+        for (uint32_t v : view.face(f)) {
+            corners.push_back(vertices[v]);
+        }
+        if (!mesh.add_face(corners).is_valid()) {
+            refused.push_back(static_cast<uint32_t>(f));
+        }
+    }
+    return refused;
+}
+} // namespace detail
+
+/// Appends a whole result to `mesh` (usually an empty one): vertex v becomes the host's vertex v + old n_vertices().
+/// Returns the faces that OpenMesh refused because it takes two-manifolds only: empty if all went in.
+template <class Mesh>
+std::vector<uint32_t> append(Mesh &mesh, const MeshView &result) {
+    using Point = typename Mesh::Point;
+    using Scalar = typename OpenMesh::vector_traits<Point>::value_type;
+    std::vector<OpenMesh::VertexHandle> vertices;
+    vertices.reserve(result.vertex_count());
+    for (std::size_t v = 0; v < result.vertex_count(); ++v) {
+        const auto p = result.position(v);
+        vertices.push_back(mesh.add_vertex(
+            Point(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2]))));
+    }
+    return detail::add_faces(mesh, result, vertices);
+}
+
+/// Adds the strip of a stitch within one mesh to that mesh itself: its own vertices and faces keep their handles, and
+/// its properties stay. For a stitch that turned nothing over (turned() is false). Returns the strip's faces that OpenMesh
+/// refused.
+template <class Mesh>
+std::vector<uint32_t> append_strip(Mesh &mesh, const Stitch &stitch) {
+    if (stitch.turned() || !stitch.vertex_map(1).empty()) {
+        throw std::invalid_argument("gusset: the strip does not fit: the stitch is of two meshes, or turned one over");
+    }
+    // Of one mesh the vertices keep their numbers.
+    std::vector<OpenMesh::VertexHandle> vertices;
+    for (int side : {0, 1}) {
+        for (uint32_t v : stitch.rim(side)) {
+            vertices.push_back(OpenMesh::VertexHandle(static_cast<int>(v)));
+        }
+    }
+    return detail::add_faces(mesh, stitch.strip(), vertices);
+}
+
+} // namespace gusset::openmesh
+
+#endif // GUSSET_OPENMESH_HPP
