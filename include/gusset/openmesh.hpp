@@ -9,6 +9,7 @@
 
 #include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <OpenMesh/Core/Mesh/Handles.hh>
+#include <OpenMesh/Core/Utils/vector_traits.hh>
 
 #include <vector>
 

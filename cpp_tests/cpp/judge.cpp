@@ -1,0 +1,61 @@
+#include "judge.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+Verdict judge(const gusset::MeshView &view, bool intersections) {
+    std::vector<Kernel::Point_3> points;
+    std::vector<std::vector<std::size_t>> faces;
+    for (std::size_t v = 0; v < view.vertex_count(); ++v) {
+        const auto p = view.position(v);
+        points.emplace_back(p[0], p[1], p[2]);
+    }
+    for (std::size_t f = 0; f < view.face_count(); ++f) {
+        faces.emplace_back(view.face(f).begin(), view.face(f).end());
+    }
+    Verdict verdict;
+    if (!PMP::is_polygon_soup_a_polygon_mesh(faces)) {
+        return verdict;
+    }
+    Mesh mesh;
+    PMP::polygon_soup_to_polygon_mesh(points, faces, mesh);
+    verdict.is_mesh = CGAL::is_valid_polygon_mesh(mesh);
+    verdict.closed = CGAL::is_closed(mesh);
+    auto component = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
+    verdict.components = PMP::connected_components(mesh, component);
+    long used = 0;
+    for (auto v : mesh.vertices()) {
+        used += !mesh.is_isolated(v);
+    }
+    verdict.euler = used - static_cast<long>(mesh.number_of_edges()) + static_cast<long>(mesh.number_of_faces());
+
+    std::vector<Mesh::Halfedge_index> cycles;
+    PMP::extract_boundary_cycles(mesh, std::back_inserter(cycles));
+    for (auto start : cycles) {
+        const auto round = CGAL::halfedges_around_face(start, mesh);
+        verdict.boundary.push_back(static_cast<std::size_t>(std::distance(round.begin(), round.end())));
+    }
+    std::sort(verdict.boundary.begin(), verdict.boundary.end(), std::greater<>());
+
+    if (intersections) {
+        PMP::triangulate_faces(mesh);
+        std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
+        PMP::self_intersections(mesh, std::back_inserter(pairs));
+        verdict.self_intersections = pairs.size();
+        verdict.bounds_a_volume = verdict.closed && pairs.empty() && PMP::does_bound_a_volume(mesh);
+    }
+    return verdict;
+}

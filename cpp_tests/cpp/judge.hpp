@@ -1,0 +1,24 @@
+// What CGAL says of a mesh.
+#pragma once
+
+#include <gusset.hpp>
+
+#include <cstddef>
+#include <vector>
+
+struct Verdict {
+    /// Two-manifold and consistently oriented: CGAL takes the faces as a polygon mesh. The rest holds only if so.
+    bool is_mesh = false;
+    bool closed = false;
+    /// Closed, without self-intersections, faces outwards.
+    bool bounds_a_volume = false;
+    std::size_t components = 0;
+    /// The number of edges of each boundary cycle, longest first.
+    std::vector<std::size_t> boundary;
+    /// Pairs of triangles that intersect (polygons are cut into triangles).
+    std::size_t self_intersections = 0;
+    long euler = 0;
+};
+
+/// `intersections`: count them too, which is slow for large meshes.
+Verdict judge(const gusset::MeshView &mesh, bool intersections = true);

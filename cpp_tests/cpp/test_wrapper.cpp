@@ -1,0 +1,175 @@
+// gusset.hpp by itself: exceptions that carry the report, callbacks that throw, cancel from another thread, ownership.
+#include "soup.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+namespace {
+Soup square() {
+    Soup soup;
+    soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    soup.add_face({0, 1, 2, 3});
+    return soup;
+}
+
+/// A sheet large enough to be at work for a while.
+Soup sheet(uint32_t n) {
+    Soup soup;
+    for (uint32_t j = 0; j <= n; ++j) {
+        for (uint32_t i = 0; i <= n; ++i) {
+            soup.points.push_back({double(i), double(j), 0.0});
+        }
+    }
+    for (uint32_t j = 0; j < n; ++j) {
+        for (uint32_t i = 0; i < n; ++i) {
+            const uint32_t v = j * (n + 1) + i;
+            soup.add_face({v, v + 1, v + n + 2, v + n + 1});
+        }
+    }
+    return soup;
+}
+} // namespace
+
+TEST_CASE("versions") {
+    CHECK(std::string(gusset::version()) == GUSSET_VERSION_STRING);
+    CHECK(gusset::abi() == 1);
+}
+
+TEST_CASE("an error carries the status, a sentence and the element") {
+    Soup soup = square();
+    soup.points[2][1] = NAN;
+    try {
+        const gusset::Boundary boundary(soup.view());
+        FAIL("not refused");
+    } catch (const gusset::Error &error) {
+        CHECK(error.status() == GUSSET_ERROR_NOT_FINITE);
+        CHECK(error.report().element == GUSSET_ELEMENT_VERTEX);
+        CHECK(error.report().index == 2);
+        CHECK(std::isnan(error.report().value));
+        CHECK(std::string(error.what()).find("vertex 2") != std::string::npos);
+    }
+    CHECK_THROWS_AS(gusset::Boundary(square().view())[1], gusset::Error);
+}
+
+TEST_CASE("a callback that throws: its exception comes out, and the context goes on") {
+    const Soup soup = square();
+    gusset::Context context;
+    context.set_progress([](double, const char *) -> bool { throw std::out_of_range("mine"); });
+    CHECK_THROWS_AS(gusset::Boundary(soup.view(), {}, context), std::out_of_range);
+    context.set_progress([](double, const char *) { return false; });
+    try {
+        const gusset::Boundary boundary(soup.view(), {}, context);
+        FAIL("not cancelled");
+    } catch (const gusset::Error &error) {
+        CHECK(error.status() == GUSSET_ERROR_CANCELLED);
+    }
+    double last = -1.0;
+    context.set_progress([&](double fraction, const char *stage) {
+        CHECK(fraction >= last);
+        CHECK(stage != nullptr);
+        last = fraction;
+        return true;
+    });
+    CHECK(gusset::Boundary(soup.view(), {}, context).size() == 1);
+    CHECK(last == 1.0);
+    context.set_progress(nullptr);
+    CHECK(gusset::Boundary(soup.view(), {}, context).size() == 1);
+}
+
+TEST_CASE("a log callback that throws stops the call too") {
+    Soup a = square(), b = square();
+    for (auto &p : b.points) {
+        p[2] = 1.0;
+    }
+    // Both face up: as sides of one box the second is inside out, and turning it over is noted.
+    gusset::Context context;
+    std::string noted;
+    context.set_log([&](const char *message) { noted = message; });
+    CHECK(gusset::stitch(a.view(), b.view(), {}, context).turned());
+    CHECK(noted.find("turned") != std::string::npos);
+    context.set_log([](const char *) { throw std::length_error("mine"); });
+    CHECK_THROWS_AS(gusset::stitch(a.view(), b.view(), {}, context), std::length_error);
+}
+
+TEST_CASE("cancel from another thread, while the call runs") {
+    const Soup soup = sheet(600);
+    gusset::Context context;
+    std::atomic<bool> running{false};
+    context.set_progress([&](double, const char *) {
+        running = true;
+        // Until the other thread has cancelled: the call cannot end before that.
+        while (context.progress() >= 0.0 && running) {
+            std::this_thread::yield();
+        }
+        return true;
+    });
+    std::thread other([&] {
+        while (!running) {
+            std::this_thread::yield();
+        }
+        context.cancel();
+        running = false;
+    });
+    try {
+        const gusset::Boundary boundary(soup.view(), {}, context);
+        FAIL("not cancelled");
+    } catch (const gusset::Error &error) {
+        CHECK(error.status() == GUSSET_ERROR_CANCELLED);
+    }
+    other.join();
+    context.set_progress(nullptr);
+    CHECK_THROWS_AS(gusset::Boundary(soup.view(), {}, context), gusset::Error);
+    context.reset();
+    CHECK(gusset::Boundary(soup.view(), {}, context)[0].vertices.size() == 2400);
+}
+
+TEST_CASE("the same bytes for any number of threads") {
+    const Soup soup = sheet(400);
+    std::vector<uint32_t> reference;
+    for (uint32_t threads : {1u, 2u, 3u, 7u, 0u}) {
+        gusset::Context context;
+        context.set_threads(threads);
+        const gusset::Boundary boundary(soup.view(), {}, context);
+        REQUIRE(boundary.size() == 1);
+        std::vector<uint32_t> vertices(boundary[0].vertices.begin(), boundary[0].vertices.end());
+        if (reference.empty()) {
+            reference = vertices;
+        }
+        CHECK(vertices == reference);
+    }
+}
+
+TEST_CASE("results move, and outlive what they were made from") {
+    auto make = [] {
+        gusset::Context context;
+        const Soup soup = square();
+        gusset::Boundary boundary(soup.view(), {}, context);
+        return boundary;
+    };
+    gusset::Boundary boundary = make();
+    gusset::Boundary moved = std::move(boundary);
+    CHECK(boundary.size() == 0);
+    CHECK(moved[0].vertices.size() == 4);
+    gusset::Context context, other = std::move(context);
+    CHECK(gusset::Boundary(square().view(), {}, other).size() == 1);
+}
+
+TEST_CASE("views of any point type") {
+    struct Vertex {
+        float x, y, z;
+        uint32_t colour;
+        const float &operator[](std::size_t i) const { return (&x)[i]; }
+    };
+    const std::vector<Vertex> points{{0, 0, 0, 1}, {1, 0, 0, 2}, {0, 1, 0, 3}};
+    const std::vector<uint32_t> corners{0, 1, 2};
+    const auto view = gusset::MeshView::triangles(points, corners);
+    CHECK(view.get().position_stride == 16);
+    CHECK(view.position(1)[0] == 1.0);
+    CHECK(gusset::Boundary(view)[0].length == doctest::Approx(2.0 + std::sqrt(2.0)));
+    CHECK_THROWS_AS(gusset::MeshView::uniform(gusset::Span<const Vertex>(points), corners, 2), std::invalid_argument);
+    CHECK_THROWS_AS(gusset::MeshView::polygons(points, std::vector<uint32_t>{0, 4}, corners), std::invalid_argument);
+}
