@@ -184,10 +184,6 @@ enum gusset_status
      */
     GUSSET_ERROR_OUT_OF_RANGE = 5,
     /**
-     * The caller's buffer is too small; nothing was written but the size needed.
-     */
-    GUSSET_ERROR_BUFFER_TOO_SMALL = 6,
-    /**
      * The context is in use by another call: on another thread, or further up this one's stack.
      */
     GUSSET_ERROR_CONTEXT_BUSY = 7,

@@ -1,12 +1,51 @@
 //! Joins surfaces that come in pieces.
+//!
+//! `gusset` finds the free boundary loops of open polygon meshes and stitches them together: two open pieces become one closed,
+//! valid mesh. It is a Rust library with a C interface (`include/gusset.h`) and a C++ one (`include/gusset.hpp`).
+//!
+//! ```
+//! use gusset::mesh::{Faces, MeshView, Positions};
+//! use gusset::stitch::{Options, Request, stitch};
+//! use gusset::Job;
+//!
+//! // Two open pyramids, point up and point down, with a gap between their square rims.
+//! let up = [[0.0, 0.0, 2.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0], [-1.0, 0.0, 1.0], [0.0, -1.0, 1.0]];
+//! let down = up.map(|[x, y, z]| [x, -y, -z]);
+//! let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
+//!
+//! let job = Job::default();
+//! let a = MeshView::new(Positions::from(&up[..]), Faces::triangles(&faces)?, &job)?;
+//! let b = MeshView::new(Positions::from(&down[..]), Faces::triangles(&faces)?, &job)?;
+//! let request = Request { a: &a, loop_a: None, b: Some(&b), loop_b: None };
+//! let joined = stitch(&request, &Options::default(), &job)?;
+//! assert_eq!(joined.mesh.face_count(), 4 + 4 + 8);
+//! assert_eq!(joined.quality.loops_left, 0);
+//! # Ok::<(), gusset::Error>(())
+//! ```
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`mesh`] | the view of the host's arrays, the mesh that results come in, half-edges |
+//! | [`boundary`] | free boundary loops |
+//! | [`stitch`] | a strip of new faces between two loops |
+//! | [`filters`] | the table of named filters with typed parameters, for hosts |
+//! | [`job`] | progress, cancel and threads of a computation |
+//! | [`error`] | what can go wrong, each cause with the element it is about |
+//! | [`ffi`] | the C interface |
+//!
+//! Data flows one way: host arrays, view, core, result. Nothing is global, nothing is printed, no file is touched, and the same
+//! input gives the same bytes for any number of threads.
+
 mod alloc;
 pub mod boundary;
 pub mod error;
 pub mod ffi;
+pub mod filters;
 mod geom;
 pub mod job;
 pub mod mesh;
 mod par;
 pub mod stitch;
+
 pub use error::{Error, Result, Side};
 pub use job::{Job, Progress};

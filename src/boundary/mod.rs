@@ -16,7 +16,7 @@
 //! * **Faces that disagree in orientation** do not stop a walk; the loop takes the direction of most of its faces and marks
 //!   the edges where it runs against theirs.
 //!
-//! * [`loops`]: the types and the entry point. [`walk`](self): from free edge to free edge. [`split`](self): simple loops.
+//! Files: `loops` has the types and the entry point, `walk` goes from free edge to free edge, `split` makes simple loops.
 
 mod loops;
 mod split;

@@ -14,6 +14,7 @@
 
 #![allow(unsafe_code, reason = "the border to C")]
 #![allow(non_camel_case_types, reason = "these are the names that C sees")]
+#![allow(rustdoc::broken_intra_doc_links, reason = "the comments are written for C, where brackets index arrays")]
 #![allow(clippy::missing_safety_doc, reason = "each C function documents its pointers in C's terms")]
 
 pub mod boundary;

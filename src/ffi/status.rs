@@ -20,8 +20,6 @@ pub enum gusset_status {
     GUSSET_ERROR_UNKNOWN_VALUE = 4,
     /// An option is outside its range.
     GUSSET_ERROR_OUT_OF_RANGE = 5,
-    /// The caller's buffer is too small; nothing was written but the size needed.
-    GUSSET_ERROR_BUFFER_TOO_SMALL = 6,
     /// The context is in use by another call: on another thread, or further up this one's stack.
     GUSSET_ERROR_CONTEXT_BUSY = 7,
     /// There is no element of this index.
@@ -191,7 +189,6 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         3 => c"struct_size is too small",
         4 => c"a field has an unknown value",
         5 => c"an option is out of range",
-        6 => c"the buffer is too small",
         7 => c"the context is in use",
         8 => c"there is no such element",
         9 => c"the position stride is too small",

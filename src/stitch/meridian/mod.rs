@@ -5,7 +5,7 @@
 //! both. It is a path through the lattice of all pairs, and it is the paper's matrix H read row by row.
 //!
 //! * [`index_rule`](mod@index_rule): the paper's rule, by index alone.
-//! * [`min_area`]: the path whose triangles have the least total area.
+//! * `min_area`: the path whose triangles have the least total area.
 
 pub mod index_rule;
 pub(crate) mod min_area;

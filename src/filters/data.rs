@@ -1,0 +1,77 @@
+//! What goes into a filter and what comes out.
+
+use crate::mesh::{Mesh, MeshView};
+
+/// What an input is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InputKind {
+    /// A polygon mesh.
+    Mesh,
+}
+
+/// An input.
+#[derive(Debug, Clone, Copy)]
+pub enum Input<'a> {
+    /// A polygon mesh.
+    Mesh(MeshView<'a>),
+}
+
+impl<'a> Input<'a> {
+    /// Its kind.
+    pub fn kind(&self) -> InputKind {
+        match self {
+            Input::Mesh(_) => InputKind::Mesh,
+        }
+    }
+
+    /// The mesh.
+    pub(super) fn mesh(&self) -> &MeshView<'a> {
+        match self {
+            Input::Mesh(mesh) => mesh,
+        }
+    }
+}
+
+/// What an output is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OutputKind {
+    /// A polygon mesh.
+    Mesh,
+    /// Polylines.
+    Curves,
+    /// Lines of text for a log window.
+    Text,
+}
+
+/// An output.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Output {
+    /// A polygon mesh.
+    Mesh(Mesh),
+    /// Polylines.
+    Curves(Curves),
+    /// Lines of text for a log window.
+    Text(String),
+}
+
+impl Output {
+    /// Its kind.
+    pub fn kind(&self) -> OutputKind {
+        match self {
+            Output::Mesh(_) => OutputKind::Mesh,
+            Output::Curves(_) => OutputKind::Curves,
+            Output::Text(_) => OutputKind::Text,
+        }
+    }
+}
+
+/// Polylines: curve c has the points `offsets[c] .. offsets[c + 1]`, and if it is closed, an edge from the last to the first.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Curves {
+    /// The points of all curves.
+    pub points: Vec<[f64; 3]>,
+    /// Where each curve's points start; one entry more than there are curves.
+    pub offsets: Vec<u32>,
+    /// Per curve.
+    pub closed: Vec<bool>,
+}

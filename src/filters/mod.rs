@@ -1,0 +1,95 @@
+//! The table of filters: every capability of the library that makes sense in a mesh editor, under a stable name, with typed
+//! parameters.
+//!
+//! Plugin hosts show it, documentation is made from it. Each module of the library adds its entries here, one file each.
+//!
+//! * [`param`]: what a parameter is, and the check of its values. [`data`]: what goes in and what comes out.
+//! * [`FILTERS`]: the table.
+//!
+//! Values are numbers, as many per parameter as its kind has components, one parameter after the other in the table's order;
+//! whoever gives fewer gets the defaults for the rest.
+
+pub mod data;
+pub mod param;
+
+mod boundary_loops;
+mod stitch;
+
+use crate::error::{Error, Result};
+use crate::job::Job;
+use data::{Input, InputKind, Output, OutputKind};
+use param::{Param, Values};
+
+/// One capability.
+pub struct Filter {
+    /// Stable for ever: hosts store it.
+    pub id: &'static str,
+    /// For menus.
+    pub name: &'static str,
+    /// For scripts: lower case, words joined by underscores.
+    pub script_name: &'static str,
+    /// The group that a host shows it in.
+    pub category: &'static str,
+    /// What it does, in whole sentences.
+    pub help: &'static str,
+    /// Where the method comes from.
+    pub reference: &'static str,
+    /// What each input is; the last kind repeats.
+    pub inputs: &'static [InputKind],
+    /// The least number of inputs.
+    pub min_inputs: usize,
+    /// The greatest number of inputs.
+    pub max_inputs: usize,
+    /// What comes out, in order.
+    pub outputs: &'static [OutputKind],
+    /// The parameters, in the order of their values.
+    pub params: &'static [Param],
+    /// Values better than the defaults for these inputs, if the filter knows any.
+    pub suggest: Option<Suggest>,
+    run: fn(&[Input<'_>], &Values<'_>, &Job<'_>) -> Result<Vec<Output>>,
+}
+
+/// Overwrites the defaults with values that suit the inputs.
+pub type Suggest = fn(&[Input<'_>], &mut [f64]);
+
+/// All filters.
+pub static FILTERS: &[Filter] = &[boundary_loops::FILTER, stitch::FILTER];
+
+impl Filter {
+    /// The filter of this id.
+    pub fn find(id: &str) -> Option<&'static Filter> {
+        FILTERS.iter().find(|filter| filter.id == id)
+    }
+
+    /// The defaults, as the inputs suggest them; what [`Filter::run`] takes for values that are not given.
+    pub fn defaults(&self, inputs: &[Input<'_>]) -> Vec<f64> {
+        let mut values: Vec<f64> = self.params.iter().flat_map(|param| param.default).copied().collect();
+        if let Some(suggest) = self.suggest {
+            suggest(inputs, &mut values);
+        }
+        values
+    }
+
+    /// Runs the filter.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, for more values than parameters, and for inputs of the
+    /// wrong number or kind; besides those of the capability itself.
+    pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
+        let refused = |value: usize| Err(Error::OptionOutOfRange { option: "inputs", value: value as f64 });
+        if !(self.min_inputs..=self.max_inputs).contains(&inputs.len()) {
+            return refused(inputs.len());
+        }
+        for (i, input) in inputs.iter().enumerate() {
+            if self.inputs.get(i).or(self.inputs.last()) != Some(&input.kind()) {
+                return refused(i);
+            }
+        }
+        let mut all = self.defaults(inputs);
+        if values.len() > all.len() {
+            return Err(Error::OptionOutOfRange { option: "values", value: values.len() as f64 });
+        }
+        all[..values.len()].copy_from_slice(values);
+        (self.run)(inputs, &Values::check(self.params, &all)?, job)
+    }
+}

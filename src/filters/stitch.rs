@@ -1,0 +1,121 @@
+//! The filter `stitch`.
+
+use super::Filter;
+use super::data::{Input, InputKind, Output, OutputKind};
+use super::param::{Choice, Param, ParamKind, Values};
+use crate::alloc;
+use crate::boundary::{self, boundary_loops};
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::mesh::MeshView;
+use crate::stitch::{Meridians, Options, Orientation, Quality, Request, stitch};
+
+/// A twist beyond this is a mistake; no loop is longer.
+const MOST: f64 = u32::MAX as f64;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "stitch",
+    name: "Stitch two loops",
+    script_name: "stitch",
+    category: "Stitching",
+    help: "Joins two boundary loops by a closed band of triangles: loops of two meshes, or of one. Vertices stay where they \
+           are and no face is lost.",
+    reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking",
+    inputs: &[InputKind::Mesh],
+    min_inputs: 1,
+    max_inputs: 2,
+    outputs: &[OutputKind::Mesh, OutputKind::Text],
+    params: &[
+        loop_number("loop_a", "Loop of the first mesh"),
+        loop_number("loop_b", "Loop of the second mesh"),
+        Param::choice(
+            "meridians",
+            "Meridians",
+            "How vertices of one loop are joined to vertices of the other.",
+            &[
+                Choice { label: "Least area", help: "The band of least area: exact, for rims of any shape." },
+                Choice { label: "By index", help: "The rule of the paper: fastest, for evenly spaced rims." },
+            ],
+        ),
+        Param::choice(
+            "orientation",
+            "Second piece inside out",
+            "What happens if the second piece is oriented against the first.",
+            &[
+                Choice { label: "Turn it over", help: "The order of its faces' vertices is reversed." },
+                Choice { label: "Refuse", help: "The filter fails." },
+                Choice { label: "Do not compare", help: "The faces are taken as they are." },
+            ],
+        ),
+        Param {
+            id: "twist",
+            label: "Twist",
+            help: "The band starts at the closest pair of vertices; a twist shifts the start on the second loop by so many \
+                   vertices.",
+            kind: ParamKind::Int,
+            min: -MOST,
+            max: MOST,
+            default: &[0.0],
+            step: 1.0,
+            choices: &[],
+        },
+    ],
+    suggest: None,
+    run,
+};
+
+const fn loop_number(id: &'static str, label: &'static str) -> Param {
+    Param {
+        id,
+        label,
+        help: "The loop's number as the filter boundary_loops gives it; -1 takes the loops that lie nearest to each other.",
+        kind: ParamKind::Int,
+        min: -1.0,
+        max: MOST,
+        default: &[-1.0],
+        step: 1.0,
+        choices: &[],
+    }
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let a = inputs[0].mesh();
+    let b = inputs.get(1).map(Input::mesh);
+    let loop_a = numbered(a, values, "loop_a", &job.part(0.0, 0.1))?;
+    let loop_b = numbered(b.unwrap_or(a), values, "loop_b", &job.part(0.1, 0.2))?;
+    let request = Request { a, loop_a: loop_a.as_deref(), b, loop_b: loop_b.as_deref() };
+    let options = Options {
+        meridians: [Meridians::MinArea, Meridians::Index][values.chosen("meridians")],
+        orientation: [Orientation::Fix, Orientation::Refuse, Orientation::Keep][values.chosen("orientation")],
+        twist: values.number("twist") as i64,
+    };
+    let done = stitch(&request, &options, &job.part(0.2, 1.0))?;
+    let text = report(&done.quality, done.rims.each_ref().map(Vec::len), done.turned);
+    Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
+}
+
+/// The vertices of the loop that parameter `id` numbers; `None` for -1.
+fn numbered(mesh: &MeshView<'_>, values: &Values<'_>, id: &'static str, job: &Job<'_>) -> Result<Option<Vec<u32>>> {
+    let number = values.number(id);
+    if number < 0.0 {
+        return Ok(None);
+    }
+    let boundary = boundary_loops(mesh, &boundary::Options::default(), job)?;
+    let found = boundary.get(number as usize).ok_or(Error::OptionOutOfRange { option: id, value: number })?;
+    Ok(Some(alloc::copied(found.vertices)?))
+}
+
+fn report(quality: &Quality, [n, m]: [usize; 2], turned: bool) -> String {
+    let Quality { min_angle, max_aspect, max_edge, area, loops_left, .. } = *quality;
+    let turned = if turned { "the second piece was turned over\n" } else { "" };
+    let left = match loops_left {
+        0 => "the result is closed".to_owned(),
+        n => format!("{n} boundary loops are left"),
+    };
+    format!(
+        "joined rims of {n} and {m} vertices by {} triangles\n{turned}\
+         area {area}, longest edge {max_edge}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n{left}\n",
+        n + m,
+        min_angle.to_degrees()
+    )
+}

@@ -1,0 +1,143 @@
+//! The filter table, walked: what a host relies on holds for every entry, and every entry runs.
+
+mod common;
+
+use common::{Soup, cap};
+use gusset::filters::data::{Input, Output};
+use gusset::filters::param::ParamKind;
+use gusset::filters::{FILTERS, Filter};
+use gusset::{Error, Job};
+use std::collections::HashSet;
+
+/// Ids are stable for ever: an entry may be added here, none changed or taken away.
+const IDS: &[&str] = &["boundary_loops", "stitch"];
+
+/// Two facing caps: the inputs of any filter that takes meshes.
+fn pieces() -> [Soup; 2] {
+    [cap(12, 3, 0.2, 1.0), cap(9, 4, 0.3, -1.0)]
+}
+
+fn inputs(soups: &[Soup]) -> Vec<Input<'_>> {
+    soups.iter().map(|soup| Input::Mesh(soup.view())).collect()
+}
+
+fn is_word(text: &str) -> bool {
+    !text.is_empty() && text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+}
+
+#[test]
+fn names_are_unique_stable_and_explained() {
+    assert_eq!(FILTERS.iter().map(|f| f.id).collect::<Vec<_>>(), IDS);
+    let distinct = |key: fn(&Filter) -> &str| FILTERS.iter().map(key).collect::<HashSet<_>>().len();
+    assert_eq!([distinct(|f| f.id), distinct(|f| f.name), distinct(|f| f.script_name)], [FILTERS.len(); 3]);
+    for filter in FILTERS {
+        assert!(is_word(filter.id) && is_word(filter.script_name), "{}", filter.id);
+        assert!(filter.help.len() > 40 && filter.help.ends_with('.') && !filter.help.contains("  "), "{}", filter.help);
+        assert!(!filter.reference.is_empty() && !filter.category.is_empty() && !filter.name.is_empty());
+        assert!(std::ptr::eq(Filter::find(filter.id).unwrap(), filter));
+        assert!(!filter.inputs.is_empty() && !filter.outputs.is_empty());
+        assert!(0 < filter.min_inputs && filter.min_inputs <= filter.max_inputs);
+        let params: HashSet<_> = filter.params.iter().map(|p| p.id).collect();
+        assert_eq!(params.len(), filter.params.len(), "{}", filter.id);
+    }
+    assert!(Filter::find("no such filter").is_none());
+}
+
+#[test]
+fn parameters_have_defaults_in_range() {
+    for param in FILTERS.iter().flat_map(|f| f.params) {
+        assert!(is_word(param.id) && !param.label.is_empty(), "{}", param.id);
+        assert!(param.help.len() > 20 && param.help.ends_with('.') && !param.help.contains("  "), "{}", param.help);
+        assert_eq!(param.default.len(), param.kind.arity(), "{}", param.id);
+        assert!(param.min <= param.max && param.default.iter().all(|&v| param.accepts(v)), "{}", param.id);
+        assert!(param.step >= 0.0);
+        assert_eq!(param.kind == ParamKind::Choice, !param.choices.is_empty(), "{}", param.id);
+        if param.kind == ParamKind::Choice {
+            assert_eq!((param.min, param.max), (0.0, (param.choices.len() - 1) as f64));
+            assert!(param.choices.iter().all(|c| !c.label.is_empty() && c.help.ends_with('.')));
+        }
+    }
+}
+
+#[test]
+fn every_filter_runs_with_its_defaults_and_with_every_choice() {
+    let soups = pieces();
+    for filter in FILTERS {
+        let inputs = inputs(&soups[..filter.max_inputs.min(2)]);
+        let defaults = filter.defaults(&inputs);
+        let reference = filter.run(&inputs, &[], &Job::default()).unwrap();
+        assert_eq!(reference.iter().map(Output::kind).collect::<Vec<_>>(), filter.outputs, "{}", filter.id);
+        assert_eq!(filter.run(&inputs, &defaults, &Job::default()).unwrap(), reference);
+        let mut start = 0;
+        for param in filter.params {
+            for choice in 0..param.choices.len() {
+                let mut values = defaults.clone();
+                values[start] = choice as f64;
+                let outputs = filter.run(&inputs, &values, &Job::default()).unwrap();
+                assert_eq!(outputs.len(), reference.len(), "{} {} {choice}", filter.id, param.id);
+            }
+            start += param.kind.arity();
+        }
+    }
+}
+
+#[test]
+fn values_and_inputs_out_of_range_are_refused() {
+    let soups = pieces();
+    for filter in FILTERS {
+        let inputs = inputs(&soups[..filter.max_inputs.min(2)]);
+        let defaults = filter.defaults(&inputs);
+        let mut start = 0;
+        for param in filter.params {
+            let mut bad = vec![f64::NAN, param.min - 1.0, param.max + 1.0, f64::INFINITY];
+            if matches!(param.kind, ParamKind::Bool | ParamKind::Int | ParamKind::Choice) {
+                bad.push(0.5);
+            }
+            for value in bad {
+                let mut values = defaults.clone();
+                values[start] = value;
+                match filter.run(&inputs, &values, &Job::default()) {
+                    Err(Error::OptionOutOfRange { option, .. }) => assert_eq!(option, param.id),
+                    other => panic!("{} {} {value}: {other:?}", filter.id, param.id),
+                }
+            }
+            start += param.kind.arity();
+        }
+        let too_many = vec![0.0; defaults.len() + 1];
+        assert!(matches!(
+            filter.run(&inputs, &too_many, &Job::default()),
+            Err(Error::OptionOutOfRange { option: "values", .. })
+        ));
+        let refused = |inputs: &[Input<'_>]| {
+            matches!(filter.run(inputs, &[], &Job::default()), Err(Error::OptionOutOfRange { option: "inputs", .. }))
+        };
+        assert!(refused(&[]) && refused(&vec![inputs[0]; filter.max_inputs + 1]), "{}", filter.id);
+    }
+}
+
+#[test]
+fn boundary_loops_gives_the_rim() {
+    let soups = pieces();
+    let outputs = Filter::find("boundary_loops").unwrap().run(&inputs(&soups[..1]), &[], &Job::default()).unwrap();
+    let [Output::Curves(curves), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
+    assert_eq!((curves.offsets.as_slice(), curves.closed.as_slice()), (&[0, 12][..], &[true][..]));
+    assert!(curves.points.iter().all(|p| (p[2] - 0.2).abs() < 1e-12));
+    assert!(text.starts_with("1 boundary loops, 12 edges\n"), "{text}");
+}
+
+#[test]
+fn stitch_closes_a_sphere_by_loops_found_and_by_loops_given() {
+    let soups = pieces();
+    let filter = Filter::find("stitch").unwrap();
+    let found = filter.run(&inputs(&soups), &[], &Job::default()).unwrap();
+    assert_eq!(filter.run(&inputs(&soups), &[0.0, 0.0], &Job::default()).unwrap(), found);
+    let Output::Mesh(mesh) = &found[0] else { panic!("{found:?}") };
+    let faces = mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize]);
+    assert!(common::edge_counts(faces.clone()).values().all(|&n| n == (1, 1)));
+    assert_eq!(common::euler(faces), 2);
+    let wrong = filter.run(&inputs(&soups), &[0.0, 1.0], &Job::default());
+    assert_eq!(wrong, Err(Error::OptionOutOfRange { option: "loop_b", value: 1.0 }));
+    let both = soups[0].and(&soups[1]);
+    let within = filter.run(&[Input::Mesh(both.view())], &[], &Job::default()).unwrap();
+    assert_eq!(within[0], found[0]);
+}
