@@ -23,6 +23,9 @@ fn examples_are_the_files_that_are_compiled() {
     if env::var_os("GUSSET_UPDATE").is_some() {
         fs::write(root.join("README.md"), &wanted).unwrap();
     } else {
-        assert!(readme == wanted, "README.md and examples/ differ; GUSSET_UPDATE=1 cargo test --test readme copies them");
+        assert!(
+            readme == wanted,
+            "README.md and examples/ differ; GUSSET_UPDATE=1 cargo test --test readme copies them"
+        );
     }
 }
