@@ -40,7 +40,7 @@ check:
 test: check stage
 	@scripts/install-packages.sh $(test_packages)
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
-	MAKEFLAGS= cmake --build build/cpp --parallel 2
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error
 
 demo: stage

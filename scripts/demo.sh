@@ -24,7 +24,7 @@ fi
 [ "$status" -eq 0 ] || exit "$status"
 
 cmake -S examples -B build/examples -DGUSSET_PREFIX="$stage" >build/examples.log 2>&1 &&
-  cmake --build build/examples --parallel 2 >>build/examples.log 2>&1 || { tail -n 40 build/examples.log; exit 1; }
+  env -u MAKELEVEL -u MAKEFLAGS cmake --build build/examples --parallel 2 >>build/examples.log 2>&1 || { tail -n 40 build/examples.log; exit 1; }
 
 if [ -n "$left" ] || [ -n "$right" ]; then
   build/examples/demo --left "$left" --right "$right" --out "$out"
