@@ -104,6 +104,8 @@ std::vector<std::size_t> boundary_parts(const gusset::Boundary &boundary) {
 }
 } // namespace
 
+TEST_SUITE_BEGIN("real meshes");
+
 TEST_CASE("every real mesh: loops against OpenMesh, CGAL and the manifest") {
     const auto files = data_files();
     std::size_t by_openmesh = 0, by_cgal = 0;
@@ -168,6 +170,8 @@ TEST_CASE("every real mesh: loops against OpenMesh, CGAL and the manifest") {
         CHECK(by_cgal >= files.size() - 4);
     }
 }
+
+TEST_SUITE_END();
 
 TEST_CASE("faces that the host has deleted are not there") {
     HostMesh mesh;

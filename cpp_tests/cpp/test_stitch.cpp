@@ -152,6 +152,8 @@ TEST_CASE("the strip goes into the host's own mesh") {
                     std::invalid_argument);
 }
 
+TEST_SUITE_BEGIN("real meshes");
+
 TEST_CASE("bunny_cut: head and body become one, the five holes of the scan stay") {
     const auto folder = data_folder();
     if (!folder) {
@@ -187,3 +189,5 @@ TEST_CASE("body_hand: a coarse wrist of 6 and a fine one of 52") {
     std::cout << "body_hand: self-intersections " << verdict.self_intersections << ", before "
               << before.self_intersections << "\n";
 }
+
+TEST_SUITE_END();
