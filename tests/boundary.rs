@@ -41,6 +41,10 @@ fn check_invariants(soup: &Soup, found: &Boundary) {
             assert_eq!(forward + backward > 2, singular);
         }
     }
+    let smallest: Vec<_> = found.iter().map(|l| *l.half_edges.iter().min().unwrap()).collect();
+    assert!(smallest.is_sorted(), "loops in the order of their smallest half-edges");
+    let mut closed = found.iter().zip(&smallest).filter(|(l, _)| !l.flags.any(LoopFlags::OPEN));
+    assert!(closed.all(|(l, &h)| l.half_edges[0] == h), "closed loops start at the smallest half-edge");
     let free = counts.values().filter(|&&(f, b)| f + b == 1).count();
     let in_loops =
         found.iter().flat_map(|l| l.edge_flags.iter()).filter(|&&f| f & EdgeFlags::NON_MANIFOLD == 0).count();

@@ -72,6 +72,13 @@ fn the_parts_of_the_result_agree() {
     for (i, &v) in names.iter().enumerate() {
         assert_eq!(joined.strip.positions.get(i as u32), joined.mesh.positions.get(v));
     }
+    // The first meridian is the shortest of all there could be.
+    let length = |i: usize, j: usize| {
+        let at = |side: usize, k: usize| joined.mesh.positions.get(joined.rims[side][k]);
+        at(0, i).distance(at(1, j))
+    };
+    let shortest = (0..12).flat_map(|i| (0..7).map(move |j| length(i, j))).fold(f64::INFINITY, f64::min);
+    assert_eq!(length(0, 0), shortest);
     // Meridians: a lattice path over both rims, and each one an edge of the strip.
     let edges = edge_counts(faces(&joined.mesh));
     assert_eq!((joined.meridians[0], *joined.meridians.last().unwrap()), ([0, 0], [12, 7]));

@@ -1,5 +1,6 @@
 /* The whole way in pure C99: two open pyramids become a closed octahedron-like solid. */
 #include "check.h"
+#include <math.h>
 
 static void layouts(void) {
     CHECK(sizeof(gusset_status) == 4);
@@ -83,6 +84,10 @@ static void stitch_two_pyramids(gusset_context *context) {
         CHECK(quality.loops_left == 0 && quality.non_manifold_edges == 0 && quality.orientation_conflicts == 0);
         /* A square tube of side sqrt(2) and height 2. */
         CHECK(quality.area > 11.3137 && quality.area < 11.3138 && quality.degenerate_faces == 0);
+        /* Its triangles have the sides sqrt(2), 2 and sqrt(6). */
+        CHECK(fabs(quality.max_edge - sqrt(6.0)) < 1e-12);
+        CHECK(fabs(quality.min_angle - atan(sqrt(0.5))) < 1e-12);
+        CHECK(fabs(quality.max_aspect - (1.0 + sqrt(3.0) + sqrt(2.0)) / (2.0 * sqrt(2.0))) < 1e-12);
         gusset_stitch_destroy(stitch);
     }
 }
