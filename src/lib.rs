@@ -27,6 +27,7 @@
 //! |---|---|
 //! | [`mesh`] | the view of the host's arrays, the mesh that results come in, half-edges |
 //! | [`boundary`] | free boundary loops |
+//! | [`winged`] | winged-edge tables, and loops on them |
 //! | [`stitch`] | a strip of new faces between two loops |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |
@@ -46,6 +47,7 @@ pub mod job;
 pub mod mesh;
 mod par;
 pub mod stitch;
+pub mod winged;
 
 pub use error::{Error, Result, Side};
 pub use job::{Job, Progress};

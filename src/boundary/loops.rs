@@ -166,10 +166,16 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
         job.step(0.9 + 0.1 * walker.fraction(), "walking along the boundary")?;
         let number = boundary.walks;
         boundary.walks += 1;
-        split_simple(mesh, &walk, &mut place, |piece, closed| {
-            let is_split = piece.len() < walk.len();
-            boundary.add(mesh, piece, closed, &walker, &Walk { number, closed: closed_walk, is_split })
-        })?;
+        split_simple(
+            &walk,
+            |dart| dart.tail(mesh),
+            |dart| dart.head(mesh),
+            &mut place,
+            |piece, closed| {
+                let is_split = piece.len() < walk.len();
+                boundary.add(mesh, piece, closed, &walker, &Walk { number, closed: closed_walk, is_split })
+            },
+        )?;
     }
     boundary.records.sort_by_key(|r| boundary.half_edges[r.edges.clone()].iter().copied().min());
     for vertex in walker.bow_ties() {

@@ -22,4 +22,6 @@ mod loops;
 mod split;
 mod walk;
 
+pub(crate) use split::split_simple;
+
 pub use loops::{Boundary, EdgeFlags, Loop, LoopFlags, NonManifold, Options, boundary_loops};
