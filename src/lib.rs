@@ -28,6 +28,7 @@
 //! | [`mesh`] | the view of the host's arrays, the mesh that results come in, half-edges |
 //! | [`boundary`] | free boundary loops |
 //! | [`winged`] | winged-edge tables, and loops on them |
+//! | [`check`] | everything wrong or unusual in a mesh |
 //! | [`stitch`] | a strip of new faces between two loops |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |
@@ -39,6 +40,7 @@
 
 mod alloc;
 pub mod boundary;
+pub mod check;
 pub mod error;
 pub mod ffi;
 pub mod filters;

@@ -33,9 +33,7 @@ fn origin(mesh: &MeshView<'_>, h: u32) -> u32 {
 }
 
 fn target(mesh: &MeshView<'_>, h: u32) -> u32 {
-    let range = mesh.faces().range(mesh.faces().face_of(h) as usize);
-    let next = if h as usize + 1 == range.end { range.start as u32 } else { h + 1 };
-    mesh.faces().corner(next)
+    mesh.faces().corner(mesh.faces().next(h))
 }
 
 /// Finds the walks along the border one after the other.

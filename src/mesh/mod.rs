@@ -13,7 +13,7 @@ mod owned;
 mod topology;
 mod view;
 
-pub(crate) use components::Components;
+pub(crate) use components::Sets;
 pub use owned::{Mesh, PositionBuffer};
 pub(crate) use topology::Across;
 pub use topology::{Defect, Topology};

@@ -291,6 +291,12 @@ impl<'a> Faces<'a> {
         }
     }
 
+    /// The half-edge that follows `h` in its face.
+    pub fn next(&self, h: u32) -> u32 {
+        let range = self.range(self.face_of(h) as usize);
+        if h as usize + 1 == range.end { range.start as u32 } else { h + 1 }
+    }
+
     /// The vertex at corner `h`, where half-edge `h` starts.
     pub fn corner(&self, h: u32) -> u32 {
         self.corners.get(h as usize)

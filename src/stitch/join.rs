@@ -13,7 +13,7 @@ use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result, Side};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::mesh::{Components, Mesh, MeshView};
+use crate::mesh::{Mesh, MeshView, Sets};
 use std::ops::Range;
 
 /// How meridians are chosen.
@@ -137,7 +137,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let maps = match request.b {
         Some(second) => [whole.append(request.a, |_| false)?, whole.append(second, |_| turn)?],
         None if turn => {
-            let mut components = Components::of(request.a)?;
+            let mut components = Sets::of_vertices(request.a)?;
             let root = components.root(b.vertices[0]);
             let is_second = |f: usize| request.a.face(f).next().is_some_and(|v| components.root(v) == root);
             [whole.append(request.a, is_second)?, IndexMap::default()]
@@ -193,7 +193,7 @@ fn must_turn(request: &Request<'_>, a: &Rim, b: &Rim, orientation: Orientation) 
         return Ok(false);
     }
     if request.b.is_none() {
-        let mut components = Components::of(request.a)?;
+        let mut components = Sets::of_vertices(request.a)?;
         if components.root(a.vertices[0]) == components.root(b.vertices[0]) {
             return Ok(false);
         }

@@ -32,7 +32,7 @@ impl Soup {
         self.offsets.push(self.corners.len() as u32);
     }
 
-    pub fn faces(&self) -> impl Iterator<Item = &[u32]> {
+    pub fn faces(&self) -> impl Iterator<Item = &[u32]> + Clone {
         self.offsets.windows(2).map(|w| &self.corners[w[0] as usize..w[1] as usize])
     }
 

@@ -1,0 +1,42 @@
+//! Vertices where the surface touches itself.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::mesh::{Across, MeshView, Sets, Topology};
+
+/// The vertices whose faces form more than one fan, ascending. Faces are neighbours in a fan if they share an edge that has
+/// two faces.
+pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology) -> Result<Vec<u32>> {
+    let faces = mesh.faces();
+    let count = faces.half_edge_count();
+    // A corner is named by the half-edge that leaves it. Corners are joined across every edge with two faces, at both ends.
+    let mut corners = Sets::new(count)?;
+    for h in 0..count as u32 {
+        if topology.is_ignored(h) {
+            continue;
+        }
+        if let Across::Mate(mate) = topology.across(h)
+            && h < mate
+        {
+            let (next, mate_next) = (topology.next(mesh, h), topology.next(mesh, mate));
+            if faces.corner(h) == faces.corner(mate) {
+                corners.join(h, mate);
+                corners.join(next, mate_next);
+            } else {
+                corners.join(h, mate_next);
+                corners.join(next, mate);
+            }
+        }
+    }
+    let mut fans = alloc::filled(0u32, mesh.positions().len())?;
+    for h in (0..count as u32).filter(|&h| !topology.is_ignored(h)) {
+        if corners.root(h) == h {
+            fans[faces.corner(h) as usize] += 1;
+        }
+    }
+    let mut found = Vec::new();
+    for (v, _) in fans.iter().enumerate().filter(|&(_, &fans)| fans > 1) {
+        alloc::push(&mut found, v as u32)?;
+    }
+    Ok(found)
+}

@@ -1,0 +1,212 @@
+//! The types and the entry point.
+
+use super::fans::bow_ties;
+use super::twins::duplicate_faces;
+use crate::alloc;
+use crate::boundary::{self, boundary_loops};
+use crate::error::Result;
+use crate::geom::scale::common_unit;
+use crate::job::Job;
+use crate::mesh::{Across, Defect, MeshView, Sets, Topology};
+use glam::DVec3;
+
+/// What [`check`] found. Lists are ascending.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Check {
+    /// Vertices, unused ones too.
+    pub vertices: u32,
+    /// Distinct edges: pairs of different vertices that are consecutive in some face.
+    pub edges: u32,
+    /// Faces.
+    pub faces: u32,
+    /// Pieces: faces that share an edge are in one.
+    pub components: u32,
+    /// Walks round the boundary, fan by fan.
+    pub boundary_walks: u32,
+    /// Used vertices - edges + faces.
+    pub euler: i64,
+    /// Every edge has exactly two faces.
+    pub closed: bool,
+    /// No non-manifold edge and no non-manifold vertex.
+    pub manifold: bool,
+    /// No edge whose two faces run it in the same direction.
+    pub oriented: bool,
+    /// Faces can be turned over so that it becomes oriented. Faces are compared across edges with two faces.
+    pub orientable: bool,
+    /// The number of handles of all components together, if the mesh is manifold and orientable and no face is degenerate.
+    pub genus: Option<u32>,
+
+    /// The half-edges of the edges with exactly one face.
+    pub boundary_edges: Vec<u32>,
+    /// The first half-edge of each edge with three or more faces.
+    pub non_manifold_edges: Vec<u32>,
+    /// The ends of those edges, and the bow-ties.
+    pub non_manifold_vertices: Vec<u32>,
+    /// Vertices whose faces form more than one fan.
+    pub bow_ties: Vec<u32>,
+    /// The first half-edge of each edge whose two faces run it in the same direction.
+    pub orientation_conflicts: Vec<u32>,
+    /// Faces with the same cycle of vertices, in either direction, as a face before them; degenerate ones apart.
+    pub duplicate_faces: Vec<u32>,
+    /// Faces that repeat a vertex.
+    pub degenerate_faces: Vec<u32>,
+    /// Faces without area that repeat none: their vector area is 0 up to rounding.
+    pub zero_area_faces: Vec<u32>,
+    /// Vertices that no face uses.
+    pub unused_vertices: Vec<u32>,
+}
+
+/// Checks a mesh. O(H log d) for H half-edges and vertices of degree d; linear extra memory, about 40 bytes a half-edge.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled). What it finds is no error.
+pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
+    let topology = Topology::new(mesh, &job.part(0.0, 0.3))?;
+    let mut found =
+        Check { vertices: mesh.positions().len() as u32, faces: mesh.faces().len() as u32, ..Check::default() };
+    found.enter_defects(&topology)?;
+    found.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
+    job.step(0.7, "checking fans")?;
+    found.bow_ties = bow_ties(mesh, &topology)?;
+    found.enter_non_manifold_vertices(mesh)?;
+    job.step(0.8, "checking faces")?;
+    found.duplicate_faces = duplicate_faces(mesh, &found.degenerate_faces)?;
+    found.enter_edges(mesh, &topology)?;
+    found.enter_pieces(mesh, &topology)?;
+    job.step(0.9, "checking areas")?;
+    found.enter_unused_vertices(mesh)?;
+    found.enter_zero_areas(mesh)?;
+
+    found.manifold = found.non_manifold_edges.is_empty() && found.non_manifold_vertices.is_empty();
+    found.oriented = found.orientation_conflicts.is_empty();
+    found.closed = found.boundary_edges.is_empty() && found.non_manifold_edges.is_empty();
+    let used = i64::from(found.vertices) - found.unused_vertices.len() as i64;
+    found.euler = used - i64::from(found.edges) + i64::from(found.faces);
+    if found.manifold && found.orientable && found.degenerate_faces.is_empty() {
+        // chi = 2 c - 2 g - b for c components, b boundary loops and g handles.
+        let double = 2 * i64::from(found.components) - i64::from(found.boundary_walks) - found.euler;
+        found.genus = u32::try_from(double / 2).ok();
+    }
+    job.step(1.0, "checking areas")?;
+    Ok(found)
+}
+
+impl Check {
+    fn enter_defects(&mut self, topology: &Topology) -> Result<()> {
+        for defect in topology.defects() {
+            match *defect {
+                Defect::DegenerateFace { face, .. } => alloc::push(&mut self.degenerate_faces, face)?,
+                Defect::OrientationConflict { half_edges: [h, _] } => {
+                    alloc::push(&mut self.orientation_conflicts, h)?;
+                }
+                Defect::NonManifoldEdge { half_edge, .. } => alloc::push(&mut self.non_manifold_edges, half_edge)?,
+                Defect::BowTie { .. } => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn enter_non_manifold_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
+        let mut vertices = alloc::copied(&self.bow_ties)?;
+        alloc::reserve(&mut vertices, 2 * self.non_manifold_edges.len())?;
+        for &h in &self.non_manifold_edges {
+            vertices.extend([mesh.faces().corner(h), mesh.faces().corner(mesh.faces().next(h))]);
+        }
+        vertices.sort_unstable();
+        vertices.dedup();
+        self.non_manifold_vertices = vertices;
+        Ok(())
+    }
+
+    /// Counts edges by what lies across their half-edges, and lists free ones.
+    fn enter_edges(&mut self, mesh: &MeshView<'_>, topology: &Topology) -> Result<()> {
+        let mut halves = 0;
+        for h in 0..mesh.faces().half_edge_count() as u32 {
+            if topology.is_ignored(h) {
+                continue;
+            }
+            match topology.across(h) {
+                Across::Free => alloc::push(&mut self.boundary_edges, h)?,
+                Across::Mate(_) => halves += 1,
+                Across::Singular => {}
+            }
+        }
+        self.edges = (self.boundary_edges.len() + halves / 2 + self.non_manifold_edges.len()) as u32;
+        Ok(())
+    }
+
+    /// Counts the pieces, and finds out whether each can be oriented.
+    fn enter_pieces(&mut self, mesh: &MeshView<'_>, topology: &Topology) -> Result<()> {
+        let faces = mesh.faces();
+        let mut pieces = Sets::new(faces.len())?;
+        // The double cover: face f as it is (2 f) and turned over (2 f + 1).
+        let mut covers = Sets::new(2 * faces.len())?;
+        let mut singular = Vec::new();
+        for f in 0..faces.len() {
+            for h in faces.range(f) {
+                if topology.is_ignored(h as u32) {
+                    continue;
+                }
+                match topology.across(h as u32) {
+                    Across::Free => {}
+                    Across::Singular => alloc::push(&mut singular, (self.edge_ends(mesh, h as u32), f as u32))?,
+                    Across::Mate(mate) => {
+                        let (f, g) = (f as u32, faces.face_of(mate));
+                        pieces.join(f, g);
+                        let turned = u32::from(faces.corner(h as u32) == faces.corner(mate));
+                        covers.join(2 * f, 2 * g + turned);
+                        covers.join(2 * f + 1, 2 * g + 1 - turned);
+                    }
+                }
+            }
+        }
+        singular.sort_unstable();
+        for pair in singular.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+            pieces.join(pair[0].1, pair[1].1);
+        }
+        self.components = pieces.count() as u32;
+        self.orientable = (0..faces.len() as u32).all(|f| covers.root(2 * f) != covers.root(2 * f + 1));
+        Ok(())
+    }
+
+    fn edge_ends(&self, mesh: &MeshView<'_>, h: u32) -> (u32, u32) {
+        let (u, v) = (mesh.faces().corner(h), mesh.faces().corner(mesh.faces().next(h)));
+        (u.min(v), u.max(v))
+    }
+
+    fn enter_unused_vertices(&mut self, mesh: &MeshView<'_>) -> Result<()> {
+        let mut used = alloc::filled(false, mesh.positions().len())?;
+        for v in mesh.faces().corners(0..mesh.faces().half_edge_count()) {
+            used[v as usize] = true;
+        }
+        for (v, _) in used.iter().enumerate().filter(|&(_, &used)| !used) {
+            alloc::push(&mut self.unused_vertices, v as u32)?;
+        }
+        Ok(())
+    }
+
+    /// Lists faces whose vector area, sum of (p_k - p_0) x (p_(k+1) - p_0) / 2, is 0 up to the rounding of its terms.
+    fn enter_zero_areas(&mut self, mesh: &MeshView<'_>) -> Result<()> {
+        let mut points: Vec<DVec3> = Vec::new();
+        for f in 0..mesh.faces().len() {
+            points.clear();
+            alloc::reserve(&mut points, mesh.faces().range(f).len())?;
+            points.extend(mesh.face(f).map(|v| mesh.positions().get(v)));
+            let unit = common_unit(&points);
+            let largest = points.iter().map(|p| (*p / unit).abs().max_element()).fold(0.0, f64::max);
+            let origin = points[0] / unit;
+            let (mut area, mut reach) = (DVec3::ZERO, 0.0_f64);
+            for pair in points[1..].windows(2) {
+                let (p, q) = (pair[0] / unit - origin, pair[1] / unit - origin);
+                area += p.cross(q);
+                reach = reach.max(p.length()).max(q.length());
+            }
+            // Each coordinate is known to half a unit in the last place of the largest one.
+            let rounding = 8.0 * f64::EPSILON * largest * reach * points.len() as f64;
+            if area.length() <= rounding && self.degenerate_faces.binary_search(&(f as u32)).is_err() {
+                alloc::push(&mut self.zero_area_faces, f as u32)?;
+            }
+        }
+        Ok(())
+    }
+}

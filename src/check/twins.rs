@@ -1,0 +1,55 @@
+//! Faces that occur twice.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::mesh::MeshView;
+use std::cmp::Ordering;
+
+/// The faces with the same cycle of vertices, from whatever corner and in whatever direction, as a face with a smaller
+/// number; ascending. Faces that repeat a vertex, given in `degenerate`, are left out. O(F log F) comparisons, nearly all of
+/// which end at the first vertex.
+pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32]) -> Result<Vec<u32>> {
+    // Faces in the order of their cycles; of equal ones the smaller number first.
+    let mut order = alloc::collect((0..mesh.faces().len()).map(|f| f as u32))?;
+    order.retain(|f| degenerate.binary_search(f).is_err());
+    let mut starts = alloc::with_capacity(mesh.faces().len())?;
+    starts.extend((0..mesh.faces().len()).map(|f| Start::of(mesh, f)));
+    let compare = |&f: &u32, &g: &u32| {
+        let (f, g) = (f as usize, g as usize);
+        starts[f].cycle(mesh, f).cmp(starts[g].cycle(mesh, g))
+    };
+    order.sort_unstable_by(|f, g| compare(f, g).then(f.cmp(g)));
+    let mut found = Vec::new();
+    for pair in order.windows(2) {
+        if compare(&pair[0], &pair[1]) == Ordering::Equal {
+            alloc::push(&mut found, pair[1])?;
+        }
+    }
+    found.sort_unstable();
+    Ok(found)
+}
+
+/// Where and in which direction a face's cycle is the smallest list of vertices.
+#[derive(Clone, Copy)]
+struct Start {
+    corner: u32,
+    backwards: bool,
+}
+
+impl Start {
+    fn of(mesh: &MeshView<'_>, f: usize) -> Start {
+        let smallest = mesh.face(f).enumerate().min_by_key(|&(_, v)| v);
+        let corner = smallest.map_or(0, |(i, _)| i as u32);
+        let [forwards, backwards] = [false, true].map(|backwards| Start { corner, backwards });
+        if backwards.cycle(mesh, f).lt(forwards.cycle(mesh, f)) { backwards } else { forwards }
+    }
+
+    fn cycle<'m>(&self, mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = u32> + 'm {
+        let range = mesh.faces().range(f);
+        let (n, corner, backwards) = (range.len(), self.corner as usize, self.backwards);
+        (0..n).map(move |i| {
+            let at = if backwards { (corner + n - i) % n } else { (corner + i) % n };
+            mesh.faces().corner((range.start + at) as u32)
+        })
+    }
+}
