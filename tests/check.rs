@@ -82,9 +82,9 @@ fn each_defect_is_listed() {
     let c = checked(&Soup::new(points, &list));
     assert_eq!((c.bow_ties.as_slice(), c.non_manifold_vertices.as_slice()), (&[0][..], &[0][..]));
     assert!(c.closed && !c.manifold && c.genus.is_none() && c.non_manifold_edges.is_empty() && c.components == 2);
-    // Three faces on an edge; a vertex nobody uses; a face that repeats a vertex; a face without area.
+    // Three faces on an edge; a vertex nobody uses; a face that repeats a vertex, and touches another there.
     let c = checked(&Soup::flat(8, &[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4], &[4, 5, 4, 7]]));
-    assert_eq!((c.non_manifold_edges.as_slice(), c.non_manifold_vertices.as_slice()), (&[0][..], &[0, 1][..]));
+    assert_eq!((c.non_manifold_edges.as_slice(), c.non_manifold_vertices.as_slice()), (&[0][..], &[0, 1, 4][..]));
     assert_eq!((c.unused_vertices.as_slice(), c.degenerate_faces.as_slice(), c.closed), (&[6][..], &[3][..], false));
     let thin = Soup::new(vec![[0.1; 3], [0.2; 3], [0.7; 3], [0.0, 0.0, 1e-9]], &[&[0, 1, 2], &[0, 1, 3]]);
     assert_eq!(checked(&thin).zero_area_faces, [0]);
