@@ -107,6 +107,26 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
+ * Every edge has exactly two faces.
+ */
+#define GUSSET_MESH_CLOSED 1
+
+/**
+ * No non-manifold edge and no non-manifold vertex.
+ */
+#define GUSSET_MESH_MANIFOLD 2
+
+/**
+ * No edge whose two faces run it in the same direction.
+ */
+#define GUSSET_MESH_ORIENTED 4
+
+/**
+ * Faces can be turned over so that it becomes oriented.
+ */
+#define GUSSET_MESH_ORIENTABLE 8
+
+/**
  * Coordinates are 32-bit floats.
  */
 #define GUSSET_F32 1
@@ -150,6 +170,31 @@
  * The rims are not compared: the faces are taken to be right as they are.
  */
 #define GUSSET_ORIENTATION_KEEP 2
+
+/**
+ * Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables take them backwards.
+ */
+#define GUSSET_FACES_COUNTER_CLOCKWISE 0
+
+/**
+ * Faces are stored clockwise seen from outside, as Baumgart has it.
+ */
+#define GUSSET_FACES_CLOCKWISE 1
+
+/**
+ * One of several records of an edge with three or more faces; each has one face.
+ */
+#define GUSSET_WINGED_NON_MANIFOLD 1
+
+/**
+ * One of two records of an edge whose faces run it in the same direction; each has one face.
+ */
+#define GUSSET_WINGED_NOT_ORIENTED 2
+
+/**
+ * M = N, or the edge belongs to a face of fewer than three proper edges.
+ */
+#define GUSSET_WINGED_DEGENERATE 4
 
 /**
  * What a function returns; `GUSSET_OK` is 0.
@@ -290,6 +335,11 @@ typedef int32_t gusset_status;
 typedef struct gusset_boundary gusset_boundary;
 
 /**
+ * What a check found. Opaque and immutable; it keeps nothing of the mesh.
+ */
+typedef struct gusset_check gusset_check;
+
+/**
  * Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at a time, but
  * gusset_context_cancel and gusset_context_progress may be called from any.
  */
@@ -299,6 +349,11 @@ typedef struct gusset_context gusset_context;
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
  */
 typedef struct gusset_stitch gusset_stitch;
+
+/**
+ * The winged-edge tables of a mesh. Opaque and immutable; it keeps nothing of the mesh.
+ */
+typedef struct gusset_winged gusset_winged;
 
 /**
  * A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing is copied on the way in.
@@ -449,6 +504,86 @@ typedef struct gusset_defect {
      */
     uint32_t count;
 } gusset_defect;
+
+/**
+ * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
+ * destroyed.
+ */
+typedef struct gusset_check_report {
+    /**
+     * sizeof(gusset_check_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Vertices, unused ones too.
+     */
+    uint32_t vertex_count;
+    /**
+     * Distinct edges: pairs of different vertices that are consecutive in some face.
+     */
+    uint32_t edge_count;
+    /**
+     * Faces.
+     */
+    uint32_t face_count;
+    /**
+     * Pieces: faces that share an edge are in one.
+     */
+    uint32_t component_count;
+    /**
+     * Walks round the boundary, fan by fan.
+     */
+    uint32_t boundary_walk_count;
+    /**
+     * GUSSET_MESH_... bits.
+     */
+    uint32_t properties;
+    /**
+     * Used vertices - edges + faces.
+     */
+    int64_t euler;
+    /**
+     * The number of handles of all components together; -1 if the mesh is not manifold or not orientable, or has a
+     * degenerate face.
+     */
+    int64_t genus;
+    /**
+     * The half-edges of the edges with exactly one face.
+     */
+    struct gusset_indices boundary_edges;
+    /**
+     * The first half-edge of each edge with three or more faces.
+     */
+    struct gusset_indices non_manifold_edges;
+    /**
+     * The ends of those edges, and the bow-ties.
+     */
+    struct gusset_indices non_manifold_vertices;
+    /**
+     * Vertices whose faces form more than one fan.
+     */
+    struct gusset_indices bow_ties;
+    /**
+     * The first half-edge of each edge whose two faces run it in the same direction.
+     */
+    struct gusset_indices orientation_conflicts;
+    /**
+     * Faces with the same cycle of vertices, in either direction, as a face before them; degenerate ones apart.
+     */
+    struct gusset_indices duplicate_faces;
+    /**
+     * Faces that repeat a vertex.
+     */
+    struct gusset_indices degenerate_faces;
+    /**
+     * Faces without area that repeat none: their vector area is 0 up to rounding.
+     */
+    struct gusset_indices zero_area_faces;
+    /**
+     * Vertices that no face uses.
+     */
+    struct gusset_indices unused_vertices;
+} gusset_check_report;
 
 /**
  * Called now and then during long work, on the thread that made the call. fraction: part done, 0 to 1. stage: what is
@@ -613,6 +748,108 @@ typedef struct gusset_quality {
 } gusset_quality;
 
 /**
+ * How tables are made; all zero is the default.
+ */
+typedef struct gusset_winged_options {
+    /**
+     * sizeof(gusset_winged_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_FACES_...
+     */
+    uint32_t winding;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_winged_options;
+
+/**
+ * One edge: Baumgart's M, N, b, c, d, e, L, R, where UINT32_MAX is NULL. Faces run clockwise seen from outside.
+ */
+typedef struct gusset_winged_edge {
+    /**
+     * The vertex M, where it starts.
+     */
+    uint32_t m;
+    /**
+     * The vertex N, where it ends.
+     */
+    uint32_t n;
+    /**
+     * In R, the edge after this one; it leaves N.
+     */
+    uint32_t b;
+    /**
+     * In L, the edge before this one; it arrives at N.
+     */
+    uint32_t c;
+    /**
+     * In R, the edge before this one; it arrives at M.
+     */
+    uint32_t d;
+    /**
+     * In L, the edge after this one; it leaves M.
+     */
+    uint32_t e;
+    /**
+     * The face L: it runs N to M.
+     */
+    uint32_t left;
+    /**
+     * The face R: it runs M to N.
+     */
+    uint32_t right;
+    /**
+     * GUSSET_WINGED_... bits; 0 for an ordinary edge.
+     */
+    uint32_t marks;
+} gusset_winged_edge;
+
+/**
+ * The tables. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_winged_view {
+    /**
+     * sizeof(gusset_winged_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The edges in the order of their first half-edges; M is the vertex where that half-edge starts.
+     */
+    const struct gusset_winged_edge *edges;
+    /**
+     * How many.
+     */
+    size_t edge_count;
+    /**
+     * Per half-edge (position in face_corners), its edge.
+     */
+    struct gusset_indices edge_of_half_edge;
+    /**
+     * Per face, its first edge.
+     */
+    struct gusset_indices edge_of_face;
+    /**
+     * Per vertex, an edge at it, or UINT32_MAX.
+     */
+    struct gusset_indices edge_of_vertex;
+    /**
+     * The vertices of all loops of free edges (exactly one of L, R is NULL), loop after loop, surface on the left.
+     */
+    struct gusset_indices loop_vertices;
+    /**
+     * The edges along them; edge i starts at vertex i.
+     */
+    struct gusset_indices loop_edges;
+    /**
+     * Where each loop starts in both; one entry more than there are loops.
+     */
+    struct gusset_indices loop_offsets;
+} gusset_winged_view;
+
+/**
  * The report's index means nothing.
  */
 #define GUSSET_ELEMENT_NONE 0
@@ -708,6 +945,32 @@ GUSSET_MUST_USE
 gusset_status gusset_boundary_defects(const struct gusset_boundary *boundary,
                                       const struct gusset_defect **defects,
                                       size_t *count);
+
+/**
+ * Checks a mesh. What it finds is no error.
+ *
+ * check: receives the result, for gusset_check_destroy; NULL on failure.
+ * Errors: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex; linear
+ * extra memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_check_create(const struct gusset_context *context,
+                                  const struct gusset_mesh_view *mesh,
+                                  struct gusset_check **check);
+
+/**
+ * Destroys a check; NULL is allowed.
+ */
+GUSSET_API void gusset_check_destroy(struct gusset_check *check);
+
+/**
+ * Lends what the check found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_check_view(const struct gusset_check *check,
+                                struct gusset_check_report *report);
 
 /**
  * Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy.
@@ -849,6 +1112,37 @@ GUSSET_API const char *gusset_version(void);
  */
 GUSSET_API
 uint32_t gusset_abi(void);
+
+/**
+ * Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
+ *
+ * options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with three or
+ * more faces, or with two that run it in the same direction, becomes several marked records of one face each. The mesh
+ * of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled.
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
+ * vertex; linear extra memory.
+ * Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is NULL", as the text has it;
+ * the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a border on both sides.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_winged_create(const struct gusset_context *context,
+                                   const struct gusset_mesh_view *mesh,
+                                   const struct gusset_winged_options *options,
+                                   struct gusset_winged **winged);
+
+/**
+ * Destroys tables; NULL is allowed.
+ */
+GUSSET_API void gusset_winged_destroy(struct gusset_winged *winged);
+
+/**
+ * Lends the tables. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_winged_tables(const struct gusset_winged *winged,
+                                   struct gusset_winged_view *view);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -8,7 +8,7 @@
 //! | [`context`] | threads, progress, cancel, log, message, report |
 //! | [`version`] | what is loaded |
 //! | [`mesh`] | the mesh view, in and out |
-//! | [`boundary`], [`stitch`] | one file for each module of the core |
+//! | [`boundary`], [`winged`], [`check`], [`stitch`] | one file for each module of the core |
 //!
 //! This is the only part of the crate with unsafe code.
 
@@ -18,6 +18,7 @@
 #![allow(clippy::missing_safety_doc, reason = "each C function documents its pointers in C's terms")]
 
 pub mod boundary;
+pub mod check;
 pub mod context;
 mod guard;
 mod input;
@@ -25,3 +26,4 @@ pub mod mesh;
 pub mod status;
 pub mod stitch;
 pub mod version;
+pub mod winged;
