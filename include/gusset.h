@@ -172,6 +172,72 @@
 #define GUSSET_ORIENTATION_KEEP 2
 
 /**
+ * All of both loops, by a closed band.
+ */
+#define GUSSET_EXTENT_WHOLE_LOOPS 0
+
+/**
+ * The runs of vertices that face the other loop, as the paper has it: GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
+ */
+#define GUSSET_EXTENT_OPEN_ARCS 1
+
+/**
+ * Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of their centres, or if the
+ * planes cannot tell; else open arcs.
+ */
+#define GUSSET_EXTENT_AUTO 2
+
+/**
+ * The arcs given in arc_a and arc_b.
+ */
+#define GUSSET_EXTENT_ARCS 3
+
+/**
+ * Of several runs of facing vertices, on each loop the one with the closest pair.
+ */
+#define GUSSET_RUN_CLOSEST 0
+
+/**
+ * On each loop the one of the most vertices.
+ */
+#define GUSSET_RUN_LONGEST 1
+
+/**
+ * No interior rows: every meridian is one edge.
+ */
+#define GUSSET_ROWS_NONE 0
+
+/**
+ * max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
+ */
+#define GUSSET_ROWS_MEAN_EDGE 1
+
+/**
+ * As many as row_count says.
+ */
+#define GUSSET_ROWS_COUNT 2
+
+/**
+ * Triangles throughout; quads are split by their shorter diagonals.
+ */
+#define GUSSET_CELLS_TRIANGLES 0
+
+/**
+ * Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
+ */
+#define GUSSET_CELLS_QUADS 1
+
+/**
+ * The tolerance is what round-off of the coordinates can do.
+ */
+#define GUSSET_TOLERANCE_AUTO 0
+
+/**
+ * The tolerance is the one given.
+ */
+#define GUSSET_TOLERANCE_GIVEN 1
+
+/**
  * Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables take them backwards.
  */
 #define GUSSET_FACES_COUNTER_CLOCKWISE 0
@@ -308,6 +374,10 @@ enum gusset_status
      * Every strip would repeat an edge that the mesh already has.
      */
     GUSSET_ERROR_NO_STRIP = 1107,
+    /**
+     * The planes through the loops' centres cannot tell which vertices face each other: such loops are joined whole.
+     */
+    GUSSET_ERROR_PLANES_UNDECIDED = 1108,
     /**
      * Memory could not be had.
      */
@@ -655,9 +725,48 @@ typedef struct gusset_stitch_options {
     uint32_t orientation;
     /**
      * The first meridian joins the closest pair; with a twist, the vertex of rim B so many places later, counted in the
-     * direction in which rim A runs (negative: earlier). Any value; taken modulo the length of rim B.
+     * direction in which rim A runs (negative: earlier). Any value; taken modulo the length of rim B. Must be 0 if arcs are
+     * joined (OUT_OF_RANGE).
      */
     int64_t twist;
+    /**
+     * GUSSET_EXTENT_...
+     */
+    uint32_t extent;
+    /**
+     * GUSSET_RUN_...
+     */
+    uint32_t run;
+    /**
+     * GUSSET_ROWS_...
+     */
+    uint32_t rows;
+    /**
+     * Interior rows, read for GUSSET_ROWS_COUNT.
+     */
+    uint32_t row_count;
+    /**
+     * GUSSET_CELLS_...
+     */
+    uint32_t cells;
+    /**
+     * GUSSET_TOLERANCE_...
+     */
+    uint32_t tolerance_mode;
+    /**
+     * How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0; read
+     * for GUSSET_TOLERANCE_GIVEN.
+     */
+    double tolerance;
+    /**
+     * Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length. The
+     * arc runs along the loop as it was given, and may pass its end.
+     */
+    uint32_t arc_a[2];
+    /**
+     * The same on loop B.
+     */
+    uint32_t arc_b[2];
 } gusset_stitch_options;
 
 /**
@@ -678,22 +787,44 @@ typedef struct gusset_stitch_parts {
     struct gusset_indices face_map[2];
     /**
      * The vertices of each rim, by their indices in the result, from the first meridian on, side by side: rim 0 has its
-     * surface on the left, rim 1 on the right. They are also the strip's own vertices in order: rim 0, then rim 1.
+     * surface on the left, rim 1 on the right. They are also the strip's own first vertices in order: rim 0, then rim 1.
      */
     struct gusset_indices rim[2];
     /**
-     * The meridians as places on the rims, i and j by turns: meridian k is (data[2 k], data[2 k + 1]), from (0, 0) to (N, M)
-     * for rims of N and M vertices, where place N is place 0 again; count is twice the number of meridians.
+     * The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
+     * They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M - 1) for
+     * arcs; count is twice the number of meridians.
      */
     struct gusset_indices meridians;
+    /**
+     * The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
+     */
+    struct gusset_indices matrix;
+    /**
+     * Of each new vertex (they are the last ones of the result), the two vertices that it lies between, on rim 0 and on
+     * rim 1, by turns.
+     */
+    struct gusset_indices parents;
+    /**
+     * Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less this.
+     */
+    const double *weights;
     /**
      * The first of the strip's faces in the result; they are the last ones.
      */
     size_t strip_face_first;
     /**
-     * How many there are: N + M.
+     * How many there are; N + M triangles for whole rims without interior rows.
      */
     size_t strip_face_count;
+    /**
+     * Interior rows; the matrix has two rows more.
+     */
+    uint32_t row_count;
+    /**
+     * 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
+     */
+    uint32_t closed;
     /**
      * 1 if the second piece was turned over, else 0.
      */
@@ -1035,21 +1166,23 @@ GUSSET_API gusset_status gusset_context_report(const struct gusset_context *cont
 GUSSET_API const char *gusset_status_text(int32_t status);
 
 /**
- * Joins two boundary loops by a closed band of triangles: loops of two meshes, or of one.
+ * Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a strip
+ * between the arcs that face each other.
  *
  * mesh_b: NULL if both loops are of mesh_a. loop_a, loop_b: the vertices of each loop in order, in either direction, each
  * consecutive pair (and the last with the first) an edge with exactly one face; NULL leaves the choice open, and the
  * loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
  * gusset_stitch_destroy; NULL on failure.
  *
- * The result has the vertices of A, then of B; the faces of A, then of B, then the strip. Positions are of the scalar type
- * of A and keep their bits. No vertex is added, and every face is kept.
+ * The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the strip.
+ * Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex gets a fan,
+ * which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
  *
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
  * LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions),
  * TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, plus O(N M) or O(N + M) by
- * the choice of meridians; linear extra memory, and for MIN_AREA one byte for each of the N M pairs, at most 64 MiB.
- * Source: Nesterenko, for whole loops, which repeat their start: N + 1 and M + 1 points.
+ * the choice of meridians, plus the size of the strip; linear extra memory, and for MIN_AREA one byte for each of the N M pairs, at most 64 MiB.
+ * Source: Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -1076,7 +1209,7 @@ gusset_status gusset_stitch_mesh(const struct gusset_stitch *stitch,
                                  struct gusset_mesh_view *view);
 
 /**
- * Lends the strip alone: the vertices of the two rims and the triangles between them. Errors and validity as for
+ * Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
  * gusset_stitch_mesh.
  */
 GUSSET_API

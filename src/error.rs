@@ -126,6 +126,12 @@ pub enum Error {
         /// The vertex.
         vertex: u32,
     },
+    /// No vertex of a loop is clearly on the other loop's side of the plane through its centre, or the centres coincide: the
+    /// paper's planes cannot tell which vertices face each other. Such loops are joined whole.
+    PlanesUndecided {
+        /// The loop.
+        side: Side,
+    },
     /// The faces along one loop disagree in orientation.
     LoopNotOriented {
         /// The piece.
@@ -207,6 +213,12 @@ impl fmt::Display for Error {
                 "loop {side}: the edge that leaves place {place} (vertex {vertex}) is no free edge of the mesh"
             ),
             Error::LoopsShareVertex { vertex } => write!(f, "both loops pass vertex {vertex}"),
+            Error::PlanesUndecided { side } => {
+                write!(
+                    f,
+                    "no vertex of loop {side} is clearly on the other loop's side of the plane through its centre"
+                )
+            }
             Error::LoopNotOriented { side, face } => {
                 write!(f, "the faces along loop {side} disagree in orientation, face {face} among them")
             }

@@ -12,9 +12,11 @@ use std::collections::HashSet;
 /// Ids are stable for ever: an entry may be added here, none changed or taken away.
 const IDS: &[&str] = &["boundary_loops", "stitch"];
 
-/// Two facing caps: the inputs of any filter that takes meshes.
+/// Two caps that face each other askew: the inputs of any filter that takes meshes.
 fn pieces() -> [Soup; 2] {
-    [cap(12, 3, 0.2, 1.0), cap(9, 4, 0.3, -1.0)]
+    let mut second = cap(9, 4, 0.3, -1.0);
+    second.points.iter_mut().for_each(|p| p[0] += 0.6);
+    [cap(12, 3, 0.2, 1.0), second]
 }
 
 fn inputs(soups: &[Soup]) -> Vec<Input<'_>> {

@@ -60,6 +60,8 @@ pub enum gusset_status {
     GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
     /// Every strip would repeat an edge that the mesh already has.
     GUSSET_ERROR_NO_STRIP = 1107,
+    /// The planes through the loops' centres cannot tell which vertices face each other: such loops are joined whole.
+    GUSSET_ERROR_PLANES_UNDECIDED = 1108,
     /// Memory could not be had.
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
     /// The host cancelled.
@@ -159,6 +161,7 @@ impl From<Error> for Failure {
                 (GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, place.into(), f64::from(vertex))
             }
             Error::LoopsShareVertex { vertex } => at(GUSSET_ERROR_LOOPS_SHARE_VERTEX, GUSSET_ELEMENT_VERTEX, vertex),
+            Error::PlanesUndecided { .. } => none(GUSSET_ERROR_PLANES_UNDECIDED),
             Error::LoopNotOriented { face, .. } => at(GUSSET_ERROR_LOOP_NOT_ORIENTED, GUSSET_ELEMENT_FACE, face),
             Error::OrientationConflict { face } => at(GUSSET_ERROR_ORIENTATION_CONFLICT, GUSSET_ELEMENT_FACE, face),
             Error::NoStrip { vertex } => at(GUSSET_ERROR_NO_STRIP, GUSSET_ELEMENT_VERTEX, vertex),
@@ -172,6 +175,7 @@ impl From<Error> for Failure {
             | Error::LoopTooShort { side: Side::B, .. }
             | Error::LoopRepeatsVertex { side: Side::B, .. }
             | Error::LoopEdgeNotFree { side: Side::B, .. }
+            | Error::PlanesUndecided { side: Side::B }
             | Error::LoopNotOriented { side: Side::B, .. } => 1,
             _ => 0,
         };
@@ -209,6 +213,7 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         1105 => c"the faces along a loop disagree in orientation",
         1106 => c"the second piece is oriented against the first",
         1107 => c"no strip avoids the edges that the mesh already has",
+        1108 => c"the planes through the centres cannot tell which vertices face each other",
         2000 => c"out of memory",
         2001 => c"cancelled",
         9999 => c"internal error",

@@ -5,7 +5,8 @@ use super::guard::guard;
 use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::{Failure, gusset_status};
-use crate::stitch::{Meridians, Options, Orientation, Request, Stitch, stitch};
+use crate::stitch::facing::{Arc, Run};
+use crate::stitch::{Cells, Extent, Meridians, Options, Orientation, Request, Rows, Stitch, stitch};
 use std::ptr;
 
 /// The strip of least area among all closed bands of triangles through the first meridian: exact, O(N M).
@@ -19,6 +20,38 @@ pub const GUSSET_ORIENTATION_FIX: u32 = 0;
 pub const GUSSET_ORIENTATION_REFUSE: u32 = 1;
 /// The rims are not compared: the faces are taken to be right as they are.
 pub const GUSSET_ORIENTATION_KEEP: u32 = 2;
+
+/// All of both loops, by a closed band.
+pub const GUSSET_EXTENT_WHOLE_LOOPS: u32 = 0;
+/// The runs of vertices that face the other loop, as the paper has it: GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
+pub const GUSSET_EXTENT_OPEN_ARCS: u32 = 1;
+/// Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of their centres, or if the
+/// planes cannot tell; else open arcs.
+pub const GUSSET_EXTENT_AUTO: u32 = 2;
+/// The arcs given in arc_a and arc_b.
+pub const GUSSET_EXTENT_ARCS: u32 = 3;
+
+/// Of several runs of facing vertices, on each loop the one with the closest pair.
+pub const GUSSET_RUN_CLOSEST: u32 = 0;
+/// On each loop the one of the most vertices.
+pub const GUSSET_RUN_LONGEST: u32 = 1;
+
+/// No interior rows: every meridian is one edge.
+pub const GUSSET_ROWS_NONE: u32 = 0;
+/// max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
+pub const GUSSET_ROWS_MEAN_EDGE: u32 = 1;
+/// As many as row_count says.
+pub const GUSSET_ROWS_COUNT: u32 = 2;
+
+/// Triangles throughout; quads are split by their shorter diagonals.
+pub const GUSSET_CELLS_TRIANGLES: u32 = 0;
+/// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
+pub const GUSSET_CELLS_QUADS: u32 = 1;
+
+/// The tolerance is what round-off of the coordinates can do.
+pub const GUSSET_TOLERANCE_AUTO: u32 = 0;
+/// The tolerance is the one given.
+pub const GUSSET_TOLERANCE_GIVEN: u32 = 1;
 
 /// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
 pub struct gusset_stitch(Stitch);
@@ -34,8 +67,29 @@ pub struct gusset_stitch_options {
     /// GUSSET_ORIENTATION_...
     pub orientation: u32,
     /// The first meridian joins the closest pair; with a twist, the vertex of rim B so many places later, counted in the
-    /// direction in which rim A runs (negative: earlier). Any value; taken modulo the length of rim B.
+    /// direction in which rim A runs (negative: earlier). Any value; taken modulo the length of rim B. Must be 0 if arcs are
+    /// joined (OUT_OF_RANGE).
     pub twist: i64,
+    /// GUSSET_EXTENT_...
+    pub extent: u32,
+    /// GUSSET_RUN_...
+    pub run: u32,
+    /// GUSSET_ROWS_...
+    pub rows: u32,
+    /// Interior rows, read for GUSSET_ROWS_COUNT.
+    pub row_count: u32,
+    /// GUSSET_CELLS_...
+    pub cells: u32,
+    /// GUSSET_TOLERANCE_...
+    pub tolerance_mode: u32,
+    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0; read
+    /// for GUSSET_TOLERANCE_GIVEN.
+    pub tolerance: f64,
+    /// Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length. The
+    /// arc runs along the loop as it was given, and may pass its end.
+    pub arc_a: [u32; 2],
+    /// The same on loop B.
+    pub arc_b: [u32; 2],
 }
 
 /// The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
@@ -49,15 +103,27 @@ pub struct gusset_stitch_parts {
     /// Per old face, its index in the result.
     pub face_map: [gusset_indices; 2],
     /// The vertices of each rim, by their indices in the result, from the first meridian on, side by side: rim 0 has its
-    /// surface on the left, rim 1 on the right. They are also the strip's own vertices in order: rim 0, then rim 1.
+    /// surface on the left, rim 1 on the right. They are also the strip's own first vertices in order: rim 0, then rim 1.
     pub rim: [gusset_indices; 2],
-    /// The meridians as places on the rims, i and j by turns: meridian k is (data[2 k], data[2 k + 1]), from (0, 0) to (N, M)
-    /// for rims of N and M vertices, where place N is place 0 again; count is twice the number of meridians.
+    /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
+    /// They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M - 1) for
+    /// arcs; count is twice the number of meridians.
     pub meridians: gusset_indices,
+    /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
+    pub matrix: gusset_indices,
+    /// Of each new vertex (they are the last ones of the result), the two vertices that it lies between, on rim 0 and on
+    /// rim 1, by turns.
+    pub parents: gusset_indices,
+    /// Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less this.
+    pub weights: *const f64,
     /// The first of the strip's faces in the result; they are the last ones.
     pub strip_face_first: usize,
-    /// How many there are: N + M.
+    /// How many there are; N + M triangles for whole rims without interior rows.
     pub strip_face_count: usize,
+    /// Interior rows; the matrix has two rows more.
+    pub row_count: u32,
+    /// 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
+    pub closed: u32,
     /// 1 if the second piece was turned over, else 0.
     pub turned: u32,
     /// 0.
@@ -91,11 +157,11 @@ pub struct gusset_quality {
 
 // SAFETY: repr(C), size first, plain numbers.
 unsafe impl Versioned for gusset_stitch_options {
-    const LEAST_SIZE: usize = 24;
+    const LEAST_SIZE: usize = 72;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
 unsafe impl Versioned for gusset_stitch_parts {
-    const LEAST_SIZE: usize = 144;
+    const LEAST_SIZE: usize = 192;
 }
 // SAFETY: repr(C), size first, plain numbers.
 unsafe impl Versioned for gusset_quality {
@@ -103,8 +169,8 @@ unsafe impl Versioned for gusset_quality {
 }
 const _: () = assert!(
     size_of::<usize>() != 8
-        || (size_of::<gusset_stitch_options>() == 24
-            && size_of::<gusset_stitch_parts>() == 144
+        || (size_of::<gusset_stitch_options>() == 72
+            && size_of::<gusset_stitch_parts>() == 192
             && size_of::<gusset_quality>() == 56)
 );
 
@@ -121,25 +187,57 @@ impl gusset_stitch_options {
             GUSSET_ORIENTATION_KEEP => Orientation::Keep,
             other => return Err(Failure::unknown("orientation", other.into())),
         };
-        Ok(Options { meridians, orientation, twist: self.twist })
+        let extent = match self.extent {
+            GUSSET_EXTENT_WHOLE_LOOPS => Extent::WholeLoops,
+            GUSSET_EXTENT_OPEN_ARCS => Extent::OpenArcs,
+            GUSSET_EXTENT_AUTO => Extent::Auto,
+            GUSSET_EXTENT_ARCS => Extent::Arcs(
+                [self.arc_a, self.arc_b].map(|[first, count]| Arc { first: first as usize, count: count as usize }),
+            ),
+            other => return Err(Failure::unknown("extent", other.into())),
+        };
+        let run = match self.run {
+            GUSSET_RUN_CLOSEST => Run::Closest,
+            GUSSET_RUN_LONGEST => Run::Longest,
+            other => return Err(Failure::unknown("run", other.into())),
+        };
+        let rows = match self.rows {
+            GUSSET_ROWS_NONE => Rows::None,
+            GUSSET_ROWS_MEAN_EDGE => Rows::MeanEdge,
+            GUSSET_ROWS_COUNT => Rows::Count(self.row_count),
+            other => return Err(Failure::unknown("rows", other.into())),
+        };
+        let cells = match self.cells {
+            GUSSET_CELLS_TRIANGLES => Cells::Triangles,
+            GUSSET_CELLS_QUADS => Cells::Quads,
+            other => return Err(Failure::unknown("cells", other.into())),
+        };
+        let tolerance = match self.tolerance_mode {
+            GUSSET_TOLERANCE_AUTO => None,
+            GUSSET_TOLERANCE_GIVEN => Some(self.tolerance),
+            other => return Err(Failure::unknown("tolerance_mode", other.into())),
+        };
+        Ok(Options { meridians, orientation, twist: self.twist, extent, run, tolerance, rows, cells })
     }
 }
 
-/// Joins two boundary loops by a closed band of triangles: loops of two meshes, or of one.
+/// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a strip
+/// between the arcs that face each other.
 ///
 /// mesh_b: NULL if both loops are of mesh_a. loop_a, loop_b: the vertices of each loop in order, in either direction, each
 /// consecutive pair (and the last with the first) an edge with exactly one face; NULL leaves the choice open, and the
 /// loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
 /// gusset_stitch_destroy; NULL on failure.
 ///
-/// The result has the vertices of A, then of B; the faces of A, then of B, then the strip. Positions are of the scalar type
-/// of A and keep their bits. No vertex is added, and every face is kept.
+/// The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the strip.
+/// Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex gets a fan,
+/// which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
 ///
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
+/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
 /// LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions),
 /// TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, plus O(N M) or O(N + M) by
-/// the choice of meridians; linear extra memory, and for MIN_AREA one byte for each of the N M pairs, at most 64 MiB.
-/// Source: Nesterenko, for whole loops, which repeat their start: N + 1 and M + 1 points.
+/// the choice of meridians, plus the size of the strip; linear extra memory, and for MIN_AREA one byte for each of the N M pairs, at most 64 MiB.
+/// Source: Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch_create(
@@ -189,7 +287,7 @@ pub unsafe extern "C" fn gusset_stitch_mesh(
     })
 }
 
-/// Lends the strip alone: the vertices of the two rims and the triangles between them. Errors and validity as for
+/// Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
 /// gusset_stitch_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -220,8 +318,13 @@ pub unsafe extern "C" fn gusset_stitch_view(
             face_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.faces)),
             rim: done.rims.each_ref().map(|rim| gusset_indices::lend(rim)),
             meridians: gusset_indices::lend(done.meridians.as_flattened()),
+            matrix: gusset_indices::lend(&done.matrix),
+            parents: gusset_indices::lend(done.parents.as_flattened()),
+            weights: if done.weights.is_empty() { ptr::null() } else { done.weights.as_ptr() },
             strip_face_first: done.strip_faces.start as usize,
             strip_face_count: done.strip_faces.len(),
+            row_count: done.rows,
+            closed: done.closed.into(),
             turned: done.turned.into(),
             reserved: 0,
         });

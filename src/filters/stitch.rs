@@ -8,7 +8,8 @@ use crate::boundary::{self, boundary_loops};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::MeshView;
-use crate::stitch::{Meridians, Options, Orientation, Quality, Request, stitch};
+use crate::stitch::facing::Run;
+use crate::stitch::{Cells, Extent, Meridians, Options, Orientation, Quality, Request, Rows, Stitch, stitch};
 
 /// A twist beyond this is a mistake; no loop is longer.
 const MOST: f64 = u32::MAX as f64;
@@ -18,8 +19,8 @@ pub(super) const FILTER: Filter = Filter {
     name: "Stitch two loops",
     script_name: "stitch",
     category: "Stitching",
-    help: "Joins two boundary loops by a closed band of triangles: loops of two meshes, or of one. Vertices stay where they \
-           are and no face is lost.",
+    help: "Joins two boundary loops, of two meshes or of one, by a closed band of new faces, or the arcs of them that face \
+           each other by a strip. Vertices stay where they are and no face is lost.",
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking",
     inputs: &[InputKind::Mesh],
     min_inputs: 1,
@@ -59,6 +60,67 @@ pub(super) const FILTER: Filter = Filter {
             step: 1.0,
             choices: &[],
         },
+        Param::choice(
+            "extent",
+            "Join",
+            "How much of the loops is joined.",
+            &[
+                Choice { label: "Whole loops", help: "All of both, by a closed band." },
+                Choice { label: "Facing arcs", help: "The vertices that face the other loop, as the paper has it." },
+                Choice { label: "Automatic", help: "Whole loops if they face each other squarely, else facing arcs." },
+            ],
+        ),
+        Param::choice(
+            "run",
+            "Facing arc",
+            "Which arc is taken where several face the other loop.",
+            &[
+                Choice { label: "Closest", help: "The one with the closest pair of vertices." },
+                Choice { label: "Longest", help: "The one of the most vertices." },
+            ],
+        ),
+        Param {
+            id: "tolerance",
+            label: "Facing tolerance",
+            help: "How far a vertex must be from the plane through its loop's centre to face the other loop; -1 takes what \
+                   round-off can do.",
+            kind: ParamKind::Real,
+            min: -1.0,
+            max: f64::MAX,
+            default: &[-1.0],
+            step: 0.0,
+            choices: &[],
+        },
+        Param::choice(
+            "rows",
+            "Rows",
+            "How many rows of new vertices lie between the rims.",
+            &[
+                Choice { label: "None", help: "Every meridian is one edge." },
+                Choice { label: "By mean edge", help: "New edges are about as long as the mean edge of both pieces." },
+                Choice { label: "Given number", help: "The number of rows below." },
+            ],
+        ),
+        Param {
+            id: "row_count",
+            label: "Number of rows",
+            help: "The number of rows of new vertices, if it is to be given.",
+            kind: ParamKind::Int,
+            min: 0.0,
+            max: 10_000.0,
+            default: &[1.0],
+            step: 1.0,
+            choices: &[],
+        },
+        Param::choice(
+            "cells",
+            "Faces",
+            "What the strip is made of.",
+            &[
+                Choice { label: "Triangles", help: "Quads are split by their shorter diagonals." },
+                Choice { label: "Quads", help: "Quads where four different neighbours meet, triangles elsewhere." },
+            ],
+        ),
     ],
     suggest: None,
     run,
@@ -88,9 +150,18 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         meridians: [Meridians::MinArea, Meridians::Index][values.chosen("meridians")],
         orientation: [Orientation::Fix, Orientation::Refuse, Orientation::Keep][values.chosen("orientation")],
         twist: values.number("twist") as i64,
+        extent: [Extent::WholeLoops, Extent::OpenArcs, Extent::Auto][values.chosen("extent")],
+        run: [Run::Closest, Run::Longest][values.chosen("run")],
+        tolerance: Some(values.number("tolerance")).filter(|&t| t >= 0.0),
+        rows: match values.chosen("rows") {
+            0 => Rows::None,
+            1 => Rows::MeanEdge,
+            _ => Rows::Count(values.number("row_count") as u32),
+        },
+        cells: [Cells::Triangles, Cells::Quads][values.chosen("cells")],
     };
     let done = stitch(&request, &options, &job.part(0.2, 1.0))?;
-    let text = report(&done.quality, done.rims.each_ref().map(Vec::len), done.turned);
+    let text = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
 }
 
@@ -105,17 +176,21 @@ fn numbered(mesh: &MeshView<'_>, values: &Values<'_>, id: &'static str, job: &Jo
     Ok(Some(alloc::copied(found.vertices)?))
 }
 
-fn report(quality: &Quality, [n, m]: [usize; 2], turned: bool) -> String {
-    let Quality { min_angle, max_aspect, max_edge, area, loops_left, .. } = *quality;
-    let turned = if turned { "the second piece was turned over\n" } else { "" };
+fn report(done: &Stitch) -> String {
+    let Quality { min_angle, max_aspect, max_edge, area, loops_left, .. } = done.quality;
+    let turned = if done.turned { "the second piece was turned over\n" } else { "" };
+    let parts = if done.closed { "loops" } else { "arcs" };
     let left = match loops_left {
         0 => "the result is closed".to_owned(),
         n => format!("{n} boundary loops are left"),
     };
     format!(
-        "joined rims of {n} and {m} vertices by {} triangles\n{turned}\
+        "joined {parts} of {} and {} vertices by {} faces, {} interior rows\n{turned}\
          area {area}, longest edge {max_edge}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n{left}\n",
-        n + m,
+        done.rims[0].len(),
+        done.rims[1].len(),
+        done.strip_faces.len(),
+        done.rows,
         min_angle.to_degrees()
     )
 }

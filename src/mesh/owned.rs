@@ -42,6 +42,17 @@ impl PositionBuffer {
         }
     }
 
+    /// Appends points, rounded to the buffer's type.
+    pub(crate) fn extend(&mut self, points: impl Iterator<Item = DVec3>) -> Result<()> {
+        for p in points {
+            match self {
+                PositionBuffer::F32(out) => alloc::push(out, p.as_vec3().to_array())?,
+                PositionBuffer::F64(out) => alloc::push(out, p.to_array())?,
+            }
+        }
+        Ok(())
+    }
+
     /// Appends positions `vertices` of this buffer to `out`, bit for bit.
     pub(crate) fn select(&self, vertices: &[u32]) -> Result<PositionBuffer> {
         Ok(match self {

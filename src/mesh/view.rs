@@ -12,8 +12,8 @@ pub const MAX_ELEMENTS: u64 = u32::MAX as u64 - 1;
 /// Elements that one thread checks at a time.
 const CHUNK: usize = 1 << 16;
 
-/// The type of a coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+/// The type of a coordinate, the coarser one first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Scalar {
     /// 32-bit float.
     F32,

@@ -1,11 +1,12 @@
 //! One mesh of both pieces and the strip.
 //!
-//! Vertices: those of A, then those of B. Faces: those of A, then those of B, then the strip. Positions keep their bits.
+//! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B, then the strip. Positions keep their bits.
 
-use super::strip::{Corner, Triangle};
+use super::grid::FaceList;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::mesh::{MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Scalar};
+use glam::DVec3;
 use std::ops::Range;
 
 /// Old indices to new ones.
@@ -23,24 +24,24 @@ pub(super) struct Combination {
 }
 
 impl Combination {
-    /// Room for all of `pieces` and `extra` triangles.
+    /// Room for all of `pieces`, `extra` vertices and the strip's faces.
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::MixedScalars`], [`Error::OutOfMemory`].
-    pub(super) fn new(pieces: &[&MeshView<'_>], extra: usize) -> Result<Self> {
+    pub(super) fn new(pieces: &[&MeshView<'_>], extra: usize, strip: &FaceList) -> Result<Self> {
         let scalar = pieces[0].positions().scalar();
         if scalar == Scalar::F32 && pieces.iter().any(|p| p.positions().scalar() == Scalar::F64) {
             return Err(Error::MixedScalars);
         }
         let total = |count: fn(&MeshView<'_>) -> usize| pieces.iter().map(|p| count(p)).sum::<usize>();
-        let vertices = total(|p| p.positions().len());
-        let corners = total(|p| p.faces().half_edge_count()) + 3 * extra;
+        let vertices = total(|p| p.positions().len()) + extra;
+        let corners = total(|p| p.faces().half_edge_count()) + strip.corners.len();
         for (what, count) in [("vertices", vertices as u64), ("half-edges", corners as u64)] {
             if count > MAX_ELEMENTS {
                 return Err(Error::TooLarge { what, count, limit: MAX_ELEMENTS });
             }
         }
-        let mut face_offsets = alloc::with_capacity(total(|p| p.faces().len()) + extra + 1)?;
+        let mut face_offsets = alloc::with_capacity(total(|p| p.faces().len()) + strip.offsets.len())?;
         face_offsets.push(0);
         Ok(Combination {
             mesh: Mesh {
@@ -69,33 +70,25 @@ impl Combination {
         })
     }
 
-    /// Appends the strip between the rims, whose vertices are given in new indices; returns its faces.
-    pub(super) fn append_strip(&mut self, triangles: &[Triangle], rim_a: &[u32], rim_b: &[u32]) -> Range<u32> {
+    /// Appends new vertices; returns their indices.
+    pub(super) fn append_vertices(&mut self, points: impl Iterator<Item = DVec3>) -> Result<Range<u32>> {
+        let first = self.mesh.positions.len() as u32;
+        self.mesh.positions.extend(points)?;
+        Ok(first..self.mesh.positions.len() as u32)
+    }
+
+    /// Appends the strip, whose vertex v is `names[v]` here; returns its faces.
+    pub(super) fn append_strip(&mut self, faces: &FaceList, names: &[u32]) -> Range<u32> {
         let first = self.mesh.face_count() as u32;
-        for triangle in triangles {
-            self.mesh.face_corners.extend(triangle.map(|corner| match corner {
-                Corner::A(i) => rim_a[i as usize],
-                Corner::B(j) => rim_b[j as usize],
-            }));
+        for face in faces.iter() {
+            self.mesh.face_corners.extend(face.iter().map(|&v| names[v as usize]));
             self.mesh.face_offsets.push(self.mesh.face_corners.len() as u32);
         }
         first..self.mesh.face_count() as u32
     }
 }
 
-/// The strip as a mesh of its own: the vertices of rim A in order, then those of rim B.
-pub(super) fn strip_alone(whole: &Mesh, triangles: &[Triangle], rim_a: &[u32], rim_b: &[u32]) -> Result<Mesh> {
-    let mut vertices = alloc::copied(rim_a)?;
-    alloc::reserve(&mut vertices, rim_b.len())?;
-    vertices.extend_from_slice(rim_b);
-    let mut face_corners = alloc::with_capacity(3 * triangles.len())?;
-    face_corners.extend(triangles.iter().flatten().map(|&corner| match corner {
-        Corner::A(i) => i,
-        Corner::B(j) => rim_a.len() as u32 + j,
-    }));
-    Ok(Mesh {
-        positions: whole.positions.select(&vertices)?,
-        face_offsets: alloc::collect((0..triangles.len() + 1).map(|f| 3 * f as u32))?,
-        face_corners,
-    })
+/// The strip as a mesh of its own; its vertex v is `names[v]` of the whole.
+pub(super) fn strip_alone(whole: &Mesh, faces: FaceList, names: &[u32]) -> Result<Mesh> {
+    Ok(Mesh { positions: whole.positions.select(names)?, face_offsets: faces.offsets, face_corners: faces.corners })
 }

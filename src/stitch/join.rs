@@ -1,110 +1,41 @@
 //! The whole of stitching: from two loops to one mesh.
 
-use super::combine::{Combination, IndexMap, strip_alone};
+use super::combine::{Combination, IndexMap};
+use super::extent::arcs;
+use super::grid::Grid;
 use super::meridian::{Pair, index_rule::index_meridians, min_area::min_area};
 use super::pairing::{nearest_pair, usable_rims};
 use super::quality::Quality;
+use super::request::{Cells, Meridians, Options, Orientation, Request, Rows, Stitch};
 use super::rim::{Bridges, FreeEdges, Rim, shared_vertex};
-use super::sense::run_the_same_way;
+use super::sense::{arcs_run_the_same_way, run_the_same_way};
 use super::start::closest_pair;
-use super::strip::triangles;
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result, Side};
-use crate::geom::scale::common_unit;
+use crate::geom::scale::{common_unit, distance};
 use crate::job::Job;
-use crate::mesh::{Mesh, MeshView, Sets};
-use std::ops::Range;
+use crate::mesh::{MeshView, Sets};
 
-/// How meridians are chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Meridians {
-    /// The strip of least area, by exact dynamic programming: O(N M).
-    #[default]
-    MinArea,
-    /// The paper's rule by index: O(N + M). Good for evenly spaced rims.
-    Index,
-}
-
-/// What happens if the second piece is oriented against the first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Orientation {
-    /// Its faces are turned over. Two loops of one connected piece are taken as they are: turning is no way out there.
-    #[default]
-    Fix,
-    /// [`Error::OrientationConflict`].
-    Refuse,
-    /// The rims are not compared: the faces are taken to be right as they are.
-    Keep,
-}
-
-/// How to stitch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Options {
-    /// The choice of meridians.
-    pub meridians: Meridians,
-    /// What to do about a second piece that is inside out.
-    pub orientation: Orientation,
-    /// The first meridian joins the closest pair; with a twist, the vertex of rim B that comes this many places later,
-    /// counted in the direction in which rim A runs (negative: earlier).
-    pub twist: i64,
-}
-
-/// What to stitch: two loops of two meshes, or of one.
-///
-/// A loop is the list of its vertices in order, in either direction, each consecutive pair (and the last with the first)
-/// being an edge with exactly one face. `None` leaves the choice open: the nearest loops are taken, see
-/// [`stitch()`].
-#[derive(Clone, Copy)]
-pub struct Request<'a> {
-    /// The first piece.
-    pub a: &'a MeshView<'a>,
-    /// Its loop.
-    pub loop_a: Option<&'a [u32]>,
-    /// The second piece; `None` if both loops are of the first.
-    pub b: Option<&'a MeshView<'a>>,
-    /// The second loop.
-    pub loop_b: Option<&'a [u32]>,
-}
-
-/// The result of stitching.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Stitch {
-    /// Both pieces and the strip: vertices of A, then of B; faces of A, then of B, then the strip. Positions are in the scalar
-    /// type of A and keep their bits.
-    pub mesh: Mesh,
-    /// The strip alone: the N vertices of rim A in order, then the M of rim B, and N + M triangles.
-    pub strip: Mesh,
-    /// Old indices to new ones, for each piece; the second is empty if there is only one piece.
-    pub maps: [IndexMap; 2],
-    /// The strip's faces in [`Stitch::mesh`].
-    pub strip_faces: Range<u32>,
-    /// The vertices of each rim in [`Stitch::mesh`], from the first meridian on, side by side: rim A has its surface on the
-    /// left, rim B on the right.
-    pub rims: [Vec<u32>; 2],
-    /// The meridians as places (i, j) on the rims, from (0, 0) to (N, M); place N is place 0 again. The paper's matrix H.
-    pub meridians: Vec<Pair>,
-    /// The second piece was turned over.
-    pub turned: bool,
-    /// Measures of the result.
-    pub quality: Quality,
-}
-
-/// Stitches two boundary loops together by a closed band of triangles.
+/// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of new faces.
 ///
 /// Loops that are left open are chosen as the two nearest ones: the least mean distance from the vertices of each to the
-/// nearest vertex of the other. Positions are never changed, no vertex is added, and every face is kept.
+/// nearest vertex of the other. Old positions are never changed, and every old face is kept.
 ///
-/// O(H log d) for the meshes' H half-edges, plus O(N M) ([`Meridians::MinArea`]) or O(N + M) ([`Meridians::Index`]) and O((N + M) log M).
-/// Extra memory is linear in the meshes and the table's of [`Meridians::MinArea`]: one byte for each of N M pairs, at most 64 MiB, and
-/// 48 (M + 1) (1 + N M / 2^26) bytes.
+/// O(H log d) for the meshes' H half-edges, plus O(N M) ([`Meridians::MinArea`]) or O(N + M) ([`Meridians::Index`]) and O((N + M) log M), and
+/// the size of the strip. Extra memory is linear in the meshes, the strip and the table's of [`Meridians::MinArea`]: one byte for each of
+/// N M pairs, at most 64 MiB, and 48 (M + 1) (1 + N M / 2^26) bytes.
+///
+/// An arc of a single vertex gets a fan of triangles, which touches its piece at that vertex only; two arcs of one vertex each
+/// get one meridian and no face.
 ///
 /// # Errors
 /// [`Error::NoLoop`], [`Error::LoopTooShort`], [`Error::LoopRepeatsVertex`], [`Error::LoopEdgeNotFree`], [`Error::LoopNotOriented`],
-/// [`Error::LoopsShareVertex`], [`Error::OrientationConflict`], [`Error::NoStrip`], [`Error::MixedScalars`], [`Error::TooLarge`],
-/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::LoopsShareVertex`], [`Error::PlanesUndecided`], [`Error::OrientationConflict`], [`Error::NoStrip`],
+/// [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
-    let (mut a, mut b) = choose_rims(request, &job.part(0.0, 0.4))?;
+    let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.4))?;
+    let closed = !cut_arcs(request, options, &mut a, &mut b, unit)?;
     let bridges = match request.b {
         Some(_) => Bridges::none(),
         None => {
@@ -122,18 +53,24 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     } else {
         b.reverse();
     }
-    let (i, j) = closest_pair(&a, &b, &bridges)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?;
-    a.start_at(i);
-    let count = b.vertices.len() as i64;
-    b.start_at((j as i64 + options.twist.rem_euclid(count)).rem_euclid(count) as usize);
+    if closed {
+        let (i, j) = closest_pair(&a, &b, &bridges)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?;
+        a.start_at(i);
+        let count = b.vertices.len() as i64;
+        b.start_at((j as i64 + options.twist.rem_euclid(count)).rem_euclid(count) as usize);
+    } else if options.twist != 0 {
+        return Err(Error::OptionOutOfRange { option: "twist", value: options.twist as f64 });
+    }
 
-    let meridians = choose_meridians(&a, &b, &bridges, options.meridians, &job.part(0.4, 0.7))?;
-    let triangles = triangles(&a, &b, &meridians, &bridges)?;
+    let meridians = choose_meridians(&a, &b, &bridges, options, &job.part(0.4, 0.7))?;
     job.step(0.7, "putting the pieces together")?;
+    let rows = row_count(request, options.rows, &a, &b, &meridians, unit)?;
+    let grid = Grid::new(&a, &b, &meridians, rows)?;
+    let faces = grid.faces(&a, &b, &bridges, options.cells == Cells::Quads)?;
 
     let mut pieces = vec![request.a];
     pieces.extend(request.b);
-    let mut whole = Combination::new(&pieces, triangles.len())?;
+    let mut whole = Combination::new(&pieces, grid.new.len(), &faces)?;
     let maps = match request.b {
         Some(second) => [whole.append(request.a, |_| false)?, whole.append(second, |_| turn)?],
         None if turn => {
@@ -145,28 +82,99 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         None => [whole.append(request.a, |_| false)?, IndexMap::default()],
     };
     let map_b = if request.b.is_some() { &maps[1] } else { &maps[0] };
-    let rim_a = alloc::collect(a.vertices.iter().map(|&v| maps[0].vertices[v as usize]))?;
-    let rim_b = alloc::collect(b.vertices.iter().map(|&v| map_b.vertices[v as usize]))?;
-    let strip_faces = whole.append_strip(&triangles, &rim_a, &rim_b);
+    // The strip's own numbers to the result's.
+    let mut names = alloc::with_capacity(grid.points.len())?;
+    names.extend(a.vertices.iter().map(|&v| maps[0].vertices[v as usize]));
+    names.extend(b.vertices.iter().map(|&v| map_b.vertices[v as usize]));
+    let (n, m) = (a.vertices.len(), b.vertices.len());
+    names.extend(whole.append_vertices(grid.points[n + m..].iter().map(|&p| p * unit))?);
+    let strip_faces = whole.append_strip(&faces, &names);
     let mesh = whole.mesh;
-    let strip = strip_alone(&mesh, &triangles, &rim_a, &rim_b)?;
+    let strip = super::combine::strip_alone(&mesh, faces, &names)?;
     let quality = Quality::of(&mesh, &strip, &job.part(0.75, 1.0))?;
-    Ok(Stitch { mesh, strip, maps, strip_faces, rims: [rim_a, rim_b], meridians, turned: turn, quality })
+
+    let name = |v: u32| names[v as usize];
+    Ok(Stitch {
+        rims: [alloc::copied(&names[..n])?, alloc::copied(&names[n..n + m])?],
+        closed,
+        matrix: alloc::collect(grid.matrix.iter().map(|&v| name(v)))?,
+        rows: (grid.matrix.len() / meridians.len()) as u32 - 2,
+        parents: alloc::collect(grid.parents().map(|pair| pair.map(name)))?,
+        weights: alloc::collect(grid.new.iter().map(|&(_, t)| t))?,
+        mesh,
+        strip,
+        maps,
+        strip_faces,
+        meridians,
+        turned: turn,
+        quality,
+    })
 }
 
-fn choose_meridians(a: &Rim, b: &Rim, bridges: &Bridges, rule: Meridians, job: &Job<'_>) -> Result<Vec<Pair>> {
-    match rule {
-        Meridians::Index => index_meridians(a.vertices.len() as u32, b.vertices.len() as u32),
+/// Cuts the rims down to the arcs that the options say; false if they stay whole.
+fn cut_arcs(request: &Request<'_>, options: &Options, a: &mut Rim, b: &mut Rim, unit: f64) -> Result<bool> {
+    if let Some(value) = options.tolerance.filter(|t| !(t.is_finite() && *t >= 0.0)) {
+        return Err(Error::OptionOutOfRange { option: "tolerance", value });
+    }
+    let tolerance = options.tolerance.map(|t| t / unit);
+    // Round-off is that of the coarser numbers.
+    let scalar = request.b.unwrap_or(request.a).positions().scalar().min(request.a.positions().scalar());
+    match arcs(a, b, options.extent, options.run, tolerance, scalar)? {
+        Some([arc_a, arc_b]) => {
+            a.cut(arc_a)?;
+            b.cut(arc_b)?;
+            Ok(true)
+        }
+        None => Ok(false),
+    }
+}
+
+fn choose_meridians(a: &Rim, b: &Rim, bridges: &Bridges, options: &Options, job: &Job<'_>) -> Result<Vec<Pair>> {
+    match options.meridians {
+        Meridians::Index => index_meridians(a.segments(), b.segments()),
         Meridians::MinArea => {
-            let taken = |i: usize, j: usize| bridges.has(a.vertices[i], b.vertices[j]);
-            let forbidden = (!bridges.is_empty()).then_some(taken);
-            min_area(&a.points, &b.points, forbidden, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })
+            let taken = |i: usize, j: usize| bridges.has(a.vertex(i as u32), b.vertex(j as u32));
+            // With interior rows no meridian is an edge of its own.
+            let forbidden = (!bridges.is_empty() && options.rows == Rows::None).then_some(taken);
+            let found = min_area(&a.line()?, &b.line()?, a.closed, forbidden, job)?;
+            found.ok_or(Error::NoStrip { vertex: a.vertices[0] })
         }
     }
 }
 
-/// The two rims, each with its surface on the left.
-fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<(Rim, Rim)> {
+/// The number of interior rows.
+fn row_count(request: &Request<'_>, rows: Rows, a: &Rim, b: &Rim, meridians: &[Pair], unit: f64) -> Result<u32> {
+    match rows {
+        Rows::None => Ok(0),
+        Rows::Count(count) => Ok(count),
+        Rows::MeanEdge => {
+            let lengths = meridians.iter().map(|&[i, j]| a.at(i).distance(b.at(j)));
+            let mean_meridian = lengths.sum::<f64>() / meridians.len() as f64;
+            let (mut sum, mut count) = (0.0, 0.0);
+            for mesh in [Some(request.a), request.b].into_iter().flatten() {
+                for f in 0..mesh.faces().len() {
+                    let corners = mesh.face(f);
+                    for (u, v) in corners.clone().zip(corners.cycle().skip(1)) {
+                        sum += distance(mesh.positions().get(u), mesh.positions().get(v)) / unit;
+                        count += 1.0;
+                    }
+                }
+            }
+            let parts = (mean_meridian * count / sum).round();
+            // Sides without length: no number of rows is right, so none.
+            Ok(if sum > 0.0 { (parts - 1.0).max(0.0) as u32 } else { 0 })
+        }
+    }
+}
+
+/// Two rims, each with its surface on the left, in a common unit.
+struct Rims {
+    a: Rim,
+    b: Rim,
+    unit: f64,
+}
+
+fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
     let options = boundary::Options::default();
     let boundary_a = boundary_loops(request.a, &options, &job.part(0.0, 0.4))?;
     let second = request.b.map(|b| boundary_loops(b, &options, &job.part(0.4, 0.8))).transpose()?;
@@ -182,14 +190,16 @@ fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<(Rim, Rim)> {
     let unit = common_unit(a.iter().chain(&b).flat_map(|rim| &rim.points));
     a.iter_mut().chain(&mut b).flat_map(|rim| &mut rim.points).for_each(|p| *p /= unit);
     if request.loop_a.is_some() && request.loop_b.is_some() {
-        return Ok((a.swap_remove(0), b.swap_remove(0)));
+        return Ok(Rims { a: a.swap_remove(0), b: b.swap_remove(0), unit });
     }
-    nearest_pair(a, b, request.b.is_none(), &job.part(0.8, 1.0))
+    let (a, b) = nearest_pair(a, b, request.b.is_none(), &job.part(0.8, 1.0))?;
+    Ok(Rims { a, b, unit })
 }
 
 /// True if the second piece has to be turned over.
 fn must_turn(request: &Request<'_>, a: &Rim, b: &Rim, orientation: Orientation) -> Result<bool> {
-    if orientation == Orientation::Keep || !run_the_same_way(&a.points, &b.points) {
+    let same_way = if a.closed { run_the_same_way } else { arcs_run_the_same_way };
+    if orientation == Orientation::Keep || !same_way(&a.points, &b.points) {
         return Ok(false);
     }
     if request.b.is_none() {

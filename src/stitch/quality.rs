@@ -10,7 +10,8 @@ use std::f64::consts::FRAC_PI_3;
 /// Measures of the strip, and of the whole result's connectivity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quality {
-    /// The smallest angle of the strip's triangles, in radians; 0 if one is degenerate.
+    /// The smallest angle of the strip's triangles, in radians; 0 if one is degenerate. Quads are measured as the two
+    /// triangles that their shorter diagonals make.
     pub min_angle: f64,
     /// The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
     /// triangle, infinite for a degenerate one.
@@ -60,14 +61,21 @@ impl Quality {
         let points = crate::alloc::collect((0..strip.positions.len()).map(|v| strip.positions.get(v as u32)))?;
         let unit = common_unit(&points);
         let (mut longest, mut double_area): (f64, f64) = (0.0, 0.0);
-        for corners in strip.face_corners.chunks_exact(3) {
-            let [a, b, c] = [0, 1, 2].map(|k| points[corners[k] as usize] / unit);
-            let area = triangle::double_area(a, b, c);
-            self.min_angle = self.min_angle.min(triangle::min_angle(a, b, c));
-            self.max_aspect = self.max_aspect.max(triangle::aspect(a, b, c));
-            self.degenerate_faces += u32::from(area == 0.0);
-            longest = longest.max(a.distance(b)).max(b.distance(c)).max(c.distance(a));
-            double_area += area;
+        for w in strip.face_offsets.windows(2) {
+            let face = &strip.face_corners[w[0] as usize..w[1] as usize];
+            let p = |k: usize| points[face[k % face.len()] as usize] / unit;
+            longest = (0..face.len()).map(|k| p(k).distance(p(k + 1))).fold(longest, f64::max);
+            // A quad is measured as the two triangles that its shorter diagonal makes.
+            let other = face.len() == 4 && p(0).distance_squared(p(2)) > p(1).distance_squared(p(3));
+            let first = usize::from(other);
+            for k in first + 1..first + face.len() - 1 {
+                let [a, b, c] = [p(first), p(k), p(k + 1)];
+                let area = triangle::double_area(a, b, c);
+                self.min_angle = self.min_angle.min(triangle::min_angle(a, b, c));
+                self.max_aspect = self.max_aspect.max(triangle::aspect(a, b, c));
+                self.degenerate_faces += u32::from(area == 0.0);
+                double_area += area;
+            }
         }
         self.max_edge = longest * unit;
         self.area = 0.5 * double_area * unit * unit;

@@ -1,13 +1,18 @@
 //! A rim: a boundary loop that a strip can be hung on.
 
+use super::facing::Arc;
 use crate::alloc;
 use crate::boundary::{Boundary, EdgeFlags, Loop, LoopFlags};
 use crate::error::{Error, Result, Side};
 use crate::mesh::MeshView;
 use glam::DVec3;
 
-/// A closed loop of free edges that passes each vertex once, with the surface on its left.
+/// A closed loop of free edges that passes each vertex once, with the surface on its left; or an arc of one.
 pub(super) struct Rim {
+    /// Whole; else an arc.
+    pub(super) closed: bool,
+    /// It was given by the caller in the other direction.
+    backwards: bool,
     pub(super) vertices: Vec<u32>,
     /// Their positions, in a unit common to all rims of one stitch.
     pub(super) points: Vec<DVec3>,
@@ -26,7 +31,7 @@ pub(super) fn is_usable(candidate: &Loop<'_>) -> bool {
 impl Rim {
     /// A usable loop of the boundary.
     pub(super) fn found(mesh: &MeshView<'_>, found: &Loop<'_>) -> Result<Rim> {
-        Rim::new(mesh, alloc::copied(found.vertices)?, found.faces[0])
+        Rim::new(mesh, alloc::copied(found.vertices)?, found.faces[0], false)
     }
 
     /// A loop given by the caller, in either direction.
@@ -62,12 +67,43 @@ impl Rim {
                 against.unwrap_or(0)
             }
         };
-        Rim::new(mesh, vertices, face)
+        Rim::new(mesh, vertices, face, faces[1].is_some())
     }
 
-    fn new(mesh: &MeshView<'_>, vertices: Vec<u32>, face: u32) -> Result<Rim> {
+    fn new(mesh: &MeshView<'_>, vertices: Vec<u32>, face: u32, backwards: bool) -> Result<Rim> {
         let points = alloc::collect(vertices.iter().map(|&v| mesh.positions().get(v)))?;
-        Ok(Rim { vertices, points, face })
+        Ok(Rim { closed: true, backwards, vertices, points, face })
+    }
+
+    /// The number of its edges.
+    pub(super) fn segments(&self) -> u32 {
+        self.vertices.len() as u32 - u32::from(!self.closed)
+    }
+
+    /// The vertex at place `i`; of a loop of N, place N is place 0 again.
+    pub(super) fn vertex(&self, i: u32) -> u32 {
+        self.vertices[i as usize % self.vertices.len()]
+    }
+
+    /// Its position.
+    pub(super) fn at(&self, i: u32) -> DVec3 {
+        self.points[i as usize % self.points.len()]
+    }
+
+    /// The positions from place 0 to the last place, of a loop the first again at the end.
+    pub(super) fn line(&self) -> Result<Vec<DVec3>> {
+        alloc::collect((0..self.segments() as usize + 1).map(|i| self.at(i as u32)))
+    }
+
+    /// Cuts it down to `arc`, whose places the caller counts along the loop as it was given.
+    pub(super) fn cut(&mut self, arc: Arc) -> Result<()> {
+        let n = self.vertices.len();
+        let last = (arc.first + arc.count - 1) % n;
+        let arc = if self.backwards { Arc { first: n - 1 - last, ..arc } } else { arc };
+        self.vertices = alloc::collect(arc.places(n).map(|i| self.vertices[i]))?;
+        self.points = alloc::collect(arc.places(n).map(|i| self.points[i]))?;
+        self.closed = false;
+        Ok(())
     }
 
     /// Runs the rim the other way.

@@ -27,25 +27,41 @@ pub(super) fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
     2.0 * (same - opposite) > MARGIN * (spread(&p) + spread(&q))
 }
 
-/// Points at equal arc lengths along a closed polyline, moved so that their mean is the origin.
+/// True if arcs `a` and `b`, each with its surface on the left, clearly run the same way, so that their surfaces disagree in
+/// orientation: laid side by side in the same direction they are nearer to each other than in opposite ones.
+pub(super) fn arcs_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
+    let (p, q) = (samples(a, false), samples(b, false));
+    let apart = |at: fn(usize) -> usize| (0..SAMPLES).map(|k| p[k].distance_squared(q[at(k)])).sum::<f64>();
+    let (same, opposite) = (apart(|k| k), apart(|k| SAMPLES - 1 - k));
+    opposite - same > MARGIN * (opposite + same)
+}
+
+/// Samples of a closed polyline, moved so that their mean is the origin.
 fn centred_samples(points: &[DVec3]) -> [DVec3; SAMPLES] {
+    let samples = samples(points, true);
+    let mean = samples.iter().sum::<DVec3>() / SAMPLES as f64;
+    samples.map(|s| s - mean)
+}
+
+/// Points at equal arc lengths along a polyline; of an open one both ends are among them.
+fn samples(points: &[DVec3], closed: bool) -> [DVec3; SAMPLES] {
     let n = points.len();
-    let length: f64 = (0..n).map(|i| points[i].distance(points[(i + 1) % n])).sum();
+    let edges = if closed { n } else { n - 1 };
+    let edge = |i: usize| points[i].distance(points[(i + 1) % n]);
+    let length: f64 = (0..edges).map(edge).sum();
+    let parts = if closed { SAMPLES } else { SAMPLES - 1 } as f64;
     let mut samples = [points[0]; SAMPLES];
     let (mut i, mut start) = (0, 0.0);
     for (k, sample) in samples.iter_mut().enumerate() {
-        let at = length * k as f64 / SAMPLES as f64;
-        let mut edge = points[i].distance(points[(i + 1) % n]);
-        while i + 1 < n && start + edge < at {
-            start += edge;
+        let at = length * k as f64 / parts;
+        while i + 1 < edges && start + edge(i) < at {
+            start += edge(i);
             i += 1;
-            edge = points[i].distance(points[(i + 1) % n]);
         }
-        let t = if edge > 0.0 { ((at - start) / edge).clamp(0.0, 1.0) } else { 0.0 };
+        let t = if edge(i) > 0.0 { ((at - start) / edge(i)).clamp(0.0, 1.0) } else { 0.0 };
         *sample = points[i].lerp(points[(i + 1) % n], t);
     }
-    let mean = samples.iter().sum::<DVec3>() / SAMPLES as f64;
-    samples.map(|s| s - mean)
+    samples
 }
 
 #[cfg(test)]

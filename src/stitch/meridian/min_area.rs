@@ -8,7 +8,7 @@
 //! it never advances on A while 0 < j < M. Likewise for (0, j) and (N, j). So a strip is proper if and only if its path has an
 //! A step with 0 < j < M and a B step with 0 < i < N. To an inner node exactly two improper paths lead: all A steps first
 //! (`ab`), and all B steps first (`ba`). The table therefore keeps three costs a node, those two and the least of all the
-//! others (`best`), and the answer is exactly the least area of all proper strips.
+//! others (`best`), and the answer is exactly the least area of all proper strips. Between open polylines every path is proper.
 //!
 //! **Ties.** In a plane all strips without folds have the same area, and round-off would choose. Areas that differ by less than
 //! 2^-32 of the paper's strip's area, shared out over the steps, count as equal, and then the smaller sum of squared
@@ -62,8 +62,11 @@ struct Row {
 }
 
 struct Table<'a, F> {
+    /// N + 1 points; of a closed polyline the last is the first again.
     a: &'a [DVec3],
+    /// M + 1 points.
     b: &'a [DVec3],
+    closed: bool,
     forbidden: F,
     tolerance: f64,
     /// The areas of the steps into the nodes of one row, and their meridians' squared lengths.
@@ -72,29 +75,32 @@ struct Table<'a, F> {
     length: Vec<f64>,
 }
 
-/// The proper strip of least area between the closed polylines `a` and `b`, as meridians from (0, 0) to (N, M); `None` if the
-/// forbidden meridians leave none. `forbidden(i, j)` takes 0 <= i < N, 0 <= j < M.
+/// The proper strip of least area between the polylines `a` of N + 1 points and `b` of M + 1, which are both open or both
+/// closed, with the first point again at the end. The answer is the meridians from (0, 0) to (N, M); `None` if the forbidden
+/// ones leave none. `forbidden(i, j)` takes 0 <= i <= N, 0 <= j <= M.
 ///
 /// O(N M) time; extra memory 48 (M + 1) (1 + N M / 2^26) bytes and one byte a node for at most 2^26 nodes.
 pub(crate) fn min_area(
     a: &[DVec3],
     b: &[DVec3],
+    closed: bool,
     forbidden: Option<impl Fn(usize, usize) -> bool>,
     job: &Job<'_>,
 ) -> Result<Option<Vec<Pair>>> {
-    let (n, m) = (a.len(), b.len());
+    let (n, m) = (a.len() - 1, b.len() - 1);
     let paper = strip_area(a, b, &index_meridians(n as u32, m as u32)?);
     let mut table = Table {
         a,
         b,
+        closed,
         forbidden,
-        tolerance: paper * 0.5f64.powi(32) / (n + m) as f64,
+        tolerance: paper * 0.5f64.powi(32) / (n + m).max(1) as f64,
         step_a: alloc::filled(0.0, m + 1)?,
         step_b: alloc::filled(0.0, m + 1)?,
         length: alloc::filled(0.0, m + 1)?,
     };
 
-    let rows_per_block = (BLOCK / (m + 1)).max(1).min(n);
+    let rows_per_block = (BLOCK / (m + 1)).clamp(1, n.max(1));
     let mut arrivals = alloc::filled(0u8, rows_per_block * (m + 1))?;
     let mut starts = alloc::with_capacity(n / rows_per_block + 1)?;
     let mut row = table.first_row()?;
@@ -107,17 +113,23 @@ pub(crate) fn min_area(
         }
         table.next_row(i, &mut row, &mut arrivals[(i - 1) % rows_per_block * (m + 1)..][..m + 1]);
     }
-    if row.best[m].area == f64::INFINITY {
-        return Ok(None);
-    }
 
     let mut path = Path { pairs: alloc::with_capacity(n + m + 1)?, i: n, j: m };
     path.pairs.push([n as u32, m as u32]);
+    if !closed && row.ab[m].less(row.best[m], table.tolerance) && !row.ba[m].less(row.ab[m], table.tolerance) {
+        path.back_to(n, 0);
+        path.back_to(0, 0);
+    } else if !closed && row.ba[m].less(row.best[m], table.tolerance) {
+        path.back_to(0, m);
+        path.back_to(0, 0);
+    } else if row.best[m].area == f64::INFINITY {
+        return Ok(None);
+    }
     for (block, start) in starts.iter_mut().enumerate().rev() {
         let first = block * rows_per_block + 1;
         let last = n.min(first + rows_per_block - 1);
         // The last block's arrivals are still there.
-        if last < n {
+        if last < n && path.i >= first {
             for i in first..=last {
                 table.next_row(i, start, &mut arrivals[(i - first) * (m + 1)..][..m + 1]);
             }
@@ -133,7 +145,7 @@ pub(crate) fn min_area(
 
 /// Twice the area of the strip over `pairs`; quads are split by the diagonal from the earlier vertex of `a`.
 fn strip_area(a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
-    let (a_at, b_at) = (|i: u32| a[i as usize % a.len()], |j: u32| b[j as usize % b.len()]);
+    let (a_at, b_at) = (|i: u32| a[i as usize], |j: u32| b[j as usize]);
     let mut area = 0.0;
     for step in pairs.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
@@ -149,12 +161,12 @@ fn strip_area(a: &[DVec3], b: &[DVec3], pairs: &[Pair]) -> f64 {
 
 impl<F: Fn(usize, usize) -> bool> Table<'_, Option<F>> {
     fn is_forbidden(&self, i: usize, j: usize) -> bool {
-        self.forbidden.as_ref().is_some_and(|forbidden| forbidden(i % self.a.len(), j % self.b.len()))
+        self.forbidden.as_ref().is_some_and(|forbidden| forbidden(i, j))
     }
 
     /// Row 0: the start, and the way along B from it.
     fn first_row(&mut self) -> Result<Row> {
-        let m = self.b.len();
+        let m = self.b.len() - 1;
         let never = || alloc::filled(Cost::NEVER, m + 1);
         let mut row = Row { best: never()?, ab: never()?, ba: never()? };
         if !self.is_forbidden(0, 0) {
@@ -174,7 +186,7 @@ impl<F: Fn(usize, usize) -> bool> Table<'_, Option<F>> {
     #[allow(clippy::needless_range_loop, reason = "j is a place on rim B, and indexes seven arrays")]
     fn next_row(&mut self, i: usize, row: &mut Row, arrivals: &mut [u8]) {
         self.measure(i);
-        let (n, m) = (self.a.len(), self.b.len());
+        let (n, m, open) = (self.a.len() - 1, self.b.len() - 1, !self.closed);
         let least = |x: Cost, y: Cost| {
             if y.less(x, self.tolerance) { (y, FROM_IMPROPER) } else { (x, 0) }
         };
@@ -187,13 +199,13 @@ impl<F: Fn(usize, usize) -> bool> Table<'_, Option<F>> {
                 (row.best[j], row.ab[j], row.ba[j]) = (Cost::NEVER, Cost::NEVER, Cost::NEVER);
                 continue;
             }
-            // On A: row i - 1 still stands at j. An `ab` path becomes proper by an A step with 0 < j < M. It is absent for
-            // i = 1, where the node before lies on the border i = 0.
-            let improper = if j < m { row.ab[j] } else { Cost::NEVER };
+            // On A: row i - 1 still stands at j. An `ab` path becomes proper by an A step with 0 < j < M, between open
+            // polylines with 0 < j. It is absent for i = 1, where the node before lies on the border i = 0.
+            let improper = if j < m || open { row.ab[j] } else { Cost::NEVER };
             let (from_a, kind_a) = least(row.best[j], improper);
             let by_a = from_a.plus(self.step_a[j], self.length[j]);
-            // On B: row i stands at j - 1. A `ba` path becomes proper by a B step with 0 < i < N.
-            let improper = if i < n { row.ba[j - 1] } else { Cost::NEVER };
+            // On B: row i stands at j - 1. A `ba` path becomes proper by a B step with 0 < i < N, or with 0 < i.
+            let improper = if i < n || open { row.ba[j - 1] } else { Cost::NEVER };
             let (from_b, kind_b) = least(row.best[j - 1], improper);
             let by_b = from_b.plus(self.step_b[j], self.length[j]);
 
@@ -207,19 +219,16 @@ impl<F: Fn(usize, usize) -> bool> Table<'_, Option<F>> {
 
     /// Fills in the steps into row i and its lengths. These loops have no branches, so that they run on vectors.
     fn measure(&mut self, i: usize) {
-        let (n, m) = (self.a.len(), self.b.len());
-        let (here, before) = (self.a[i % n], self.a[(i + n - 1) % n]);
-        let edge = here - before;
+        let here = self.a[i];
+        let edge = here - self.a[i.saturating_sub(1)];
         for (j, &b) in self.b.iter().enumerate() {
             let meridian = b - here;
             self.step_a[j] = edge.cross(meridian).length();
             self.length[j] = meridian.length_squared();
         }
-        (self.step_a[m], self.length[m]) = (self.step_a[0], self.length[0]);
         for (j, pair) in self.b.windows(2).enumerate() {
             self.step_b[j + 1] = (pair[1] - pair[0]).cross(here - pair[0]).length();
         }
-        self.step_b[m] = (self.b[0] - self.b[m - 1]).cross(here - self.b[m - 1]).length();
     }
 }
 
@@ -265,58 +274,62 @@ mod tests {
 
     type Never = fn(usize, usize) -> bool;
 
+    /// The edges that a path uses, those of a closed polyline's end being those of its start.
+    fn edges(a: &[DVec3], b: &[DVec3], closed: bool, path: &[Pair]) -> Vec<[usize; 2]> {
+        let (n, m) = if closed { (a.len() - 1, b.len() - 1) } else { (a.len(), b.len()) };
+        let mut edges: Vec<_> = path.iter().map(|&[i, j]| [i as usize % n, j as usize % m]).collect();
+        if closed {
+            // The last meridian is the first, by definition.
+            edges.pop();
+        }
+        edges.sort_unstable();
+        edges
+    }
+
     /// Every path, by recursion; those that use an edge twice are left out.
-    fn brute_force(a: &[DVec3], b: &[DVec3], forbidden: &impl Fn(usize, usize) -> bool) -> f64 {
-        fn extend(
-            a: &[DVec3],
-            b: &[DVec3],
-            forbidden: &impl Fn(usize, usize) -> bool,
-            path: &mut Vec<Pair>,
-            best: &mut f64,
-        ) {
-            let (n, m) = (a.len(), b.len());
+    fn brute_force(a: &[DVec3], b: &[DVec3], closed: bool, forbidden: &impl Fn(usize, usize) -> bool) -> f64 {
+        let mut best = f64::INFINITY;
+        let mut paths = vec![vec![[0, 0]]];
+        while let Some(path) = paths.pop() {
             let [i, j] = *path.last().unwrap();
-            if forbidden(i as usize % n, j as usize % m) {
-                return;
+            if forbidden(i as usize, j as usize) {
+                continue;
             }
-            if (i as usize, j as usize) == (n, m) {
-                let mut edges: Vec<_> = path[1..].iter().map(|&[i, j]| (i as usize % n, j as usize % m)).collect();
-                edges.sort_unstable();
-                if edges.windows(2).all(|pair| pair[0] != pair[1]) {
-                    *best = best.min(strip_area(a, b, path));
+            if (i as usize, j as usize) == (a.len() - 1, b.len() - 1) {
+                if edges(a, b, closed, &path).windows(2).all(|pair| pair[0] != pair[1]) {
+                    best = best.min(strip_area(a, b, &path));
                 }
-                return;
+                continue;
             }
             for [di, dj] in [[1, 0], [0, 1]] {
-                if (i + di) as usize <= n && (j + dj) as usize <= m {
-                    path.push([i + di, j + dj]);
-                    extend(a, b, forbidden, path, best);
-                    path.pop();
+                if ((i + di) as usize) < a.len() && ((j + dj) as usize) < b.len() {
+                    paths.push([path.as_slice(), &[[i + di, j + dj]]].concat());
                 }
             }
         }
-        let mut best = f64::INFINITY;
-        extend(a, b, forbidden, &mut vec![[0, 0]], &mut best);
         best
     }
 
-    fn check(a: &[DVec3], b: &[DVec3], forbidden: &impl Fn(usize, usize) -> bool) {
-        let least = brute_force(a, b, forbidden);
-        match min_area(a, b, Some(forbidden), &Job::default()).unwrap() {
+    fn check(a: &[DVec3], b: &[DVec3], closed: bool, forbidden: &impl Fn(usize, usize) -> bool) {
+        let least = brute_force(a, b, closed, forbidden);
+        match min_area(a, b, closed, Some(forbidden), &Job::default()).unwrap() {
             None => assert_eq!(least, f64::INFINITY),
             Some(pairs) => {
-                assert_eq!(pairs.len(), a.len() + b.len() + 1);
+                assert_eq!(pairs.len(), a.len() + b.len() - 1);
                 let area = strip_area(a, b, &pairs);
                 assert!(least.is_finite() && area >= least * (1.0 - 1e-12), "{area} {least}");
-                let paper = strip_area(a, b, &index_meridians(a.len() as u32, b.len() as u32).unwrap());
+                let paper = strip_area(a, b, &index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap());
                 assert!(area <= least + paper * 0.5f64.powi(31), "{area} {least}");
-                assert!(pairs.iter().all(|&[i, j]| !forbidden(i as usize % a.len(), j as usize % b.len())));
-                let mut edges: Vec<_> =
-                    pairs[1..].iter().map(|&[i, j]| (i as usize % a.len(), j as usize % b.len())).collect();
-                edges.sort_unstable();
+                assert!(pairs.iter().all(|&[i, j]| !forbidden(i as usize, j as usize)));
+                let edges = edges(a, b, closed, &pairs);
                 assert!(edges.windows(2).all(|pair| pair[0] != pair[1]), "a meridian twice: {pairs:?}");
             }
         }
+    }
+
+    /// The first point again at the end.
+    fn closed(points: &[DVec3]) -> Vec<DVec3> {
+        points.iter().chain(&points[..1]).copied().collect()
     }
 
     fn polyline(coordinates: &[(i8, i8, i8)]) -> Vec<DVec3> {
@@ -335,8 +348,20 @@ mod tests {
         ) {
             let a = polyline(&a);
             let b: Vec<_> = polyline(&b).iter().map(|&p| p * shrink).collect();
-            check(&a, &b, &|_, _| false);
-            check(&a, &b, &|i, j| (i * 7 + j) % sparse == 3 && forbidden >> (i * 6 + j) & 1 == 1);
+            let (n, m) = (a.len(), b.len());
+            let some = |i: usize, j: usize| (i * 7 + j) % sparse == 3 && forbidden >> (i * 6 + j) & 1 == 1;
+            for forbidden in [&(|_, _| false) as &dyn Fn(usize, usize) -> bool, &some] {
+                check(&closed(&a), &closed(&b), true, &|i, j| forbidden(i % n, j % m));
+                check(&a, &b, false, &|i, j| forbidden(i, j));
+            }
+        }
+
+        #[test]
+        fn open_polylines_of_few_points(
+            a in prop::collection::vec(any::<(i8, i8, i8)>(), 1..4),
+            b in prop::collection::vec(any::<(i8, i8, i8)>(), 1..6),
+        ) {
+            check(&polyline(&a), &polyline(&b), false, &|_, _| false);
         }
     }
 
@@ -348,7 +373,7 @@ mod tests {
             (0..n).map(|i| DVec3::new(r * angle(i).cos(), r * angle(i).sin(), 0.0)).collect()
         };
         let (a, b) = (circle(48, 2.0), circle(32, 1.7));
-        let pairs = min_area(&a, &b, None::<Never>, &Job::default()).unwrap().unwrap();
+        let pairs = min_area(&closed(&a), &closed(&b), true, None::<Never>, &Job::default()).unwrap().unwrap();
         let longest = pairs.iter().map(|&[i, j]| a[i as usize % 48].distance(b[j as usize % 32])).fold(0.0, f64::max);
         // None leans sideways by more than one edge: the gap is 0.3 wide, the longer edge 0.334 long.
         assert!(longest < 0.3f64.hypot(0.334), "{longest}");

@@ -1,0 +1,68 @@
+//! How much of the two loops is joined: all of them, or the arcs that face each other.
+
+use super::facing::{Arc, Planes, Run, facing, squareness};
+use super::rim::Rim;
+use crate::error::{Error, Result};
+use crate::mesh::Scalar;
+
+/// How much of the loops is joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Extent {
+    /// All of them, by a closed band.
+    #[default]
+    WholeLoops,
+    /// The runs of vertices that face the other loop, as the paper has it (see [`facing`](super::facing)).
+    OpenArcs,
+    /// Whole loops if the loops face each other squarely, or if the planes cannot decide; else open arcs.
+    Auto,
+    /// The arcs given: on each loop the first place, and the number of vertices.
+    Arcs([Arc; 2]),
+}
+
+/// Loops whose normals make, in the mean, more than this |cosine| with the line of their centres are joined whole: 60 degrees.
+const SQUARE: f64 = 0.5;
+
+/// Of the largest coordinate: less than this is round-off, 64 units in the last place of the host's own numbers.
+fn rounding(scalar: Scalar) -> f64 {
+    64.0 * match scalar {
+        Scalar::F32 => f64::from(f32::EPSILON),
+        Scalar::F64 => f64::EPSILON,
+    }
+}
+
+/// The arcs that `extent` says, or `None` for whole loops. The rims are in a unit in which coordinates are at most 2; so is
+/// `tolerance`, `None` being the round-off of such coordinates.
+pub(super) fn arcs(
+    a: &Rim,
+    b: &Rim,
+    extent: Extent,
+    run: Run,
+    tolerance: Option<f64>,
+    scalar: Scalar,
+) -> Result<Option<[Arc; 2]>> {
+    let tolerance = tolerance.unwrap_or(2.0 * rounding(scalar));
+    let found = || facing(&a.points, &b.points, tolerance, run).map(|found| Some(found.taken));
+    match extent {
+        Extent::WholeLoops => Ok(None),
+        Extent::OpenArcs => found(),
+        Extent::Auto => {
+            let planes = Planes::of(&a.points, &b.points);
+            if squareness(&a.points, &planes) + squareness(&b.points, &planes) > 2.0 * SQUARE {
+                return Ok(None);
+            }
+            match found() {
+                Err(Error::PlanesUndecided { .. }) => Ok(None),
+                other => other,
+            }
+        }
+        Extent::Arcs(arcs) => {
+            for (arc, rim, option) in [(arcs[0], a, "arc_a"), (arcs[1], b, "arc_b")] {
+                let n = rim.vertices.len();
+                if arc.first >= n || arc.count == 0 || arc.count > n {
+                    return Err(Error::OptionOutOfRange { option, value: arc.count as f64 });
+                }
+            }
+            Ok(Some(arcs))
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Which vertices of two loops face each other: the paper's algorithm 2, corrected.
+//!
+//! Each loop has a centre C, the mean of its vertices (5). The vectors between the centres, a_1 = C_2 - C_1 and a_2 = -a_1 (6), are
+//! the normals of two planes through the centres (7). A vertex faces the other loop if it lies on that loop's side of its
+//! own plane: (V - C) . a > 0.
+//!
+//! Where the paper's text does not suffice:
+//!
+//! * **Undecided planes.** Two coaxial rims lie in their planes, the commonest case of all, and the sign is round-off. So a
+//!   vertex faces the other loop if its distance from the plane is more than a tolerance, and where no vertex of a loop
+//!   is farther from its plane than that, or the centres coincide, the planes cannot decide, which is said.
+//! * **Runs.** The vertices that face the other loop need not be neighbours. They fall into runs; the one with the closest pair
+//!   of vertices is taken, or the longest.
+
+use crate::alloc;
+use crate::error::{Error, Result, Side};
+use crate::geom::kd_tree::KdTree;
+use glam::DVec3;
+use std::ops::Range;
+
+/// Two planes, each through a loop's centre and perpendicular to the line of the centres: equations 5 to 7.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Planes {
+    /// C_1 and C_2.
+    pub centres: [DVec3; 2],
+    /// a_1 = C_2 - C_1 and a_2 = C_1 - C_2.
+    pub normals: [DVec3; 2],
+}
+
+impl Planes {
+    /// The planes of two loops.
+    pub fn of(a: &[DVec3], b: &[DVec3]) -> Self {
+        let centres = [centre(a), centre(b)];
+        Planes { centres, normals: [centres[1] - centres[0], centres[0] - centres[1]] }
+    }
+
+    /// The distance of `p` from the plane of loop `side`, positive on the side of the other loop; 0 if the centres coincide.
+    pub fn distance(&self, side: Side, p: DVec3) -> f64 {
+        let k = side as usize;
+        (p - self.centres[k]).dot(self.normals[k].normalize_or_zero())
+    }
+}
+
+/// Equation 5: the mean of the vertices.
+pub fn centre(points: &[DVec3]) -> DVec3 {
+    points.iter().sum::<DVec3>() / points.len() as f64
+}
+
+/// Which of several runs is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Run {
+    /// On each loop the one with the closest pair of facing vertices.
+    #[default]
+    Closest,
+    /// On each loop the one of the most vertices, of equal ones the first.
+    Longest,
+}
+
+/// An arc of a loop: its first place and its number of vertices. It may pass the loop's end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Arc {
+    /// The place of its first vertex.
+    pub first: usize,
+    /// Its number of vertices, at most the loop's.
+    pub count: usize,
+}
+
+/// What algorithm 2 found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Facing {
+    /// The planes.
+    pub planes: Planes,
+    /// All runs of facing vertices, for each loop, in order of their first places (a run that passes the loop's end last).
+    pub runs: [Vec<Arc>; 2],
+    /// The run taken on each loop.
+    pub taken: [Arc; 2],
+}
+
+/// Finds the runs of vertices of `a` and of `b` that face the other loop; O((N + M) log M).
+///
+/// `tolerance`: a vertex must be farther from its plane than this, in the unit of the points.
+///
+/// # Errors
+/// [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance; [`Error::OutOfMemory`].
+pub fn facing(a: &[DVec3], b: &[DVec3], tolerance: f64, run: Run) -> Result<Facing> {
+    let planes = Planes::of(a, b);
+    let mut runs = [Vec::new(), Vec::new()];
+    for (side, points) in [(Side::A, a), (Side::B, b)] {
+        let faces = alloc::collect(points.iter().map(|&p| planes.distance(side, p) > tolerance))?;
+        runs[side as usize] = cyclic_runs(&faces)?;
+        if runs[side as usize].is_empty() {
+            return Err(Error::PlanesUndecided { side });
+        }
+    }
+    let taken = match run {
+        Run::Longest => [longest(&runs[0]), longest(&runs[1])],
+        Run::Closest => closest(a, b, &runs)?,
+    };
+    Ok(Facing { planes, runs, taken })
+}
+
+/// The runs of `true` round a cycle.
+fn cyclic_runs(flags: &[bool]) -> Result<Vec<Arc>> {
+    let n = flags.len();
+    // Start behind a gap, so that no run is cut in two.
+    let Some(gap) = flags.iter().position(|&flag| !flag) else {
+        return Ok(vec![Arc { first: 0, count: n }]);
+    };
+    let mut runs: Vec<Arc> = Vec::new();
+    for place in (gap + 1..gap + n).map(|i| i % n).filter(|&i| flags[i]) {
+        match runs.last_mut() {
+            Some(run) if (run.first + run.count) % n == place => run.count += 1,
+            _ => alloc::push(&mut runs, Arc { first: place, count: 1 })?,
+        }
+    }
+    runs.sort_unstable_by_key(|run| run.first);
+    Ok(runs)
+}
+
+fn longest(runs: &[Arc]) -> Arc {
+    runs.iter().copied().rev().max_by_key(|run| run.count).unwrap_or(Arc { first: 0, count: 0 })
+}
+
+/// The runs that contain the closest pair of facing vertices.
+fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2]) -> Result<[Arc; 2]> {
+    let total = runs[1].iter().map(|run| run.count).sum();
+    let (mut points, mut owner) = (alloc::with_capacity(total)?, alloc::with_capacity(total)?);
+    for (k, run) in runs[1].iter().enumerate() {
+        points.extend(run.places(b.len()).map(|j| b[j]));
+        owner.extend((0..run.count).map(|_| k));
+    }
+    let tree = KdTree::new(&points)?;
+    let mut best = (f64::INFINITY, [0, 0]);
+    for (k, run) in runs[0].iter().enumerate() {
+        for i in run.places(a.len()) {
+            if let Some((distance, j)) = tree.nearest(a[i], best.0, |_| true)
+                && distance < best.0
+            {
+                best = (distance, [k, owner[j as usize]]);
+            }
+        }
+    }
+    Ok([runs[0][best.1[0]], runs[1][best.1[1]]])
+}
+
+impl Arc {
+    /// The places of its vertices on a loop of `n`.
+    pub fn places(self, n: usize) -> impl ExactSizeIterator<Item = usize> {
+        let range: Range<usize> = 0..self.count;
+        range.map(move |k| (self.first + k) % n)
+    }
+}
+
+/// How well each loop faces the other one: |cosine| of the angle between its normal (the vector area of its polygon) and the
+/// line of the centres. 1 for coaxial rims, which are best joined whole; 0 for loops side by side in a plane.
+pub fn squareness(points: &[DVec3], planes: &Planes) -> f64 {
+    let n = points.len();
+    let centre = centre(points);
+    let area: DVec3 = (0..n).map(|i| (points[i] - centre).cross(points[(i + 1) % n] - centre)).sum();
+    area.normalize_or_zero().dot(planes.normals[0].normalize_or_zero()).abs()
+}

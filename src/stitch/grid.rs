@@ -1,0 +1,151 @@
+//! The paper's matrix P: rows of vertices between the rims, one column for each meridian, and the faces between them.
+//!
+//! Row 0 lists the vertices of rim A, meridian by meridian, the last row those of rim B; both repeat a vertex where several
+//! meridians meet in it. The rows between divide each meridian evenly; their vertices are new. Four neighbours in P make
+//! a quad, or a triangle where P repeats a vertex. Of a closed band the last column is the first again.
+//!
+//! Rim A runs with its surface on the left, rim B the opposite way (so that they run side by side): the old faces run
+//! A_i -> A_i+1 and B_j+1 -> B_j, so the new ones run P(r, c+1) -> P(r, c) -> P(r+1, c) -> P(r+1, c+1).
+
+use super::meridian::Pair;
+use super::rim::{Bridges, Rim};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::mesh::MAX_ELEMENTS;
+use glam::DVec3;
+
+/// The matrix, in the strip's own numbers: rim A's vertices, then rim B's, then the new ones row by row.
+pub(super) struct Grid {
+    /// Interior rows.
+    rows: usize,
+    columns: usize,
+    /// Columns that differ: one less than all if the band is closed.
+    distinct: usize,
+    /// (rows + 2) x columns.
+    pub(super) matrix: Vec<u32>,
+    /// The positions of all vertices, in the rims' unit.
+    pub(super) points: Vec<DVec3>,
+    /// Of each new vertex: its column, and how far it is on the way from A to B.
+    pub(super) new: Vec<(usize, f64)>,
+}
+
+/// Faces one after another: the corners, and where each face's start.
+pub(super) struct FaceList {
+    pub(super) offsets: Vec<u32>,
+    pub(super) corners: Vec<u32>,
+}
+
+impl Grid {
+    /// The matrix over `pairs` with `rows` interior rows.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub(super) fn new(a: &Rim, b: &Rim, pairs: &[Pair], rows: u32) -> Result<Grid> {
+        let (n, m) = (a.vertices.len(), b.vertices.len());
+        let columns = pairs.len();
+        // A single meridian makes no face: nothing is put on it.
+        let rows = if columns < 2 { 0 } else { rows as usize };
+        let distinct = if a.closed { columns - 1 } else { columns };
+        let total = (rows as u64 + 2) * columns as u64 + (n + m) as u64;
+        if 4 * total > MAX_ELEMENTS {
+            return Err(Error::TooLarge { what: "corners of the strip", count: 4 * total, limit: MAX_ELEMENTS });
+        }
+        let mut grid = Grid {
+            rows,
+            columns,
+            distinct,
+            matrix: alloc::with_capacity((rows + 2) * columns)?,
+            points: alloc::with_capacity(n + m + rows * distinct)?,
+            new: alloc::with_capacity(rows * distinct)?,
+        };
+        grid.points.extend(a.points.iter().chain(&b.points));
+        grid.matrix.extend(pairs.iter().map(|&[i, _]| i % n as u32));
+        for row in 1..=rows {
+            let t = row as f64 / (rows + 1) as f64;
+            for (column, &[i, j]) in pairs[..distinct].iter().enumerate() {
+                grid.matrix.push(grid.points.len() as u32);
+                grid.points.push(a.at(i).lerp(b.at(j), t));
+                grid.new.push((column, t));
+            }
+            if a.closed {
+                grid.matrix.push(grid.matrix[row * columns]);
+            }
+        }
+        grid.matrix.extend(pairs.iter().map(|&[_, j]| n as u32 + j % m as u32));
+        Ok(grid)
+    }
+
+    fn at(&self, row: usize, column: usize) -> u32 {
+        self.matrix[row * self.columns + column]
+    }
+
+    /// The two parents of the new vertices, by their own numbers: a vertex of rim A and one of rim B.
+    pub(super) fn parents(&self) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
+        self.new.iter().map(|&(column, _)| [self.at(0, column), self.at(self.rows + 1, column)])
+    }
+
+    /// The faces, meridian by meridian from A to B. `quads`: four different neighbours stay one face; else they are split by
+    /// the shorter diagonal.
+    ///
+    /// # Errors
+    /// [`Error::NoStrip`] if a meridian without interior vertices, or both diagonals of a quad there, repeat an edge that
+    /// the mesh already has.
+    pub(super) fn faces(&self, a: &Rim, b: &Rim, bridges: &Bridges, quads: bool) -> Result<FaceList> {
+        let n = a.vertices.len() as u32;
+        let bridges = (self.rows == 0 && !bridges.is_empty()).then_some(bridges);
+        // P's numbers are below n on A, and there are no others than A's and B's if there are no interior rows.
+        let taken = |p: u32, q: u32| {
+            let (i, j) = (p.min(q), p.max(q));
+            bridges.is_some_and(|bridges| bridges.has(a.vertices[i as usize], b.vertices[(j - n) as usize]))
+        };
+        let blocked = |p: u32| Err(Error::NoStrip { vertex: a.vertices[p.min(n - 1) as usize] });
+        let squared = |p: u32, q: u32| self.points[p as usize].distance_squared(self.points[q as usize]);
+
+        let cells = (self.columns - 1) * (self.rows + 1);
+        let mut list =
+            FaceList { offsets: alloc::with_capacity(2 * cells + 1)?, corners: alloc::with_capacity(6 * cells)? };
+        list.offsets.push(0);
+        for column in 0..self.distinct {
+            if taken(self.at(0, column), self.at(self.rows + 1, column)) {
+                return blocked(self.at(0, column));
+            }
+        }
+        for column in 0..self.columns - 1 {
+            for row in 0..=self.rows {
+                let [p, q] = [self.at(row, column + 1), self.at(row, column)];
+                let [r, s] = [self.at(row + 1, column), self.at(row + 1, column + 1)];
+                match (p == q, r == s) {
+                    (true, true) => {}
+                    (true, false) => list.push(&[q, r, s]),
+                    (false, true) => list.push(&[p, q, r]),
+                    (false, false) if quads => list.push(&[p, q, r, s]),
+                    (false, false) => match (taken(p, r), taken(q, s)) {
+                        (true, true) => return blocked(q),
+                        (pr_taken, qs_taken) => {
+                            if !pr_taken && (qs_taken || squared(p, r) <= squared(q, s)) {
+                                list.push(&[p, q, r]);
+                                list.push(&[p, r, s]);
+                            } else {
+                                list.push(&[p, q, s]);
+                                list.push(&[q, r, s]);
+                            }
+                        }
+                    },
+                }
+            }
+        }
+        Ok(list)
+    }
+}
+
+impl FaceList {
+    /// Room for every face was made at the start.
+    fn push(&mut self, face: &[u32]) {
+        self.corners.extend_from_slice(face);
+        self.offsets.push(self.corners.len() as u32);
+    }
+
+    pub(super) fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        self.offsets.windows(2).map(|w| &self.corners[w[0] as usize..w[1] as usize])
+    }
+}

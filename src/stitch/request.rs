@@ -1,0 +1,128 @@
+//! What a caller asks for, and what comes back.
+
+use super::combine::IndexMap;
+use super::extent::Extent;
+use super::facing::Run;
+use super::meridian::Pair;
+use super::quality::Quality;
+use crate::mesh::{Mesh, MeshView};
+use std::ops::Range;
+
+/// How meridians are chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Meridians {
+    /// The strip of least area, by exact dynamic programming: O(N M).
+    #[default]
+    MinArea,
+    /// The paper's rule by index: O(N + M). Good for evenly spaced rims.
+    Index,
+}
+
+/// What happens if the second piece is oriented against the first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Orientation {
+    /// Its faces are turned over. Two loops of one connected piece are taken as they are: turning is no way out there.
+    #[default]
+    Fix,
+    /// [`Error::OrientationConflict`](crate::Error::OrientationConflict).
+    Refuse,
+    /// The rims are not compared: the faces are taken to be right as they are.
+    Keep,
+}
+
+/// How many rows of new vertices lie between the rims.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rows {
+    /// None: every meridian is one edge.
+    #[default]
+    None,
+    /// So many that the parts of a meridian are, in the mean, about as long as the mean side of the faces of both pieces, as the
+    /// paper suggests: max(0, round(mean meridian / mean side) - 1).
+    MeanEdge,
+    /// This many.
+    Count(u32),
+}
+
+/// What the strip is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Cells {
+    /// Triangles throughout; quads are split by their shorter diagonals.
+    #[default]
+    Triangles,
+    /// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
+    Quads,
+}
+
+/// How to stitch.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// The choice of meridians.
+    pub meridians: Meridians,
+    /// What to do about a second piece that is inside out.
+    pub orientation: Orientation,
+    /// The first meridian of a closed band joins the closest pair; with a twist, the vertex of rim B that comes this many places
+    /// later, counted in the direction in which rim A runs (negative: earlier). Must be 0 if arcs are joined.
+    pub twist: i64,
+    /// How much of the loops is joined.
+    pub extent: Extent,
+    /// Which run of facing vertices is taken, where there are several.
+    pub run: Run,
+    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions; `None` for what
+    /// round-off can do.
+    pub tolerance: Option<f64>,
+    /// Interior rows.
+    pub rows: Rows,
+    /// Triangles or quads.
+    pub cells: Cells,
+}
+
+/// What to stitch: two loops of two meshes, or of one.
+///
+/// A loop is the list of its vertices in order, in either direction, each consecutive pair (and the last with the first)
+/// being an edge with exactly one face. `None` leaves the choice open: the nearest loops are taken, see
+/// [`stitch()`](super::stitch()).
+#[derive(Clone, Copy)]
+pub struct Request<'a> {
+    /// The first piece.
+    pub a: &'a MeshView<'a>,
+    /// Its loop.
+    pub loop_a: Option<&'a [u32]>,
+    /// The second piece; `None` if both loops are of the first.
+    pub b: Option<&'a MeshView<'a>>,
+    /// The second loop.
+    pub loop_b: Option<&'a [u32]>,
+}
+
+/// The result of stitching.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stitch {
+    /// Both pieces and the strip: vertices of A, then of B, then the new ones; faces of A, then of B, then the strip. Positions
+    /// are in the scalar type of A, and old ones keep their bits.
+    pub mesh: Mesh,
+    /// The strip alone: the N vertices of rim A in order, then the M of rim B, then the new ones, and its faces.
+    pub strip: Mesh,
+    /// Old indices to new ones, for each piece; the second is empty if there is only one piece.
+    pub maps: [IndexMap; 2],
+    /// The strip's faces in [`Stitch::mesh`].
+    pub strip_faces: Range<u32>,
+    /// The vertices of each rim in [`Stitch::mesh`], from the first meridian on, side by side: rim A has its surface on the
+    /// left, rim B on the right.
+    pub rims: [Vec<u32>; 2],
+    /// The strip is a closed band between whole loops; else it joins two arcs.
+    pub closed: bool,
+    /// The meridians as places (i, j) on the rims: the paper's matrix H. From (0, 0) to (N, M), place N being place 0 again, if
+    /// the band is closed, else to (N - 1, M - 1).
+    pub meridians: Vec<Pair>,
+    /// The paper's matrix P, row by row from rim A to rim B, one column for each meridian: vertices of [`Stitch::mesh`].
+    pub matrix: Vec<u32>,
+    /// Interior rows; the matrix has two rows more.
+    pub rows: u32,
+    /// Of each new vertex, the two vertices of [`Stitch::mesh`] that it lies between, on rim A and on rim B.
+    pub parents: Vec<[u32; 2]>,
+    /// Of each new vertex, the weight of its second parent; that of the first is 1 less this.
+    pub weights: Vec<f64>,
+    /// The second piece was turned over.
+    pub turned: bool,
+    /// Measures of the result.
+    pub quality: Quality,
+}
