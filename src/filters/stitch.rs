@@ -86,7 +86,7 @@ pub(super) const FILTER: Filter = Filter {
                    round-off can do.",
             kind: ParamKind::Real,
             min: -1.0,
-            max: f64::MAX,
+            max: 1e15,
             default: &[-1.0],
             step: 0.0,
             choices: &[],
