@@ -81,9 +81,13 @@ pub struct Facing {
 /// `tolerance`: a vertex must be farther from its plane than this, in the unit of the points.
 ///
 /// # Errors
-/// [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance; [`Error::OutOfMemory`].
+/// [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the centres are no farther apart than
+/// that; [`Error::OutOfMemory`].
 pub fn facing(a: &[DVec3], b: &[DVec3], tolerance: f64, run: Run) -> Result<Facing> {
     let planes = Planes::of(a, b);
+    if planes.normals[0].length() <= tolerance {
+        return Err(Error::PlanesUndecided { side: Side::A });
+    }
     let mut runs = [Vec::new(), Vec::new()];
     for (side, points) in [(Side::A, a), (Side::B, b)] {
         let faces = alloc::collect(points.iter().map(|&p| planes.distance(side, p) > tolerance))?;
