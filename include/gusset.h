@@ -2,7 +2,9 @@
  *
  * Every function is reentrant. Pointers are to the caller's own arrays unless said otherwise; counts are in elements,
  * strides in bytes, angles in radians, lengths in the unit of the positions, indices from 0.
- * Structs that begin with struct_size: set it to sizeof the struct, all other fields to 0 for the defaults.
+ * Structs that begin with struct_size: set it to sizeof the struct, all other fields to 0 for the defaults:
+ *     gusset_stitch_options options = {0};
+ *     options.struct_size = sizeof options;
  */
 
 #ifndef GUSSET_H

@@ -17,6 +17,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -339,6 +340,75 @@ private:
     std::unique_ptr<gusset_boundary, Destroy> boundary_;
 };
 
+enum class Winding : uint32_t {
+    counter_clockwise = GUSSET_FACES_COUNTER_CLOCKWISE,
+    clockwise = GUSSET_FACES_CLOCKWISE
+};
+
+/// Winged-edge tables; see gusset_winged_create.
+class Winged {
+public:
+    explicit Winged(const MeshView &mesh, Winding winding = Winding::counter_clockwise,
+                    const Context &context = Context()) {
+        gusset_winged_options given{};
+        given.struct_size = sizeof given;
+        given.winding = static_cast<uint32_t>(winding);
+        gusset_winged *created = nullptr;
+        context.call([&](gusset_context *c) { return gusset_winged_create(c, &mesh.get(), &given, &created); });
+        winged_.reset(created);
+    }
+    Span<const gusset_winged_edge> edges() const {
+        const gusset_winged_view found = view();
+        return {found.edges, found.edge_count};
+    }
+    Indices edge_of_half_edge() const { return detail::indices(view().edge_of_half_edge); }
+    Indices edge_of_face() const { return detail::indices(view().edge_of_face); }
+    Indices edge_of_vertex() const { return detail::indices(view().edge_of_vertex); }
+    /// Loops of free edges, found on the tables: loop i has the vertices from loop_offsets()[i] to loop_offsets()[i + 1].
+    Indices loop_vertices() const { return detail::indices(view().loop_vertices); }
+    Indices loop_edges() const { return detail::indices(view().loop_edges); }
+    Indices loop_offsets() const { return detail::indices(view().loop_offsets); }
+
+private:
+    struct Destroy {
+        void operator()(gusset_winged *winged) const noexcept { gusset_winged_destroy(winged); }
+    };
+    gusset_winged_view view() const {
+        gusset_winged_view view{};
+        view.struct_size = sizeof view;
+        detail::check(gusset_winged_tables(winged_.get(), &view));
+        return view;
+    }
+    std::unique_ptr<gusset_winged, Destroy> winged_;
+};
+
+/// What is wrong or unusual in a mesh; see gusset_check_report, whose lists live as long as this.
+class Check {
+public:
+    explicit Check(const MeshView &mesh, const Context &context = Context()) {
+        gusset_check *created = nullptr;
+        context.call([&](gusset_context *c) { return gusset_check_create(c, &mesh.get(), &created); });
+        check_.reset(created);
+    }
+    gusset_check_report report() const {
+        gusset_check_report report{};
+        report.struct_size = sizeof report;
+        detail::check(gusset_check_view(check_.get(), &report));
+        return report;
+    }
+    bool is_closed() const { return has(GUSSET_MESH_CLOSED); }
+    bool is_manifold() const { return has(GUSSET_MESH_MANIFOLD); }
+    bool is_oriented() const { return has(GUSSET_MESH_ORIENTED); }
+    bool is_orientable() const { return has(GUSSET_MESH_ORIENTABLE); }
+
+private:
+    struct Destroy {
+        void operator()(gusset_check *check) const noexcept { gusset_check_destroy(check); }
+    };
+    bool has(uint32_t property) const { return (report().properties & property) != 0; }
+    std::unique_ptr<gusset_check, Destroy> check_;
+};
+
 enum class Meridians : uint32_t { min_area = GUSSET_MERIDIANS_MIN_AREA, index = GUSSET_MERIDIANS_INDEX };
 enum class Orientation : uint32_t {
     fix = GUSSET_ORIENTATION_FIX,
@@ -346,11 +416,43 @@ enum class Orientation : uint32_t {
     keep = GUSSET_ORIENTATION_KEEP
 };
 
+enum class Extent : uint32_t {
+    whole_loops = GUSSET_EXTENT_WHOLE_LOOPS,
+    open_arcs = GUSSET_EXTENT_OPEN_ARCS,
+    automatic = GUSSET_EXTENT_AUTO,
+    arcs = GUSSET_EXTENT_ARCS
+};
+enum class Run : uint32_t { closest = GUSSET_RUN_CLOSEST, longest = GUSSET_RUN_LONGEST };
+enum class Cells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
+
+/// Interior rows: none, by the mean edge, or a number.
+struct Rows {
+    uint32_t mode = GUSSET_ROWS_NONE;
+    uint32_t count = 0;
+    static Rows none() { return {}; }
+    static Rows mean_edge() { return {GUSSET_ROWS_MEAN_EDGE, 0}; }
+    static Rows exactly(uint32_t count) { return {GUSSET_ROWS_COUNT, count}; }
+};
+
+/// An arc of a loop: its first place and its number of vertices.
+struct Arc {
+    uint32_t first = 0;
+    uint32_t count = 0;
+};
+
 /// How to stitch; see gusset_stitch_options.
 struct StitchOptions {
     Meridians meridians = Meridians::min_area;
     Orientation orientation = Orientation::fix;
     int64_t twist = 0;
+    Extent extent = Extent::whole_loops;
+    Run run = Run::closest;
+    Rows rows;
+    Cells cells = Cells::triangles;
+    /// Nothing: what round-off can do.
+    std::optional<double> tolerance;
+    /// For Extent::arcs.
+    Arc arc_a, arc_b;
 };
 
 /// A finished stitch: the whole mesh, the strip, and where everything went. Made by stitch() and stitch_within().
@@ -378,6 +480,17 @@ public:
         const gusset_stitch_parts found = parts();
         return {found.strip_face_first, found.strip_face_count};
     }
+    /// The paper's matrix P, row by row: (row_count() + 2) rows of as many vertices as there are meridians.
+    Indices matrix() const { return detail::indices(parts().matrix); }
+    uint32_t row_count() const { return parts().row_count; }
+    /// Of each new vertex its two parents, by turns, and the weight of the second.
+    Indices parents() const { return detail::indices(parts().parents); }
+    Span<const double> weights() const {
+        const gusset_stitch_parts found = parts();
+        return {found.weights, found.parents.count / 2};
+    }
+    /// True if the strip is a closed band between whole loops.
+    bool is_closed_band() const { return parts().closed != 0; }
     /// True if the second piece was turned over.
     bool turned() const { return parts().turned != 0; }
 
@@ -389,6 +502,17 @@ public:
         given.meridians = static_cast<uint32_t>(options.meridians);
         given.orientation = static_cast<uint32_t>(options.orientation);
         given.twist = options.twist;
+        given.extent = static_cast<uint32_t>(options.extent);
+        given.run = static_cast<uint32_t>(options.run);
+        given.rows = options.rows.mode;
+        given.row_count = options.rows.count;
+        given.cells = static_cast<uint32_t>(options.cells);
+        given.tolerance_mode = options.tolerance ? GUSSET_TOLERANCE_GIVEN : GUSSET_TOLERANCE_AUTO;
+        given.tolerance = options.tolerance.value_or(0.0);
+        given.arc_a[0] = options.arc_a.first;
+        given.arc_a[1] = options.arc_a.count;
+        given.arc_b[0] = options.arc_b.first;
+        given.arc_b[1] = options.arc_b.count;
         const auto as_c = [](const Indices *loop) {
             return loop != nullptr ? gusset_indices{loop->data(), loop->size()} : gusset_indices{nullptr, 0};
         };

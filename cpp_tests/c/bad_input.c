@@ -26,9 +26,14 @@ static void refused(gusset_mesh_view mesh, gusset_status status, gusset_element 
     const gusset_mesh_view good = pyramid(pyramid_down);
     gusset_boundary *boundary = (gusset_boundary *)misaligned();
     gusset_stitch *stitch = (gusset_stitch *)misaligned();
+    gusset_winged *winged = (gusset_winged *)misaligned();
+    gusset_check *check = (gusset_check *)misaligned();
     gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     const int before = failures;
 
+    EXPECT(status, gusset_winged_create(context, &mesh, NULL, &winged));
+    EXPECT(status, gusset_check_create(context, &mesh, &check));
+    CHECK(winged == NULL && check == NULL);
     EXPECT(status, gusset_boundary_create(context, &mesh, NULL, &boundary));
     CHECK(boundary == NULL);
     EXPECT(GUSSET_OK, gusset_context_report(context, &report));
@@ -179,10 +184,21 @@ static void boundary_pointers(void) {
     gusset_boundary_destroy(NULL);
 }
 
+/* Stitching two good meshes with these options, all others 0, has this status. */
+#define OPTION(change, status)                                                                                         \
+    do {                                                                                                               \
+        memset(&options, 0, sizeof options);                                                                           \
+        options.struct_size = sizeof options;                                                                          \
+        change;                                                                                                        \
+        stitch = (gusset_stitch *)misaligned();                                                                        \
+        EXPECT(status, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));                      \
+        CHECK(stitch == NULL);                                                                                         \
+    } while (0)
+
 /* Pointers and options of gusset_stitch_create and its readers. */
 static void stitch_pointers(void) {
     const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
-    gusset_stitch_options options = {sizeof options, 0, 0, 0};
+    gusset_stitch_options options = {0};
     gusset_indices loop = {NULL, 4};
     gusset_stitch *stitch = (gusset_stitch *)misaligned();
     gusset_mesh_view view;
@@ -205,6 +221,7 @@ static void stitch_pointers(void) {
            gusset_stitch_create(context, &up, NULL, &down, NULL, misaligned(), &stitch));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
            gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, misaligned()));
+    options.struct_size = sizeof options;
     options.meridians = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
     options.meridians = 0, options.orientation = 3;
@@ -212,6 +229,24 @@ static void stitch_pointers(void) {
     options.struct_size = 1;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
     CHECK(stitch == NULL);
+    OPTION(options.extent = 4, GUSSET_ERROR_UNKNOWN_VALUE);
+    OPTION(options.run = 2, GUSSET_ERROR_UNKNOWN_VALUE);
+    OPTION(options.rows = 3, GUSSET_ERROR_UNKNOWN_VALUE);
+    OPTION(options.cells = 2, GUSSET_ERROR_UNKNOWN_VALUE);
+    OPTION(options.tolerance_mode = 2, GUSSET_ERROR_UNKNOWN_VALUE);
+    OPTION((options.tolerance_mode = 1, options.tolerance = NAN), GUSSET_ERROR_OUT_OF_RANGE);
+    OPTION((options.tolerance_mode = 1, options.tolerance = -1.0), GUSSET_ERROR_OUT_OF_RANGE);
+    OPTION((options.tolerance_mode = 1, options.tolerance = INFINITY), GUSSET_ERROR_OUT_OF_RANGE);
+    OPTION(options.extent = GUSSET_EXTENT_ARCS, GUSSET_ERROR_OUT_OF_RANGE);
+    OPTION((options.extent = GUSSET_EXTENT_ARCS, options.arc_a[0] = 4, options.arc_a[1] = options.arc_b[1] = 1),
+           GUSSET_ERROR_OUT_OF_RANGE);
+    OPTION((options.extent = GUSSET_EXTENT_ARCS, options.arc_a[1] = 1, options.arc_b[1] = UINT32_MAX),
+           GUSSET_ERROR_OUT_OF_RANGE);
+    OPTION((options.extent = GUSSET_EXTENT_ARCS, options.arc_a[1] = options.arc_b[1] = 2, options.twist = 1),
+           GUSSET_ERROR_OUT_OF_RANGE);
+    /* The rims of the pyramids are coaxial. */
+    OPTION(options.extent = GUSSET_EXTENT_OPEN_ARCS, GUSSET_ERROR_PLANES_UNDECIDED);
+    OPTION((options.rows = GUSSET_ROWS_COUNT, options.row_count = UINT32_MAX), GUSSET_ERROR_TOO_LARGE);
 
     EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, &stitch));
     memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
@@ -247,6 +282,59 @@ static void stitch_pointers(void) {
     gusset_stitch_destroy(NULL);
 }
 
+/* Pointers of winged-edge tables and of the check. */
+static void table_pointers(void) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    gusset_winged_options options = {0};
+    gusset_winged *winged = (gusset_winged *)misaligned();
+    gusset_winged_view tables;
+    gusset_check *check = (gusset_check *)misaligned();
+    gusset_check_report report;
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_create(context, NULL, NULL, &winged));
+    CHECK(winged == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_create(context, &mesh, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_create(misaligned(), &mesh, NULL, &winged));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_create(context, misaligned(), NULL, &winged));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_create(context, &mesh, misaligned(), &winged));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_create(context, &mesh, NULL, misaligned()));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_winged_create(context, &mesh, &options, &winged));
+    options.struct_size = sizeof options, options.winding = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_winged_create(context, &mesh, &options, &winged));
+    options.winding = 1, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_winged_create(context, &mesh, &options, &winged));
+    options.reserved = 0;
+    EXPECT(GUSSET_OK, gusset_winged_create(context, &mesh, &options, &winged));
+    memset(&tables, 0xff, sizeof tables), tables.struct_size = sizeof tables;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_tables(NULL, &tables));
+    CHECK(tables.edges == NULL && tables.edge_count == 0 && tables.loop_offsets.data == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_tables(winged, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_tables(misaligned(), &tables));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_tables(winged, misaligned()));
+    tables.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_winged_tables(winged, &tables));
+    gusset_winged_destroy(winged);
+    gusset_winged_destroy(NULL);
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_check_create(context, NULL, &check));
+    CHECK(check == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_check_create(context, &mesh, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_create(misaligned(), &mesh, &check));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_create(context, misaligned(), &check));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_create(context, &mesh, misaligned()));
+    EXPECT(GUSSET_OK, gusset_check_create(context, &mesh, &check));
+    memset(&report, 0xff, sizeof report), report.struct_size = sizeof report;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_check_view(NULL, &report));
+    CHECK(report.edge_count == 0 && report.genus == 0 && report.unused_vertices.data == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_check_view(check, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_view(misaligned(), &report));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_view(check, misaligned()));
+    report.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_check_view(check, &report));
+    gusset_check_destroy(check);
+    gusset_check_destroy(NULL);
+}
+
 /* Loop B, or the pieces, are refused with this status; the report names the element. */
 static void unstitchable(const gusset_mesh_view *a, const gusset_indices *loop_a, const gusset_mesh_view *b,
                          const gusset_indices *loop_b, const gusset_stitch_options *options, gusset_status status,
@@ -273,9 +361,11 @@ static void loops(void) {
     uint32_t places[5] = {1, 2, 3, 4, 1};
     char bytes[1 + sizeof places];
     gusset_indices loop = {places, 4};
-    gusset_stitch_options refuse = {sizeof refuse, 0, GUSSET_ORIENTATION_REFUSE, 0};
+    gusset_stitch_options refuse = {0};
     gusset_stitch *stitch = NULL;
 
+    refuse.struct_size = sizeof refuse;
+    refuse.orientation = GUSSET_ORIENTATION_REFUSE;
     closed.face_corners = closed_faces;
     unstitchable(&up, NULL, &closed, NULL, NULL, GUSSET_ERROR_NO_LOOP, GUSSET_ELEMENT_NONE, 0, 1);
     unstitchable(&closed, NULL, &up, NULL, NULL, GUSSET_ERROR_NO_LOOP, GUSSET_ELEMENT_NONE, 0, 0);
@@ -408,6 +498,7 @@ int main(void) {
     meshes();
     boundary_pointers();
     stitch_pointers();
+    table_pointers();
     loops();
     odd_addresses();
     later_versions();

@@ -13,8 +13,13 @@ static void layouts(void) {
         CHECK(sizeof(gusset_loop_view) == 80 && offsetof(gusset_loop_view, length) == 64);
         CHECK(sizeof(gusset_defect) == 16);
         CHECK(sizeof(gusset_report) == 40 && offsetof(gusset_report, value) == 24);
-        CHECK(sizeof(gusset_stitch_options) == 24 && offsetof(gusset_stitch_options, twist) == 16);
-        CHECK(sizeof(gusset_stitch_parts) == 144 && offsetof(gusset_stitch_parts, turned) == 136);
+        CHECK(sizeof(gusset_stitch_options) == 72 && offsetof(gusset_stitch_options, twist) == 16);
+        CHECK(sizeof(gusset_stitch_parts) == 192 && offsetof(gusset_stitch_parts, turned) == 184);
+        CHECK(offsetof(gusset_stitch_options, tolerance) == 48 && offsetof(gusset_stitch_options, arc_b) == 64);
+        CHECK(sizeof(gusset_winged_options) == 16);
+        CHECK(sizeof(gusset_winged_edge) == 36 && offsetof(gusset_winged_edge, marks) == 32);
+        CHECK(sizeof(gusset_winged_view) == 120 && offsetof(gusset_winged_view, loop_offsets) == 104);
+        CHECK(sizeof(gusset_check_report) == 192 && offsetof(gusset_check_report, unused_vertices) == 176);
         CHECK(sizeof(gusset_quality) == 56 && offsetof(gusset_quality, loops_left) == 44);
     }
 }
@@ -49,13 +54,16 @@ static void stitch_two_pyramids(gusset_context *context) {
     const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
     const uint32_t rim[4] = {3, 2, 1, 4};
     const gusset_indices loop = {rim, 4};
-    gusset_stitch_options options = {sizeof options, GUSSET_MERIDIANS_INDEX, GUSSET_ORIENTATION_REFUSE, 0};
+    gusset_stitch_options options = {0};
     gusset_mesh_view whole = {sizeof whole, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0}, strip = whole;
     gusset_stitch_parts parts;
     gusset_quality quality;
     gusset_stitch *stitch = NULL;
     int round;
 
+    options.struct_size = sizeof options;
+    options.meridians = GUSSET_MERIDIANS_INDEX;
+    options.orientation = GUSSET_ORIENTATION_REFUSE;
     for (round = 0; round < 2; ++round) {
         if (round == 0) {
             EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, &stitch));
@@ -90,6 +98,65 @@ static void stitch_two_pyramids(gusset_context *context) {
         CHECK(fabs(quality.max_aspect - (1.0 + sqrt(3.0) + sqrt(2.0)) / (2.0 * sqrt(2.0))) < 1e-12);
         gusset_stitch_destroy(stitch);
     }
+}
+
+/* Facing arcs of two squares in a plane, two rows of quads between them. */
+static void stitch_arcs(void) {
+    static const double left[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    static const double right[4][3] = {{4, 0, 0}, {5, 0, 0}, {5, 1, 0}, {4, 1, 0}};
+    const uint32_t face[4] = {0, 1, 2, 3};
+    gusset_mesh_view a = pyramid(pyramid_up), b = a;
+    gusset_stitch_options options = {0};
+    gusset_stitch_parts parts = {0};
+    gusset_stitch *stitch = NULL;
+
+    a.positions = left, b.positions = right;
+    a.face_corners = b.face_corners = face;
+    a.vertex_count = b.vertex_count = 4, a.face_count = b.face_count = 1, a.face_size = b.face_size = 4;
+    options.struct_size = sizeof options;
+    options.extent = GUSSET_EXTENT_OPEN_ARCS;
+    options.rows = GUSSET_ROWS_MEAN_EDGE;
+    options.cells = GUSSET_CELLS_QUADS;
+    options.meridians = GUSSET_MERIDIANS_INDEX;
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_stitch_create(NULL, &a, NULL, &b, NULL, &options, &stitch));
+    EXPECT(GUSSET_OK, gusset_stitch_view(stitch, &parts));
+    CHECK(parts.closed == 0 && parts.row_count == 2 && parts.strip_face_count == 3);
+    CHECK(parts.rim[0].count == 2 && parts.rim[1].count == 2 && parts.meridians.count == 4 && parts.matrix.count == 8);
+    CHECK(parts.parents.count == 8 && parts.weights != NULL && fabs(parts.weights[0] - 1.0 / 3.0) < 1e-15);
+    CHECK(parts.parents.data[0] == parts.rim[0].data[0] && parts.parents.data[1] == parts.rim[1].data[0]);
+    CHECK(parts.matrix.data[2] == 8 && parts.matrix.data[5] == 11);
+    gusset_stitch_destroy(stitch);
+}
+
+static void tables_and_check(void) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    gusset_winged *winged = NULL;
+    gusset_winged_view tables = {0};
+    gusset_check *check = NULL;
+    gusset_check_report report = {0};
+    size_t i;
+
+    EXPECT(GUSSET_OK, gusset_winged_create(NULL, &mesh, NULL, &winged));
+    tables.struct_size = sizeof tables;
+    EXPECT(GUSSET_OK, gusset_winged_tables(winged, &tables));
+    CHECK(tables.edge_count == 8 && tables.edge_of_half_edge.count == 12 && tables.edge_of_face.count == 4);
+    CHECK(tables.loop_offsets.count == 2 && tables.loop_vertices.count == 4 && tables.loop_edges.count == 4);
+    for (i = 0; i < tables.loop_edges.count; ++i) {
+        const gusset_winged_edge *edge = &tables.edges[tables.loop_edges.data[i]];
+        /* Stored counter-clockwise: the face that runs the edge is on its left. */
+        CHECK(edge->m == tables.loop_vertices.data[i] && edge->left != UINT32_MAX && edge->right == UINT32_MAX);
+    }
+    gusset_winged_destroy(winged);
+
+    EXPECT(GUSSET_OK, gusset_check_create(NULL, &mesh, &check));
+    report.struct_size = sizeof report;
+    EXPECT(GUSSET_OK, gusset_check_view(check, &report));
+    CHECK(report.vertex_count == 5 && report.edge_count == 8 && report.face_count == 4 && report.euler == 1);
+    CHECK(report.properties == (GUSSET_MESH_MANIFOLD | GUSSET_MESH_ORIENTED | GUSSET_MESH_ORIENTABLE));
+    CHECK(report.component_count == 1 && report.boundary_walk_count == 1 && report.genus == 0);
+    CHECK(report.boundary_edges.count == 4 && report.bow_ties.count == 0);
+    gusset_check_destroy(check);
 }
 
 static int count_steps(void *user, double fraction, const char *stage) {
@@ -147,6 +214,8 @@ int main(void) {
     layouts();
     loop_of_a_pyramid();
     stitch_two_pyramids(NULL);
+    stitch_arcs();
+    tables_and_check();
     context_of_a_call();
     return failures != 0;
 }

@@ -37,6 +37,16 @@ std::vector<DataFile> data_files() {
         DataFile file;
         file.name = found[1];
         file.path = *folder + "/" + file.name;
+        file.vertices = number(numbers, R"(V=(\d+))");
+        file.faces = number(numbers, R"(F=(\d+))");
+        file.components = number(numbers, R"(comps=(\d+))");
+        file.unused = number(numbers, R"(unused=(\d+))");
+        file.euler = numbers.find("chi=-") != std::string::npos ? -long(number(numbers, R"(chi=-(\d+))"))
+                                                                : long(number(numbers, R"(chi=(\d+))"));
+        file.manifold = numbers.find("NON-manifold") == std::string::npos;
+        file.orientable = numbers.find("NON-orientable") == std::string::npos;
+        file.non_manifold_edges = number(numbers, R"(NON-manifold \(edges (\d+))");
+        file.flipped_edges = number(numbers, R"((\d+) flipped edges)");
         file.boundary_edges = number(numbers, R"(b-edges (\d+))");
         if (numbers.find(" b-comps (") == std::string::npos) {
             file.walks = number(numbers, R"(loops=(\d+))");

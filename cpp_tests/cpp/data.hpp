@@ -11,6 +11,10 @@ struct DataFile {
     std::string path;
     /// Boundary loops walked fan by fan, or nothing where the manifest counts boundary components instead.
     std::optional<std::size_t> walks;
+    std::size_t vertices = 0, faces = 0, components = 0, unused = 0;
+    long euler = 0;
+    bool manifold = true, orientable = true;
+    std::size_t non_manifold_edges = 0, flipped_edges = 0;
     /// Edges with one face.
     std::size_t boundary_edges = 0;
     /// How many of those the largest connected parts of the boundary have, at most four parts.

@@ -60,7 +60,14 @@ private:
 };
 
 namespace detail {
-/// Adds faces `first` .. of `view`, whose vertex v is the host's vertices[v]; returns those that OpenMesh refuses.
+template <class Mesh>
+OpenMesh::VertexHandle add_vertex(Mesh &mesh, const std::array<double, 3> &p) {
+    using Point = typename Mesh::Point;
+    using Scalar = typename OpenMesh::vector_traits<Point>::value_type;
+    return mesh.add_vertex(Point(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2])));
+}
+
+/// Adds the faces of `view`, whose vertex v is the host's vertices[v]; returns those that OpenMesh refuses.
 template <class Mesh>
 std::vector<uint32_t> add_faces(Mesh &mesh, const MeshView &view, const std::vector<OpenMesh::VertexHandle> &vertices) {
     std::vector<uint32_t> refused;
@@ -82,14 +89,10 @@ std::vector<uint32_t> add_faces(Mesh &mesh, const MeshView &view, const std::vec
 /// Returns the faces that OpenMesh refused because it takes two-manifolds only: empty if all went in.
 template <class Mesh>
 std::vector<uint32_t> append(Mesh &mesh, const MeshView &result) {
-    using Point = typename Mesh::Point;
-    using Scalar = typename OpenMesh::vector_traits<Point>::value_type;
     std::vector<OpenMesh::VertexHandle> vertices;
     vertices.reserve(result.vertex_count());
     for (std::size_t v = 0; v < result.vertex_count(); ++v) {
-        const auto p = result.position(v);
-        vertices.push_back(mesh.add_vertex(
-            Point(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2]))));
+        vertices.push_back(detail::add_vertex(mesh, result.position(v)));
     }
     return detail::add_faces(mesh, result, vertices);
 }
@@ -102,14 +105,18 @@ std::vector<uint32_t> append_strip(Mesh &mesh, const Stitch &stitch) {
     if (stitch.turned() || !stitch.vertex_map(1).empty()) {
         throw std::invalid_argument("gusset: the strip does not fit: the stitch is of two meshes, or turned one over");
     }
-    // Of one mesh the vertices keep their numbers.
+    // Of one mesh the vertices keep their numbers; the strip's own come after those of its rims.
     std::vector<OpenMesh::VertexHandle> vertices;
     for (int side : {0, 1}) {
         for (uint32_t v : stitch.rim(side)) {
             vertices.push_back(OpenMesh::VertexHandle(static_cast<int>(v)));
         }
     }
-    return detail::add_faces(mesh, stitch.strip(), vertices);
+    const MeshView strip = stitch.strip();
+    for (std::size_t v = vertices.size(); v < strip.vertex_count(); ++v) {
+        vertices.push_back(detail::add_vertex(mesh, strip.position(v)));
+    }
+    return detail::add_faces(mesh, strip, vertices);
 }
 
 } // namespace gusset::openmesh

@@ -1,0 +1,180 @@
+// The same cases from two hosts, OpenMesh and CGAL: both take every face, and they agree.
+#include "host.hpp"
+#include "judge.hpp"
+
+#include <gusset/cgal.hpp>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+/// A curved sheet of `count` x 3 vertices from y = low to y = low + 1.
+Soup sheet(uint32_t count, double low) {
+    Soup soup;
+    for (uint32_t j = 0; j < 3; ++j) {
+        for (uint32_t i = 0; i < count; ++i) {
+            const double x = count == 1 ? 0.5 : double(i) / (count - 1);
+            soup.points.push_back({x, low + 0.5 * j, 0.2 * std::sin(3.0 * x)});
+        }
+    }
+    for (uint32_t j = 0; j < 2; ++j) {
+        for (uint32_t i = 0; i + 1 < count; ++i) {
+            const uint32_t v = j * count + i;
+            soup.add_face({v, v + 1, v + count + 1, v + count});
+        }
+    }
+    return soup;
+}
+
+/// A tube round the z axis of `n` sides from z = low to z = low + 1, faces outwards.
+Soup tube(uint32_t n, double low) {
+    Soup soup;
+    for (uint32_t j = 0; j < 3; ++j) {
+        for (uint32_t i = 0; i < n; ++i) {
+            const double t = 2.0 * M_PI * i / n;
+            soup.points.push_back({std::cos(t), std::sin(t), low + 0.5 * j});
+        }
+    }
+    for (uint32_t j = 0; j < 2; ++j) {
+        for (uint32_t i = 0; i < n; ++i) {
+            const uint32_t a = j * n + i, b = j * n + (i + 1) % n;
+            soup.add_face({a, b, b + n, a + n});
+        }
+    }
+    return soup;
+}
+
+bool same(const gusset::MeshView &a, const gusset::MeshView &b) {
+    if (a.vertex_count() != b.vertex_count() || a.face_count() != b.face_count()) {
+        return false;
+    }
+    for (std::size_t v = 0; v < a.vertex_count(); ++v) {
+        if (a.position(v) != b.position(v)) {
+            return false;
+        }
+    }
+    for (std::size_t f = 0; f < a.face_count(); ++f) {
+        if (!std::equal(a.face(f).begin(), a.face(f).end(), b.face(f).begin(), b.face(f).end())) {
+            return false;
+        }
+    }
+    return true;
+}
+
+CgalMesh cgal_mesh(const Soup &soup) {
+    CgalMesh mesh;
+    REQUIRE(gusset::cgal::append(mesh, soup.view()).empty());
+    return mesh;
+}
+
+/// Stitches from both hosts, gives each its result, and has both accept every face of it.
+void agree(const Soup &a, const Soup &b, const gusset::StitchOptions &options, std::size_t boundaries) {
+    const auto om_a = host_mesh(a), om_b = host_mesh(b);
+    REQUIRE((om_a && om_b));
+    const CgalMesh cg_a = cgal_mesh(a), cg_b = cgal_mesh(b);
+    // A face may start at another corner in each host, so the loops are found in each; the strip is the same.
+    const gusset::openmesh::Input in_a(*om_a), in_b(*om_b);
+    const gusset::cgal::Input<Kernel::Point_3> input_a(cg_a), input_b(cg_b);
+    const gusset::Stitch by_openmesh = gusset::stitch(in_a.view(), in_b.view(), options);
+    const gusset::Stitch by_cgal = gusset::stitch(input_a.view(), input_b.view(), options);
+    CHECK(same(by_openmesh.strip(), by_cgal.strip()));
+
+    HostMesh openmesh;
+    CHECK(gusset::openmesh::append(openmesh, by_openmesh.mesh()).empty());
+    CHECK(walks(openmesh).size() == boundaries);
+    CgalMesh cgal;
+    CHECK(gusset::cgal::append(cgal, by_cgal.mesh()).empty());
+    CHECK(CGAL::is_valid_polygon_mesh(cgal));
+    const Verdict verdict = judge(by_cgal.mesh(), false);
+    CHECK(verdict.is_mesh);
+    CHECK(verdict.boundary.size() == boundaries);
+    const auto report = gusset::Check(by_cgal.mesh()).report();
+    CHECK(report.component_count == verdict.components);
+    CHECK(report.euler == verdict.euler);
+}
+} // namespace
+
+TEST_CASE("positions are read where CGAL keeps them, removed elements are not there") {
+    CgalMesh mesh = cgal_mesh(sheet(5, 0.0));
+    {
+        const gusset::cgal::Input<Kernel::Point_3> input(mesh);
+        CHECK(input.view().get().positions == static_cast<const void *>(&mesh.point(CgalMesh::Vertex_index(0))));
+        CHECK(gusset::Boundary(input.view()).size() == 1);
+    }
+    // Two faces at a corner, and the vertices that only they have.
+    CGAL::Euler::remove_face(mesh.halfedge(CgalMesh::Face_index(0)), mesh);
+    const gusset::cgal::Input<Kernel::Point_3> input(mesh);
+    CHECK(input.view().vertex_count() == 15);
+    CHECK(input.view().face_count() == 7);
+    CHECK(input.face(0) == CgalMesh::Face_index(1));
+    const gusset::Boundary boundary(input.view());
+    REQUIRE(boundary.size() == 1);
+    for (std::size_t i = 0; i < boundary[0].half_edges.size(); ++i) {
+        const auto v = input.vertex(boundary[0].vertices[i]);
+        const auto w = input.vertex(boundary[0].vertices[(i + 1) % boundary[0].vertices.size()]);
+        const auto h = mesh.halfedge(v, w);
+        CHECK(mesh.face(h) == input.face(boundary[0].faces[i]));
+        CHECK(mesh.is_border(mesh.opposite(h)));
+    }
+    using Simple = CGAL::Simple_cartesian<double>;
+    CGAL::Surface_mesh<Simple::Point_3> simple;
+    CHECK(gusset::cgal::append(simple, sheet(3, 0.0).view()).empty());
+    CHECK(gusset::Boundary(gusset::cgal::Input<Simple::Point_3>(simple).view()).size() == 1);
+}
+
+TEST_CASE("arcs and loops, rows, triangles and quads: both hosts take every face and agree") {
+    for (auto cells : {gusset::Cells::triangles, gusset::Cells::quads}) {
+        for (auto rule : {gusset::Meridians::min_area, gusset::Meridians::index}) {
+            for (uint32_t rows : {0u, 1u, 4u, 10u}) {
+                gusset::StitchOptions options;
+                options.cells = cells;
+                options.meridians = rule;
+                options.rows = gusset::Rows::exactly(rows);
+                for (auto [n, m] : {std::pair{3u, 3u}, {2u, 9u}, {9u, 2u}, {50u, 37u}, {21u, 50u}}) {
+                    CAPTURE(n);
+                    CAPTURE(m);
+                    CAPTURE(rows);
+                    options.extent = gusset::Extent::open_arcs;
+                    agree(sheet(n, 0.0), sheet(m, 2.5), options, 1);
+                    if (n >= 3 && m >= 3) {
+                        options.extent = gusset::Extent::whole_loops;
+                        agree(tube(n, 0.0), tube(m, 1.5), options, 2);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("the strip goes into the hosts' own meshes, new vertices too") {
+    Soup both = tube(12, 0.0);
+    const Soup high = tube(9, 1.5);
+    const auto first = static_cast<uint32_t>(both.points.size());
+    both.points.insert(both.points.end(), high.points.begin(), high.points.end());
+    for (std::size_t f = 0; f < high.face_count(); ++f) {
+        std::vector<uint32_t> face;
+        for (uint32_t v : high.view().face(f)) {
+            face.push_back(v + first);
+        }
+        both.add_face(face);
+    }
+    gusset::StitchOptions options;
+    options.rows = gusset::Rows::exactly(2);
+    CgalMesh cgal = cgal_mesh(both);
+    CHECK(gusset::cgal::append_strip(cgal, gusset::stitch_within(gusset::cgal::Input<Kernel::Point_3>(cgal).view(), options)).empty());
+    CHECK(CGAL::is_valid_polygon_mesh(cgal));
+    auto openmesh = host_mesh(both);
+    REQUIRE(openmesh);
+    CHECK(gusset::openmesh::append_strip(*openmesh, gusset::stitch_within(gusset::openmesh::Input(*openmesh).view(), options)).empty());
+    CHECK(openmesh->n_faces() == cgal.number_of_faces());
+    CHECK(openmesh->n_vertices() == cgal.number_of_vertices());
+    CHECK(walks(*openmesh).size() == 2);
+}
