@@ -1,0 +1,215 @@
+// Benchmarks: ours and the peers in turn, on the same arrays, in one run. Prints a table and writes a report.
+#include "mesh.hpp"
+
+#include <gusset.hpp>
+
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CLI/CLI.hpp>
+#include <OpenMesh/Core/Mesh/DefaultTriMesh.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <map>
+
+namespace {
+using CgalMesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using OpenMeshMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
+
+/// What a contender found, so that nobody wins by doing less: loops, and their edges.
+struct Found {
+    std::size_t loops = 0, edges = 0;
+    bool operator==(const Found &other) const { return loops == other.loops && edges == other.edges; }
+};
+
+gusset::MeshView view(const Triangles &mesh) { return gusset::MeshView::triangles(mesh.points, mesh.corners); }
+
+Found by_gusset(const Triangles &mesh) {
+    const gusset::Boundary boundary(view(mesh));
+    Found found{boundary.walk_count(), 0};
+    for (const gusset::Loop loop : boundary) {
+        found.edges += loop.half_edges.size();
+    }
+    return found;
+}
+
+std::size_t winged_by_gusset(const Triangles &mesh) { return gusset::Winged(view(mesh)).edges().size(); }
+
+OpenMeshMesh openmesh(const Triangles &mesh) {
+    OpenMeshMesh built;
+    built.reserve(mesh.points.size(), mesh.points.size() + mesh.face_count(), mesh.face_count());
+    for (const auto &p : mesh.points) {
+        built.add_vertex({p[0], p[1], p[2]});
+    }
+    const auto v = [&](std::size_t c) { return OpenMesh::VertexHandle(static_cast<int>(mesh.corners[c])); };
+    for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
+        built.add_face(v(c), v(c + 1), v(c + 2));
+    }
+    return built;
+}
+
+Found by_openmesh(const Triangles &mesh) {
+    const OpenMeshMesh built = openmesh(mesh);
+    Found found;
+    std::vector<bool> seen(built.n_halfedges());
+    for (auto start : built.halfedges()) {
+        if (!built.is_boundary(start) || seen[static_cast<std::size_t>(start.idx())]) {
+            continue;
+        }
+        ++found.loops;
+        OpenMesh::HalfedgeHandle h = start;
+        do {
+            seen[static_cast<std::size_t>(h.idx())] = true;
+            ++found.edges;
+            h = built.next_halfedge_handle(h);
+        } while (h != start);
+    }
+    return found;
+}
+
+std::size_t edges_by_openmesh(const Triangles &mesh) { return openmesh(mesh).n_edges(); }
+
+CgalMesh cgal(const Triangles &mesh) {
+    CgalMesh built;
+    built.reserve(mesh.points.size(), mesh.points.size() + mesh.face_count(), mesh.face_count());
+    for (const auto &p : mesh.points) {
+        built.add_vertex({p[0], p[1], p[2]});
+    }
+    const auto v = [&](std::size_t c) { return CgalMesh::Vertex_index(mesh.corners[c]); };
+    for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
+        built.add_face(v(c), v(c + 1), v(c + 2));
+    }
+    return built;
+}
+
+Found by_cgal(const Triangles &mesh) {
+    const CgalMesh built = cgal(mesh);
+    std::vector<CgalMesh::Halfedge_index> cycles;
+    CGAL::Polygon_mesh_processing::extract_boundary_cycles(built, std::back_inserter(cycles));
+    Found found{cycles.size(), 0};
+    for (auto start : cycles) {
+        const auto round = CGAL::halfedges_around_face(start, built);
+        found.edges += static_cast<std::size_t>(std::distance(round.begin(), round.end()));
+    }
+    return found;
+}
+
+std::size_t edges_by_cgal(const Triangles &mesh) { return cgal(mesh).number_of_edges(); }
+
+/// One pass over the index: the hardware's limit.
+uint32_t pure_read(const Triangles &mesh) {
+    uint32_t sum = 0;
+    for (uint32_t v : mesh.corners) {
+        sum += v;
+    }
+    return sum;
+}
+
+class Bench {
+public:
+    Bench(int runs, std::string only) : runs_(runs), only_(std::move(only)) {}
+
+    bool wants(const std::string &id) const { return id.find(only_) != std::string::npos; }
+
+    /// Runs ours and the peers by turns and enters the medians.
+    template <class Result>
+    void compare(const std::string &id, const std::string &what, const std::function<Result()> &ours,
+                 const std::map<std::string, std::function<Result()>> &peers) {
+        std::vector<double> own;
+        std::map<std::string, std::vector<double>> others;
+        bool agree = true;
+        for (int run = 0; run < runs_; ++run) {
+            Result mine{};
+            own.push_back(milliseconds([&] { mine = ours(); }));
+            for (const auto &[name, peer] : peers) {
+                Result theirs{};
+                others[name].push_back(milliseconds([&, &peer = peer] { theirs = peer(); }));
+                agree = agree && (name == "read" || theirs == mine);
+            }
+        }
+        for (auto &[name, times] : others) {
+            const double mine = median(own), theirs = median(times);
+            std::printf("%-28s %-10s %10.2f %10.2f %9.2f   %s%s\n", id.c_str(), name.c_str(), mine, theirs, theirs / mine,
+                        what.c_str(), agree ? "" : "  RESULTS DIFFER");
+            std::fflush(stdout);
+            report_.push_back({{"id", id + "/" + name},
+                               {"ours", mine},
+                               {"peer", theirs},
+                               {"unit", "ms"},
+                               {"ratio", theirs / mine},
+                               {"quality", {{"same_result", agree}}}});
+        }
+    }
+
+    void write(const std::string &path) const { std::ofstream(path) << report_.dump(2) << '\n'; }
+
+private:
+    static double milliseconds(const std::function<void()> &work) {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    }
+    static double median(std::vector<double> &times) {
+        std::sort(times.begin(), times.end());
+        return (times[(times.size() - 1) / 2] + times[times.size() / 2]) / 2;
+    }
+
+    int runs_;
+    std::string only_;
+    nlohmann::json report_ = nlohmann::json::array();
+};
+
+void boundary(Bench &bench, const std::string &name, const Triangles &mesh) {
+    const std::string what = std::to_string(mesh.face_count()) + " triangles, all loops from the arrays";
+    if (bench.wants("boundary/" + name)) {
+        static volatile uint32_t sink;
+        bench.compare<Found>("boundary/" + name, what, [&] { return by_gusset(mesh); },
+                             {{"openmesh", [&] { return by_openmesh(mesh); }},
+                              {"cgal", [&] { return by_cgal(mesh); }},
+                              {"read", [&] {
+                                   sink = pure_read(mesh);
+                                   return Found{};
+                               }}});
+    }
+    if (bench.wants("winged/" + name)) {
+        bench.compare<std::size_t>("winged/" + name, std::to_string(mesh.face_count()) + " triangles, table of edges",
+                                   [&] { return winged_by_gusset(mesh); },
+                                   {{"openmesh", [&] { return edges_by_openmesh(mesh); }},
+                                    {"cgal", [&] { return edges_by_cgal(mesh); }}});
+    }
+}
+} // namespace
+
+int main(int argc, char **argv) {
+    CLI::App app("Benchmarks against OpenMesh and CGAL; ratio = peer / ours");
+    std::string mesh, only, out = "report.json";
+    int runs = 7;
+    app.add_option("--mesh", mesh, "a closed triangle mesh to start from")->required()->check(CLI::ExistingFile);
+    app.add_option("--only", only, "cases whose names contain this");
+    app.add_option("--runs", runs, "runs of each; medians are reported")->check(CLI::Range(1, 1000));
+    app.add_option("--out", out, "the report");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        Bench bench(runs, only);
+        std::printf("%-28s %-10s %10s %10s %9s\n", "case", "peer", "ours [ms]", "peer [ms]", "ratio");
+        const Triangles open = without_slab(read_triangles(mesh), 0.45, 0.5);
+        const Triangles million = subdivided(open, 4);
+        boundary(bench, "coherent-1M", million);
+        boundary(bench, "shuffled-1M", shuffled(million));
+        if (bench.wants("boundary/coherent-4M") || bench.wants("winged/coherent-4M")) {
+            boundary(bench, "coherent-4M", subdivided(million, 1));
+        }
+        bench.write(out);
+    } catch (const std::exception &error) {
+        std::cerr << "bench: " << error.what() << '\n';
+        return 1;
+    }
+    return 0;
+}
