@@ -44,6 +44,18 @@
 #define GUSSET_NON_MANIFOLD_STOP 1
 
 /**
+ * Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
+ */
+#define GUSSET_SURVEY_WHOLE_MESH 0
+
+/**
+ * As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open, touching
+ * itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from the
+ * boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut there.
+ */
+#define GUSSET_SURVEY_BOUNDARY_ONLY 1
+
+/**
  * The chain does not close: it has one vertex more than it has edges.
  */
 #define GUSSET_LOOP_OPEN 1
@@ -497,9 +509,9 @@ typedef struct gusset_boundary_options {
      */
     uint32_t non_manifold;
     /**
-     * 0.
+     * GUSSET_SURVEY_...
      */
-    uint32_t reserved;
+    uint32_t survey;
 } gusset_boundary_options;
 
 /**
@@ -1030,8 +1042,8 @@ extern "C" {
  * smallest half-edges. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
  *
  * options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure.
- * Errors: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
- * linear extra memory.
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
+ * vertex, or O(H + B log B) for GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory.
  * Source: Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
  */
 GUSSET_API

@@ -268,8 +268,14 @@ struct Loop {
 
 enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
 
+enum class Survey : uint32_t {
+    whole_mesh = GUSSET_SURVEY_WHOLE_MESH,
+    boundary_only = GUSSET_SURVEY_BOUNDARY_ONLY
+};
+
 struct BoundaryOptions {
     NonManifold non_manifold = NonManifold::cut;
+    Survey survey = Survey::whole_mesh;
 };
 
 /// All free boundary loops of a mesh, surface on the left; a range of Loop. See gusset_boundary_create.
@@ -279,6 +285,7 @@ public:
         gusset_boundary_options given{};
         given.struct_size = sizeof given;
         given.non_manifold = static_cast<uint32_t>(options.non_manifold);
+        given.survey = static_cast<uint32_t>(options.survey);
         gusset_boundary *created = nullptr;
         context.call([&](gusset_context *c) { return gusset_boundary_create(c, &mesh.get(), &given, &created); });
         boundary_.reset(created);

@@ -4,7 +4,7 @@ mod common;
 
 use common::{Soup, cap, edge_counts, sheet};
 use gusset::Job;
-use gusset::boundary::{Boundary, EdgeFlags, LoopFlags, NonManifold, Options, boundary_loops};
+use gusset::boundary::{Boundary, EdgeFlags, LoopFlags, NonManifold, Options, Survey, boundary_loops};
 use gusset::mesh::Defect;
 use proptest::prelude::*;
 use std::collections::HashSet;
@@ -15,6 +15,27 @@ fn boundary(soup: &Soup) -> Boundary {
 
 fn loops(boundary: &Boundary) -> Vec<Vec<u32>> {
     boundary.iter().map(|l| l.vertices.to_vec()).collect()
+}
+
+/// The fast way gives the same loops as the exact one, but for what it does not look at.
+fn check_fast(soup: &Soup) {
+    let exact = boundary(soup);
+    let options = Options { survey: Survey::BoundaryOnly, ..Options::default() };
+    let fast = boundary_loops(&soup.view(), &options, &Job::default()).unwrap();
+    let balanced = |&(forward, backward): &(u32, u32)| forward == backward && forward > 1;
+    if edge_counts(soup.faces()).values().any(balanced) {
+        return;
+    }
+    assert_eq!(fast.len(), exact.len());
+    for (f, e) in fast.iter().zip(exact.iter()) {
+        assert_eq!(
+            (f.vertices, f.half_edges, f.faces, f.edge_flags),
+            (e.vertices, e.half_edges, e.faces, e.edge_flags)
+        );
+        assert_eq!((f.walk, f.length.to_bits()), (e.walk, e.length.to_bits()));
+        // A closed fan that touches the boundary at a vertex is away from it.
+        assert_eq!(f.flags.0 | LoopFlags::BOW_TIE, e.flags.0 | LoopFlags::BOW_TIE);
+    }
 }
 
 /// What holds for every boundary of every mesh: the edges are real, each free edge is in exactly one loop, loops are simple.
@@ -45,6 +66,7 @@ fn check_invariants(soup: &Soup, found: &Boundary) {
     assert!(smallest.is_sorted(), "loops in the order of their smallest half-edges");
     let mut closed = found.iter().zip(&smallest).filter(|(l, _)| !l.flags.any(LoopFlags::OPEN));
     assert!(closed.all(|(l, &h)| l.half_edges[0] == h), "closed loops start at the smallest half-edge");
+    check_fast(soup);
     let free = counts.values().filter(|&&(f, b)| f + b == 1).count();
     let in_loops =
         found.iter().flat_map(|l| l.edge_flags.iter()).filter(|&&f| f & EdgeFlags::NON_MANIFOLD == 0).count();
@@ -119,7 +141,7 @@ fn three_faces_on_an_edge() {
     assert!(found.iter().all(|l| l.flags.any(LoopFlags::NON_MANIFOLD) && !l.flags.any(LoopFlags::OPEN)));
     assert_eq!(found.defects()[0], Defect::NonManifoldEdge { half_edge: 0, faces: 3 });
 
-    let options = Options { non_manifold: NonManifold::Stop };
+    let options = Options { non_manifold: NonManifold::Stop, ..Options::default() };
     let found = boundary_loops(&soup.view(), &options, &Job::default()).unwrap();
     check_invariants(&soup, &found);
     assert_eq!(loops(&found), [[1, 2, 0], [0, 3, 1], [1, 4, 0]]);
@@ -207,7 +229,7 @@ proptest! {
         prop_assume!(!faces.is_empty());
         let soup = Soup::flat(9, &faces.iter().map(Vec::as_slice).collect::<Vec<_>>());
         let non_manifold = if stop { NonManifold::Stop } else { NonManifold::Cut };
-        let found = boundary_loops(&soup.view(), &Options { non_manifold }, &Job::default()).unwrap();
+        let found = boundary_loops(&soup.view(), &Options { non_manifold, ..Options::default() }, &Job::default()).unwrap();
         check_invariants(&soup, &found);
         if !stop {
             prop_assert!(found.iter().all(|l| !l.flags.any(LoopFlags::OPEN)));
@@ -226,5 +248,18 @@ proptest! {
                 .collect()
         };
         prop_assert_eq!(edges(&one, false), edges(&two, true));
+    }
+
+    /// Sheets with faces taken out, whose boundaries are ordinary for the most part.
+    #[test]
+    fn any_sheet_with_holes(w in 2u32..12, h in 2u32..12, removed in prop::collection::vec(any::<u16>(), 0..20)) {
+        let full = sheet(w, h);
+        let mut soup = Soup { points: full.points.clone(), offsets: vec![0], corners: Vec::new() };
+        let gone: HashSet<usize> = removed.iter().map(|&k| k as usize % (w * h) as usize).collect();
+        for (_, face) in full.faces().enumerate().filter(|(f, _)| !gone.contains(f)) {
+            soup.face(face);
+        }
+        prop_assume!(soup.faces().count() > 0);
+        check_invariants(&soup, &boundary(&soup));
     }
 }

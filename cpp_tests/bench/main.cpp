@@ -31,8 +31,10 @@ struct Found {
 
 gusset::MeshView view(const Triangles &mesh) { return gusset::MeshView::triangles(mesh.points, mesh.corners); }
 
-Found by_gusset(const Triangles &mesh) {
-    const gusset::Boundary boundary(view(mesh));
+Found by_gusset(const Triangles &mesh, gusset::Survey survey) {
+    gusset::BoundaryOptions options;
+    options.survey = survey;
+    const gusset::Boundary boundary(view(mesh), options);
     Found found{boundary.walk_count(), 0};
     for (const gusset::Loop loop : boundary) {
         found.edges += loop.half_edges.size();
@@ -168,9 +170,14 @@ private:
 
 void boundary(Bench &bench, const std::string &name, const Triangles &mesh) {
     const std::string what = std::to_string(mesh.face_count()) + " triangles, all loops from the arrays";
+    if (bench.wants("boundary-full/" + name)) {
+        bench.compare<Found>("boundary-full/" + name, what + ", and everything unusual",
+                             [&] { return by_gusset(mesh, gusset::Survey::whole_mesh); },
+                             {{"openmesh", [&] { return by_openmesh(mesh); }}, {"cgal", [&] { return by_cgal(mesh); }}});
+    }
     if (bench.wants("boundary/" + name)) {
         static volatile uint32_t sink;
-        bench.compare<Found>("boundary/" + name, what, [&] { return by_gusset(mesh); },
+        bench.compare<Found>("boundary/" + name, what, [&] { return by_gusset(mesh, gusset::Survey::boundary_only); },
                              {{"openmesh", [&] { return by_openmesh(mesh); }},
                               {"cgal", [&] { return by_cgal(mesh); }},
                               {"read", [&] {

@@ -152,7 +152,7 @@ static void boundary_pointers(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_create(misaligned(), &mesh, NULL, &boundary));
     options.non_manifold = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_boundary_create(context, &mesh, &options, &boundary));
-    options.non_manifold = 0, options.reserved = 7;
+    options.non_manifold = 0, options.survey = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_boundary_create(context, &mesh, &options, &boundary));
     options.struct_size = 8;
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_boundary_create(context, &mesh, &options, &boundary));

@@ -114,6 +114,14 @@ TEST_CASE("every real mesh: loops against OpenMesh, CGAL and the manifest") {
         const Soup soup = read_soup(file.path);
         const gusset::Boundary boundary(soup.view());
         check_loops(soup, boundary);
+        gusset::BoundaryOptions only;
+        only.survey = gusset::Survey::boundary_only;
+        const gusset::Boundary fast(soup.view(), only);
+        REQUIRE(fast.size() == boundary.size());
+        for (std::size_t i = 0; i < fast.size(); ++i) {
+            CHECK(std::equal(fast[i].half_edges.begin(), fast[i].half_edges.end(), boundary[i].half_edges.begin(),
+                             boundary[i].half_edges.end()));
+        }
 
         // The manifest, computed by another program altogether.
         const auto parts = boundary_parts(boundary);

@@ -16,12 +16,14 @@
 //! * **Faces that disagree in orientation** do not stop a walk; the loop takes the direction of most of its faces and marks
 //!   the edges where it runs against theirs.
 //!
-//! Files: `loops` has the types and the entry point, `walk` goes from free edge to free edge, `split` makes simple loops.
+//! Files: `loops` has the types and the entry point, `walk` goes from free edge to free edge, `split` makes simple loops, and
+//! `fast` finds ordinary boundaries without looking at every edge.
 
+mod fast;
 mod loops;
 mod split;
 mod walk;
 
 pub(crate) use split::split_simple;
 
-pub use loops::{Boundary, EdgeFlags, Loop, LoopFlags, NonManifold, Options, boundary_loops};
+pub use loops::{Boundary, EdgeFlags, Loop, LoopFlags, NonManifold, Options, Survey, boundary_loops};

@@ -6,7 +6,7 @@ use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::{Failure, gusset_status};
 use crate::alloc;
-use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, boundary_loops};
+use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey, boundary_loops};
 use crate::mesh::{Defect, NONE};
 use std::ptr;
 
@@ -14,6 +14,13 @@ use std::ptr;
 pub const GUSSET_NON_MANIFOLD_CUT: u32 = 0;
 /// Only edges with exactly one face belong to loops; one that meets an edge with more ends there, as an open chain.
 pub const GUSSET_NON_MANIFOLD_STOP: u32 = 1;
+
+/// Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
+pub const GUSSET_SURVEY_WHOLE_MESH: u32 = 0;
+/// As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open, touching
+/// itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from the
+/// boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut there.
+pub const GUSSET_SURVEY_BOUNDARY_ONLY: u32 = 1;
 
 /// The chain does not close: it has one vertex more than it has edges.
 pub const GUSSET_LOOP_OPEN: u32 = 1;
@@ -70,8 +77,8 @@ pub struct gusset_boundary_options {
     pub struct_size: usize,
     /// GUSSET_NON_MANIFOLD_...
     pub non_manifold: u32,
-    /// 0.
-    pub reserved: u32,
+    /// GUSSET_SURVEY_...
+    pub survey: u32,
 }
 
 /// One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a closed loop back to
@@ -128,15 +135,17 @@ const _: () = assert!(
 
 impl gusset_boundary_options {
     fn checked(self) -> Result<boundary::Options, Failure> {
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
         let non_manifold = match self.non_manifold {
             GUSSET_NON_MANIFOLD_CUT => NonManifold::Cut,
             GUSSET_NON_MANIFOLD_STOP => NonManifold::Stop,
             other => return Err(Failure::unknown("non_manifold", other.into())),
         };
-        Ok(boundary::Options { non_manifold })
+        let survey = match self.survey {
+            GUSSET_SURVEY_WHOLE_MESH => Survey::WholeMesh,
+            GUSSET_SURVEY_BOUNDARY_ONLY => Survey::BoundaryOnly,
+            other => return Err(Failure::unknown("survey", other.into())),
+        };
+        Ok(boundary::Options { non_manifold, survey })
     }
 }
 
@@ -160,8 +169,8 @@ impl From<&Defect> for gusset_defect {
 /// smallest half-edges. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
 ///
 /// options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure.
-/// Errors: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
-/// linear extra memory.
+/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
+/// vertex, or O(H + B log B) for GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory.
 /// Source: Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
 #[unsafe(no_mangle)]
 #[must_use]
