@@ -309,6 +309,10 @@ enum gusset_status
      */
     GUSSET_ERROR_OUT_OF_RANGE = 5,
     /**
+     * The caller's buffer is too small; nothing was written but the size needed.
+     */
+    GUSSET_ERROR_BUFFER_TOO_SMALL = 6,
+    /**
      * The context is in use by another call: on another thread, or further up this one's stack.
      */
     GUSSET_ERROR_CONTEXT_BUSY = 7,
@@ -349,7 +353,7 @@ enum gusset_status
      */
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
     /**
-     * A vertex used by a face has a coordinate that is NaN or infinite.
+     * A vertex used by a face, or a point of a loop, has a coordinate that is NaN or infinite.
      */
     GUSSET_ERROR_NOT_FINITE = 1006,
     /**
@@ -428,6 +432,11 @@ typedef struct gusset_check gusset_check;
  * gusset_context_cancel and gusset_context_progress may be called from any.
  */
 typedef struct gusset_context gusset_context;
+
+/**
+ * Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
+ */
+typedef struct gusset_facing gusset_facing;
 
 /**
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
@@ -720,6 +729,59 @@ typedef struct gusset_report {
      */
     uint32_t reserved;
 } gusset_report;
+
+/**
+ * How facing vertices are found; all zero is the default.
+ */
+typedef struct gusset_facing_options {
+    /**
+     * sizeof(gusset_facing_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_RUN_...
+     */
+    uint32_t run;
+    /**
+     * GUSSET_TOLERANCE_...
+     */
+    uint32_t tolerance_mode;
+    /**
+     * How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read for
+     * GUSSET_TOLERANCE_GIVEN.
+     */
+    double tolerance;
+} gusset_facing_options;
+
+/**
+ * What algorithm 2 found. Index 0 is loop A, 1 is loop B. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_facing_view {
+    /**
+     * sizeof(gusset_facing_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The centres C_1 and C_2 (5): x, y, z of each.
+     */
+    double centre[2][3];
+    /**
+     * The vectors C_2 - C_1 and C_1 - C_2 (6), the normals of the planes (7).
+     */
+    double normal[2][3];
+    /**
+     * The distance of each vertex from its loop's plane, positive on the side of the other loop; as many as the loop has.
+     */
+    const double *distances[2];
+    /**
+     * All runs of facing vertices: first place and number of vertices, by turns; a run may pass the loop's end.
+     */
+    struct gusset_indices runs[2];
+    /**
+     * The run taken: first place and number of vertices, as gusset_stitch_options takes them in arc_a and arc_b.
+     */
+    uint32_t taken[2][2];
+} gusset_facing_view;
 
 /**
  * How to stitch; all zero is the default.
@@ -1173,6 +1235,55 @@ GUSSET_API const char *gusset_context_message(const struct gusset_context *conte
  * BAD_STRUCT_SIZE, CONTEXT_BUSY.
  */
 GUSSET_API gusset_status gusset_context_report(const struct gusset_context *context, struct gusset_report *report);
+
+/**
+ * Finds which vertices of two loops face each other.
+ *
+ * points_a, points_b: x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each. options:
+ * NULL for the defaults. facing: receives the result, for gusset_facing_destroy; NULL on failure.
+ * Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is
+ * beyond the tolerance, as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED. O((N + M) log M); linear extra memory.
+ * Source: Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_facing_create(const struct gusset_context *context,
+                                   const double *points_a,
+                                   size_t count_a,
+                                   const double *points_b,
+                                   size_t count_b,
+                                   const struct gusset_facing_options *options,
+                                   struct gusset_facing **facing);
+
+/**
+ * Destroys what gusset_facing_create made; NULL is allowed.
+ */
+GUSSET_API void gusset_facing_destroy(struct gusset_facing *facing);
+
+/**
+ * Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_facing_arcs(const struct gusset_facing *facing,
+                                 struct gusset_facing_view *view);
+
+/**
+ * The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones the later.
+ *
+ * n, m: segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of N vertices has N - 1, a closed
+ * one N. j: receives n + 1 numbers; NULL with capacity 0 asks for how many. capacity: of j. written: receives their number; may
+ * not be NULL.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the number is written). O(n).
+ * Source: Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_meridians_index(uint32_t n,
+                                     uint32_t m,
+                                     uint32_t *j,
+                                     size_t capacity,
+                                     size_t *written);
 
 /**
  * What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.

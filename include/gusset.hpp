@@ -22,6 +22,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace gusset {
 
@@ -446,6 +447,54 @@ struct Arc {
     uint32_t first = 0;
     uint32_t count = 0;
 };
+
+/// Which vertices of two loops face each other; see gusset_facing_create. Points are packed x, y, z.
+class Facing {
+public:
+    Facing(Span<const std::array<double, 3>> a, Span<const std::array<double, 3>> b, Run run = Run::closest,
+           std::optional<double> tolerance = {}, const Context &context = Context()) {
+        gusset_facing_options given{};
+        given.struct_size = sizeof given;
+        given.run = static_cast<uint32_t>(run);
+        given.tolerance_mode = tolerance ? GUSSET_TOLERANCE_GIVEN : GUSSET_TOLERANCE_AUTO;
+        given.tolerance = tolerance.value_or(0.0);
+        const auto first = [](Span<const std::array<double, 3>> points) {
+            return points.empty() ? nullptr : points.data()->data();
+        };
+        gusset_facing *created = nullptr;
+        context.call([&](gusset_context *c) {
+            return gusset_facing_create(c, first(a), a.size(), first(b), b.size(), &given, &created);
+        });
+        facing_.reset(created);
+    }
+    /// Centres, normals, distances, runs, and the runs taken; valid as long as this lives.
+    gusset_facing_view view() const {
+        gusset_facing_view view{};
+        view.struct_size = sizeof view;
+        detail::check(gusset_facing_arcs(facing_.get(), &view));
+        return view;
+    }
+    /// The run taken on loop 0 or 1.
+    Arc arc(int loop) const {
+        const gusset_facing_view found = view();
+        return {found.taken[loop != 0][0], found.taken[loop != 0][1]};
+    }
+
+private:
+    struct Destroy {
+        void operator()(gusset_facing *facing) const noexcept { gusset_facing_destroy(facing); }
+    };
+    std::unique_ptr<gusset_facing, Destroy> facing_;
+};
+
+/// The paper's rule: for each i = 0 .. n segments of the longer polyline its j on the other one of m <= n segments.
+inline std::vector<uint32_t> meridians_index(uint32_t n, uint32_t m) {
+    std::size_t count = 0;
+    detail::check(gusset_meridians_index(n, m, nullptr, 0, &count));
+    std::vector<uint32_t> j(count);
+    detail::check(gusset_meridians_index(n, m, j.data(), j.size(), &count));
+    return j;
+}
 
 /// How to stitch; see gusset_stitch_options.
 struct StitchOptions {

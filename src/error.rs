@@ -91,6 +91,15 @@ pub enum Error {
         /// The coordinate.
         value: f64,
     },
+    /// A point of a loop has a coordinate that is NaN or infinite.
+    PointNotFinite {
+        /// The loop.
+        side: Side,
+        /// The place of the point.
+        place: u32,
+        /// The coordinate.
+        value: f64,
+    },
     /// The second mesh has `f64` positions and the first `f32`: the result, in the first one's type, would round them.
     MixedScalars,
     /// There is no boundary loop that could be stitched.
@@ -195,6 +204,9 @@ impl fmt::Display for Error {
             }
             Error::NotFinite { vertex, value } => {
                 write!(f, "vertex {vertex} has a coordinate that is {value}")
+            }
+            Error::PointNotFinite { side, place, value } => {
+                write!(f, "point {place} of loop {side} has a coordinate that is {value}")
             }
             Error::MixedScalars => {
                 f.write_str("mesh B has f64 positions and mesh A f32: exchange them, or convert one")

@@ -134,7 +134,7 @@ fn e06_the_sign_alone_is_round_off_for_coaxial_rims() {
     let selected: Vec<bool> = a.iter().map(|&p| (p - own).dot(other - own) > 0.0).collect();
     let runs = (0..60).filter(|&i| selected[i] && !selected[(i + 59) % 60]).count();
     assert!(runs > 1, "as printed: {runs} runs of round-off, no polyline");
-    assert!(matches!(facing(&a, &b, 1e-14, Run::Closest), Err(Error::PlanesUndecided { .. })));
+    assert!(matches!(facing(&a, &b, Some(1e-14), Run::Closest), Err(Error::PlanesUndecided { .. })));
 }
 
 /// The program fragment, with the missing braces supplied: H as the j of each i, from 1; 0 where there is none.

@@ -28,7 +28,7 @@ fn runs(flags: &[bool]) -> usize {
 fn side_by_side() {
     // Figure 3: half of each circle, in one run. No vertex lies on a plane.
     let (a, b) = (circle(60, 1.0, TAU / 120.0, DVec3::ZERO), circle(40, 0.7, TAU / 80.0, DVec3::X * 3.0));
-    let found = facing(&a, &b, 1e-12, Run::Closest).unwrap();
+    let found = facing(&a, &b, Some(1e-12), Run::Closest).unwrap();
     assert_eq!((found.runs[0].len(), found.runs[1].len()), (1, 1));
     // A's right half: vertices -15 .. 14 round angle 0; B's left half: 10 .. 29.
     assert_eq!(found.taken, [Arc { first: 45, count: 30 }, Arc { first: 10, count: 20 }]);
@@ -41,27 +41,27 @@ fn side_by_side() {
     }
     // With vertices exactly on the planes round-off decides nothing: they are left out.
     let (a, b) = (circle(60, 1.0, 0.0, DVec3::ZERO), circle(40, 0.7, 0.0, DVec3::X * 3.0));
-    let found = facing(&a, &b, 1e-12, Run::Closest).unwrap();
+    let found = facing(&a, &b, Some(1e-12), Run::Closest).unwrap();
     assert_eq!(found.taken, [Arc { first: 46, count: 29 }, Arc { first: 11, count: 19 }]);
 }
 
 #[test]
 fn a_tolerance_narrows_the_arc() {
     let (a, b) = (circle(60, 1.0, TAU / 120.0, DVec3::ZERO), circle(60, 1.0, TAU / 120.0, DVec3::X * 3.0));
-    let found = facing(&a, &b, 0.5, Run::Closest).unwrap();
+    let found = facing(&a, &b, Some(0.5), Run::Closest).unwrap();
     assert_eq!(found.taken[0].count, a.iter().filter(|p| p.x > 0.5).count());
-    assert_eq!(facing(&a, &b, 1.0, Run::Closest), Err(Error::PlanesUndecided { side: Side::A }));
+    assert_eq!(facing(&a, &b, Some(1.0), Run::Closest), Err(Error::PlanesUndecided { side: Side::A }));
 }
 
 #[test]
 fn coaxial_rims_lie_in_their_planes() {
     // Erratum 6: the printed sign is round-off, in runs without meaning; here the answer is that there is none.
     let (a, b) = (circle(60, 1.0, 0.0, DVec3::ZERO), circle(40, 1.0, 0.3, DVec3::Z * 2.0));
-    assert_eq!(facing(&a, &b, 1e-12, Run::Closest), Err(Error::PlanesUndecided { side: Side::A }));
+    assert_eq!(facing(&a, &b, Some(1e-12), Run::Closest), Err(Error::PlanesUndecided { side: Side::A }));
     let tilt = DMat3::from_rotation_y(0.7) * DMat3::from_rotation_x(1.1);
     let turned = |points: &[DVec3]| points.iter().map(|&p| tilt * p).collect::<Vec<_>>();
     let (a, b) = (turned(&a), turned(&b));
-    assert_eq!(facing(&a, &b, 1e-12, Run::Closest), Err(Error::PlanesUndecided { side: Side::A }));
+    assert_eq!(facing(&a, &b, Some(1e-12), Run::Closest), Err(Error::PlanesUndecided { side: Side::A }));
     let (own, other) = (centre(&a), centre(&b));
     let noise = printed(&a, own, other);
     assert!(noise.contains(&true) && noise.contains(&false), "the printed rule selects some");
@@ -71,7 +71,7 @@ fn coaxial_rims_lie_in_their_planes() {
 #[test]
 fn concentric_rims_have_no_direction() {
     let (a, b) = (circle(60, 2.0, 0.0, DVec3::ZERO), circle(40, 1.0, 0.3, DVec3::ZERO));
-    assert_eq!(facing(&a, &b, 1e-12, Run::Longest), Err(Error::PlanesUndecided { side: Side::A }));
+    assert_eq!(facing(&a, &b, Some(1e-12), Run::Longest), Err(Error::PlanesUndecided { side: Side::A }));
     assert_eq!(squareness(&a, &Planes::of(&a, &a)), 0.0);
 }
 
@@ -89,7 +89,7 @@ fn a_letter_c_has_two_runs() {
     let own = centre(&c);
     let flags = printed(&c, own, centre(&b));
     assert_eq!(runs(&flags), 2, "the printed rule gives no polyline");
-    let [closest, longest] = [Run::Closest, Run::Longest].map(|run| facing(&c, &b, 1e-12, run).unwrap());
+    let [closest, longest] = [Run::Closest, Run::Longest].map(|run| facing(&c, &b, Some(1e-12), run).unwrap());
     assert_eq!(closest.runs[0].len(), 2);
     assert_eq!(closest.runs[0].iter().map(|run| run.count).sum::<usize>(), flags.iter().filter(|&&f| f).count());
     // B is beside the upper arm: the run with the closest pair lies there.
@@ -153,4 +153,27 @@ fn open_arcs_that_cannot_be_told_are_an_error() {
         let refused = stitch(&request, &options, &Job::default());
         assert!(matches!(refused, Err(Error::OptionOutOfRange { option: "tolerance", .. })));
     }
+}
+
+#[test]
+fn any_unit_will_do_and_bad_numbers_are_refused() {
+    let (a, b) = (circle(60, 1.0, TAU / 120.0, DVec3::ZERO), circle(40, 0.7, TAU / 80.0, DVec3::X * 3.0));
+    let expected = facing(&a, &b, None, Run::Closest).unwrap();
+    for exponent in [-900, -300, 300, 900] {
+        let unit = 2f64.powi(exponent);
+        let scaled = |points: &[DVec3]| points.iter().map(|&p| p * unit).collect::<Vec<_>>();
+        let found = facing(&scaled(&a), &scaled(&b), None, Run::Closest).unwrap();
+        assert_eq!((&found.runs, found.taken), (&expected.runs, expected.taken));
+        assert_eq!(found.planes.normals[0], expected.planes.normals[0] * unit);
+        assert_eq!(found.distances[1][7], expected.distances[1][7] * unit);
+    }
+    assert_eq!(facing(&a, &[], None, Run::Closest), Err(Error::LoopTooShort { side: Side::B, count: 0 }));
+    let mut bad = b.clone();
+    bad[3].y = f64::INFINITY;
+    assert_eq!(
+        facing(&a, &bad, None, Run::Closest),
+        Err(Error::PointNotFinite { side: Side::B, place: 3, value: f64::INFINITY })
+    );
+    let refused = facing(&a, &b, Some(-1.0), Run::Closest);
+    assert_eq!(refused, Err(Error::OptionOutOfRange { option: "tolerance", value: -1.0 }));
 }

@@ -206,6 +206,33 @@ int main(int argc, char **argv) {
     try {
         Bench bench(runs, only);
         std::printf("%-28s %-10s %10s %10s %9s\n", "case", "peer", "ours [ms]", "peer [ms]", "ratio");
+        if (bench.wants("meridians/index-100000")) {
+            // The paper's double loop, with its bounds and braces mended, beside the closed form.
+            const auto literal = [] {
+                const int64_t n = 10'000, m = 8'000;
+                std::vector<uint32_t> row;
+                for (int64_t i = 0; i <= n; ++i) {
+                    int64_t j = 0;
+                    while (j < m && std::abs(m * i - n * (j + 1)) <= std::abs(m * i - n * j)) {
+                        ++j;
+                    }
+                    row.push_back(static_cast<uint32_t>(j));
+                }
+                return row;
+            };
+            bench.compare<std::vector<uint32_t>>("meridians/index-10000", "segments 10000 x 8000, the rule by index",
+                                                 [] { return gusset::meridians_index(10'000, 8'000); },
+                                                 {{"literal", literal}});
+            bench.compare<std::vector<uint32_t>>("meridians/index-100000", "segments 100000 x 80000, the rule by index",
+                                                 [] { return gusset::meridians_index(100'000, 80'000); },
+                                                 {{"closed-form", [] {
+                                                       std::vector<uint32_t> row(100'001);
+                                                       for (uint64_t i = 0; i < row.size(); ++i) {
+                                                           row[i] = static_cast<uint32_t>((160'000 * i + 100'000) / 200'000);
+                                                       }
+                                                       return row;
+                                                   }}});
+        }
         const Triangles open = without_slab(read_triangles(mesh), 0.45, 0.5);
         const Triangles million = subdivided(open, 4);
         boundary(bench, "coherent-1M", million);

@@ -16,6 +16,8 @@ static void layouts(void) {
         CHECK(sizeof(gusset_stitch_options) == 72 && offsetof(gusset_stitch_options, twist) == 16);
         CHECK(sizeof(gusset_stitch_parts) == 192 && offsetof(gusset_stitch_parts, turned) == 184);
         CHECK(offsetof(gusset_stitch_options, tolerance) == 48 && offsetof(gusset_stitch_options, arc_b) == 64);
+        CHECK(sizeof(gusset_facing_options) == 24 && offsetof(gusset_facing_options, tolerance) == 16);
+        CHECK(sizeof(gusset_facing_view) == 168 && offsetof(gusset_facing_view, taken) == 152);
         CHECK(sizeof(gusset_winged_options) == 16);
         CHECK(sizeof(gusset_winged_edge) == 36 && offsetof(gusset_winged_edge, marks) == 32);
         CHECK(sizeof(gusset_winged_view) == 120 && offsetof(gusset_winged_view, loop_offsets) == 104);

@@ -158,6 +158,20 @@ TEST_CASE("results move, and outlive what they were made from") {
     CHECK(gusset::Boundary(square().view(), {}, other).size() == 1);
 }
 
+TEST_CASE("the steps by themselves") {
+    using Points = std::vector<std::array<double, 3>>;
+    const Points a{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, b{{4, 0, 0}, {5, 0, 0}, {5, 1, 0}, {4, 1, 0}};
+    const gusset::Facing facing(a, b);
+    CHECK(facing.arc(0).first == 1);
+    CHECK(facing.arc(0).count == 2);
+    CHECK(facing.arc(1).first == 3);
+    CHECK(facing.view().centre[1][0] == 4.5);
+    CHECK(facing.view().distances[0][0] == -0.5);
+    CHECK_THROWS_AS(gusset::Facing(a, Points{}), gusset::Error);
+    CHECK(gusset::meridians_index(5, 3) == std::vector<uint32_t>{0, 1, 1, 2, 2, 3});
+    CHECK_THROWS_AS(gusset::meridians_index(3, 5), gusset::Error);
+}
+
 TEST_CASE("views of any point type") {
     struct Vertex {
         float x, y, z;

@@ -35,6 +35,13 @@ pub(super) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> 
     }
 }
 
+/// A buffer of the caller's for `count` numbers.
+pub(super) fn slice<'a>(pointer: *mut u32, count: usize, name: &'static str) -> Result<&'a mut [u32], Failure> {
+    aligned(pointer, name)?;
+    // SAFETY: not NULL and aligned; that it has room for so many is the caller's promise. Plain numbers may hold anything.
+    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
+}
+
 /// Frees what a `_create` function gave out; NULL is allowed.
 pub(super) fn destroy<T>(handle: *mut T) {
     // A destructor cannot fail; should one panic, the host must not see it.

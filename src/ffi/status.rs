@@ -20,6 +20,8 @@ pub enum gusset_status {
     GUSSET_ERROR_UNKNOWN_VALUE = 4,
     /// An option is outside its range.
     GUSSET_ERROR_OUT_OF_RANGE = 5,
+    /// The caller's buffer is too small; nothing was written but the size needed.
+    GUSSET_ERROR_BUFFER_TOO_SMALL = 6,
     /// The context is in use by another call: on another thread, or further up this one's stack.
     GUSSET_ERROR_CONTEXT_BUSY = 7,
     /// There is no element of this index.
@@ -40,7 +42,7 @@ pub enum gusset_status {
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
     /// A face names a vertex that does not exist.
     GUSSET_ERROR_INDEX_OUT_OF_RANGE = 1005,
-    /// A vertex used by a face has a coordinate that is NaN or infinite.
+    /// A vertex used by a face, or a point of a loop, has a coordinate that is NaN or infinite.
     GUSSET_ERROR_NOT_FINITE = 1006,
     /// Mesh B has f64 positions and mesh A f32.
     GUSSET_ERROR_MIXED_SCALARS = 1007,
@@ -151,6 +153,9 @@ impl From<Error> for Failure {
             Error::NotFinite { vertex, value } => {
                 (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, vertex.into(), value)
             }
+            Error::PointNotFinite { place, value, .. } => {
+                (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_LOOP_PLACE, place.into(), value)
+            }
             Error::MixedScalars => none(GUSSET_ERROR_MIXED_SCALARS),
             Error::NoLoop { .. } => none(GUSSET_ERROR_NO_LOOP),
             Error::LoopTooShort { count: n, .. } => count(GUSSET_ERROR_LOOP_TOO_SHORT, n.into()),
@@ -176,6 +181,7 @@ impl From<Error> for Failure {
             | Error::LoopRepeatsVertex { side: Side::B, .. }
             | Error::LoopEdgeNotFree { side: Side::B, .. }
             | Error::PlanesUndecided { side: Side::B }
+            | Error::PointNotFinite { side: Side::B, .. }
             | Error::LoopNotOriented { side: Side::B, .. } => 1,
             _ => 0,
         };
@@ -193,6 +199,7 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         3 => c"struct_size is too small",
         4 => c"a field has an unknown value",
         5 => c"an option is out of range",
+        6 => c"the buffer is too small",
         7 => c"the context is in use",
         8 => c"there is no such element",
         9 => c"the position stride is too small",

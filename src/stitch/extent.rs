@@ -1,6 +1,6 @@
 //! How much of the two loops is joined: all of them, or the arcs that face each other.
 
-use super::facing::{Arc, Planes, Run, facing, squareness};
+use super::facing::{Arc, Planes, Run, facing_in_unit, round_off, squareness};
 use super::rim::Rim;
 use crate::error::{Error, Result};
 use crate::mesh::Scalar;
@@ -22,14 +22,6 @@ pub enum Extent {
 /// Loops whose normals make, in the mean, more than this |cosine| with the line of their centres are joined whole: 60 degrees.
 const SQUARE: f64 = 0.5;
 
-/// Of the largest coordinate: less than this is round-off, 64 units in the last place of the host's own numbers.
-fn rounding(scalar: Scalar) -> f64 {
-    64.0 * match scalar {
-        Scalar::F32 => f64::from(f32::EPSILON),
-        Scalar::F64 => f64::EPSILON,
-    }
-}
-
 /// The arcs that `extent` says, or `None` for whole loops. The rims are in a unit in which coordinates are at most 2; so is
 /// `tolerance`, `None` being the round-off of such coordinates.
 pub(super) fn arcs(
@@ -40,8 +32,8 @@ pub(super) fn arcs(
     tolerance: Option<f64>,
     scalar: Scalar,
 ) -> Result<Option<[Arc; 2]>> {
-    let tolerance = tolerance.unwrap_or(2.0 * rounding(scalar));
-    let found = || facing(&a.points, &b.points, tolerance, run).map(|found| Some(found.taken));
+    let tolerance = tolerance.unwrap_or(2.0 * round_off(scalar));
+    let found = || facing_in_unit(&a.points, &b.points, tolerance, run).map(|found| Some(found.taken));
     match extent {
         Extent::WholeLoops => Ok(None),
         Extent::OpenArcs => found(),

@@ -15,6 +15,8 @@
 use crate::alloc;
 use crate::error::{Error, Result, Side};
 use crate::geom::kd_tree::KdTree;
+use crate::geom::scale::common_unit;
+use crate::mesh::Scalar;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -70,28 +72,76 @@ pub struct Arc {
 pub struct Facing {
     /// The planes.
     pub planes: Planes,
+    /// The distance of each vertex of each loop from its plane, positive on the side of the other loop.
+    pub distances: [Vec<f64>; 2],
     /// All runs of facing vertices, for each loop, in order of their first places (a run that passes the loop's end last).
     pub runs: [Vec<Arc>; 2],
     /// The run taken on each loop.
     pub taken: [Arc; 2],
 }
 
-/// Finds the runs of vertices of `a` and of `b` that face the other loop; O((N + M) log M).
+/// Finds the runs of vertices of loop `a` and of loop `b` that face the other loop; O((N + M) log M).
 ///
-/// `tolerance`: a vertex must be farther from its plane than this, in the unit of the points.
+/// `tolerance`: a vertex must be farther from its plane than this, in the unit of the points; `None` for what round-off of
+/// double precision can do.
 ///
 /// # Errors
-/// [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the centres are no farther apart than
-/// that; [`Error::OutOfMemory`].
-pub fn facing(a: &[DVec3], b: &[DVec3], tolerance: f64, run: Run) -> Result<Facing> {
+/// [`Error::LoopTooShort`] for a loop without vertices, [`Error::PointNotFinite`], [`Error::OptionOutOfRange`] for a tolerance that is
+/// negative or not finite; [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the centres
+/// are no farther apart than that; [`Error::OutOfMemory`].
+pub fn facing(a: &[DVec3], b: &[DVec3], tolerance: Option<f64>, run: Run) -> Result<Facing> {
+    for (side, points) in [(Side::A, a), (Side::B, b)] {
+        if points.is_empty() {
+            return Err(Error::LoopTooShort { side, count: 0 });
+        }
+        if let Some(i) = points.iter().position(|p| !p.is_finite()) {
+            let value = points[i].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+            return Err(Error::PointNotFinite { side, place: i as u32, value });
+        }
+    }
+    check_tolerance(tolerance)?;
+    // In a unit in which products neither overflow nor vanish.
+    let unit = common_unit(a.iter().chain(b));
+    let [small_a, small_b] = [a, b].map(|points| alloc::collect(points.iter().map(|&p| p / unit)));
+    let limit = tolerance.map_or(2.0 * round_off(Scalar::F64), |t| t / unit);
+    let mut found = facing_in_unit(&small_a?, &small_b?, limit, run)?;
+    found.planes.centres = found.planes.centres.map(|c| c * unit);
+    found.planes.normals = found.planes.normals.map(|n| n * unit);
+    found.distances.iter_mut().flatten().for_each(|d| *d *= unit);
+    Ok(found)
+}
+
+/// Of the largest coordinate: less than this is round-off, 64 units in the last place of the host's own numbers.
+pub(super) fn round_off(scalar: Scalar) -> f64 {
+    64.0 * match scalar {
+        Scalar::F32 => f64::from(f32::EPSILON),
+        Scalar::F64 => f64::EPSILON,
+    }
+}
+
+/// # Errors
+/// [`Error::OptionOutOfRange`].
+pub(super) fn check_tolerance(tolerance: Option<f64>) -> Result<()> {
+    match tolerance {
+        Some(value) if !(value.is_finite() && value >= 0.0) => {
+            Err(Error::OptionOutOfRange { option: "tolerance", value })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Algorithm 2 on points whose coordinates are at most 2.
+pub(super) fn facing_in_unit(a: &[DVec3], b: &[DVec3], tolerance: f64, run: Run) -> Result<Facing> {
     let planes = Planes::of(a, b);
     if planes.normals[0].length() <= tolerance {
         return Err(Error::PlanesUndecided { side: Side::A });
     }
-    let mut runs = [Vec::new(), Vec::new()];
-    for (side, points) in [(Side::A, a), (Side::B, b)] {
-        let faces = alloc::collect(points.iter().map(|&p| planes.distance(side, p) > tolerance))?;
-        runs[side as usize] = cyclic_runs(&faces)?;
+    let distances = |side, points: &[DVec3]| alloc::collect(points.iter().map(|&p| planes.distance(side, p)));
+    let distances = [distances(Side::A, a)?, distances(Side::B, b)?];
+    let runs = distances.each_ref().map(|list| cyclic_runs(list, |&d| d > tolerance));
+    let [runs_a, runs_b] = runs;
+    let runs = [runs_a?, runs_b?];
+    for side in [Side::A, Side::B] {
         if runs[side as usize].is_empty() {
             return Err(Error::PlanesUndecided { side });
         }
@@ -100,18 +150,18 @@ pub fn facing(a: &[DVec3], b: &[DVec3], tolerance: f64, run: Run) -> Result<Faci
         Run::Longest => [longest(&runs[0]), longest(&runs[1])],
         Run::Closest => closest(a, b, &runs)?,
     };
-    Ok(Facing { planes, runs, taken })
+    Ok(Facing { planes, distances, runs, taken })
 }
 
-/// The runs of `true` round a cycle.
-fn cyclic_runs(flags: &[bool]) -> Result<Vec<Arc>> {
-    let n = flags.len();
+/// The runs of values that have a property, round a cycle.
+fn cyclic_runs<T>(values: &[T], has: impl Fn(&T) -> bool) -> Result<Vec<Arc>> {
+    let n = values.len();
     // Start behind a gap, so that no run is cut in two.
-    let Some(gap) = flags.iter().position(|&flag| !flag) else {
+    let Some(gap) = values.iter().position(|value| !has(value)) else {
         return Ok(vec![Arc { first: 0, count: n }]);
     };
     let mut runs: Vec<Arc> = Vec::new();
-    for place in (gap + 1..gap + n).map(|i| i % n).filter(|&i| flags[i]) {
+    for place in (gap + 1..gap + n).map(|i| i % n).filter(|&i| has(&values[i])) {
         match runs.last_mut() {
             Some(run) if (run.first + run.count) % n == place => run.count += 1,
             _ => alloc::push(&mut runs, Arc { first: place, count: 1 })?,

@@ -2,6 +2,7 @@
 
 use super::combine::{Combination, IndexMap};
 use super::extent::arcs;
+use super::facing::check_tolerance;
 use super::grid::Grid;
 use super::meridian::{Pair, index_rule::index_meridians, min_area::min_area};
 use super::pairing::{nearest_pair, usable_rims};
@@ -113,9 +114,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
 
 /// Cuts the rims down to the arcs that the options say; false if they stay whole.
 fn cut_arcs(request: &Request<'_>, options: &Options, a: &mut Rim, b: &mut Rim, unit: f64) -> Result<bool> {
-    if let Some(value) = options.tolerance.filter(|t| !(t.is_finite() && *t >= 0.0)) {
-        return Err(Error::OptionOutOfRange { option: "tolerance", value });
-    }
+    check_tolerance(options.tolerance)?;
     let tolerance = options.tolerance.map(|t| t / unit);
     // Round-off is that of the coarser numbers.
     let scalar = request.b.unwrap_or(request.a).positions().scalar().min(request.a.positions().scalar());
