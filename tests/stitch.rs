@@ -4,7 +4,7 @@ mod common;
 
 use common::{Soup, cap, edge_counts, euler, sheet, volume};
 use gusset::mesh::{Faces, Mesh, MeshView, Positions};
-use gusset::stitch::{Meridians, Options, Orientation, Request, Stitch, stitch};
+use gusset::stitch::{Cells, Extent, Meridians, Options, Orientation, Request, Rows, Stitch, stitch};
 use gusset::{Error, Job, Progress, Side};
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -304,5 +304,46 @@ proptest! {
         assert_closed(&joined.mesh);
         prop_assert_eq!(euler(faces(&joined.mesh)), 2);
         prop_assert_eq!(joined.strip_faces.len(), rim_a.len() + rim_b.len());
+    }
+
+    /// Whatever the pieces, a stitch that is made adds no edge with three faces and no conflict, and loses nothing.
+    #[test]
+    fn any_soups(
+        a in prop::collection::vec(prop::collection::vec(0u32..9, 3..5), 1..12),
+        b in prop::collection::vec(prop::collection::vec(0u32..9, 3..5), 1..12),
+        within in any::<bool>(),
+        meridians in prop::sample::select(vec![Meridians::MinArea, Meridians::Index]),
+        extent in prop::sample::select(vec![Extent::WholeLoops, Extent::OpenArcs, Extent::Auto]),
+        rows in prop::sample::select(vec![Rows::None, Rows::Count(1), Rows::MeanEdge]),
+        cells in prop::sample::select(vec![Cells::Triangles, Cells::Quads]),
+        twist in -3i64..4,
+    ) {
+        // Faces of fewer than three proper edges have no border, for the library; they are left out here.
+        let proper = |f: &&[u32]| (0..f.len()).filter(|&i| f[i] != f[(i + 1) % f.len()]).count() >= 3;
+        let soup = |faces: &[Vec<u32>], lift: f64| {
+            let list: Vec<&[u32]> = faces.iter().map(Vec::as_slice).chain([&[0, 1, 2][..]]).filter(proper).collect();
+            let mut soup = Soup::flat(9, &list);
+            soup.points.iter_mut().enumerate().for_each(|(i, p)| *p = [p[0], (i * i % 5) as f64, lift + (i % 3) as f64]);
+            soup
+        };
+        let (a, b) = (soup(&a, 0.0), soup(&b, 7.5));
+        let both = a.and(&b);
+        let options = Options { meridians, extent, rows, cells, twist, ..Options::default() };
+        let made = if within {
+            let view = both.view();
+            stitch(&Request { a: &view, loop_a: None, b: None, loop_b: None }, &options, &Job::default())
+        } else {
+            join(&a, &b, &options)
+        };
+        if let Ok(made) = made {
+            let oddities = |counts: &std::collections::HashMap<(u32, u32), (u32, u32)>| {
+                let three = counts.iter().filter(|&(&(u, v), &(f, b))| u != v && f + b > 2).count();
+                let conflicts = counts.iter().filter(|&(&(u, v), &(f, b))| u != v && f + b == 2 && f != b).count();
+                (three, conflicts)
+            };
+            let (old, new) = (edge_counts(both.faces()), edge_counts(faces(&made.mesh)));
+            prop_assert_eq!(oddities(&old), oddities(&new));
+            prop_assert_eq!(made.mesh.face_count(), both.faces().count() + made.strip_faces.len());
+        }
     }
 }

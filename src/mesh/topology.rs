@@ -229,12 +229,11 @@ impl Topology {
 }
 
 /// The half-edges of face `f` as (number, start vertex, end vertex).
-fn half_edges(mesh: &MeshView<'_>, f: usize) -> impl Iterator<Item = (u32, u32, u32)> + Clone {
-    let range = mesh.faces().range(f);
-    let mut ends = mesh.faces().corners(range.clone()).cycle();
-    ends.next();
-    let starts = range.clone().zip(mesh.faces().corners(range));
-    starts.zip(ends).map(|((h, u), v)| (h as u32, u, v))
+fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = (u32, u32, u32)> + Clone + 'm {
+    let faces = mesh.faces();
+    let range = faces.range(f);
+    let (start, end) = (range.start as u32, range.end as u32);
+    (start..end).map(move |h| (h, faces.corner(h), faces.corner(if h + 1 == end { start } else { h + 1 })))
 }
 
 /// A vertex that face `f` names twice.
