@@ -29,19 +29,19 @@ fn is_free(edge: &WingedEdge) -> bool {
 /// Algorithm 1 as printed but for its criterion: from the first free edge's initial vertex along it, then at each vertex the
 /// first incident free edge. `exclude`: not the one just traversed. Gives up after `limit` vertices.
 fn printed_walk(tables: &WingedEdges, exclude: bool, limit: usize) -> (Vec<u32>, bool) {
-    let start = tables.edges.iter().position(is_free).unwrap();
-    let first = tables.edges[start].m;
+    let start = tables.edges().iter().position(is_free).unwrap();
+    let first = tables.edges()[start].m;
     let (mut at, mut edge, mut walk) = (first, start, vec![first]);
     while walk.len() < limit {
-        let WingedEdge { m, n, .. } = tables.edges[edge];
+        let WingedEdge { m, n, .. } = tables.edges()[edge];
         at = if at == m { n } else { m };
         walk.push(at);
         if at == first {
             return (walk, true);
         }
-        edge = (0..tables.edges.len())
+        edge = (0..tables.edges().len())
             .find(|&e| {
-                let other = &tables.edges[e];
+                let other = &tables.edges()[e];
                 is_free(other) && (other.m == at || other.n == at) && !(exclude && e == edge)
             })
             .unwrap();
@@ -53,16 +53,16 @@ fn printed_walk(tables: &WingedEdges, exclude: bool, limit: usize) -> (Vec<u32>,
 fn e01_the_criterion_needs_exactly_one_null() {
     let soup = sheet(3, 2);
     let tables = tables(&soup);
-    let both = tables.edges.iter().filter(|e| e.left == NONE && e.right == NONE).count();
+    let both = tables.edges().iter().filter(|e| e.left == NONE && e.right == NONE).count();
     assert_eq!(both, 0, "(3) as printed finds no edge of an open mesh");
-    assert_eq!(tables.edges.iter().filter(|e| is_free(e)).count(), 10, "exactly one NULL finds its border");
+    assert_eq!(tables.edges().iter().filter(|e| is_free(e)).count(), 10, "exactly one NULL finds its border");
 }
 
 #[test]
 fn e02_the_table_has_as_many_records_as_edges_not_faces() {
     let soup = sheet(3, 2);
     let edges = edge_counts(soup.faces()).len();
-    assert_eq!((tables(&soup).edges.len(), edges, soup.faces().count()), (17, 17, 6));
+    assert_eq!((tables(&soup).edges().len(), edges, soup.faces().count()), (17, 17, 6));
 }
 
 #[test]
@@ -228,15 +228,15 @@ fn e10_the_rims_edges_exist_already() {
     let (a, b, joined) = figure_5(2);
     let view = joined.mesh.view(&Job::default()).unwrap();
     let new = WingedEdges::new(&view, Winding::CounterClockwise, &Job::default()).unwrap();
-    let old = [&a, &b].map(|s| tables(s).edges.len());
+    let old = [&a, &b].map(|s| tables(s).edges().len());
     // Edges along rows: five on A and three on B exist; five in each of two rows are new. Along meridians: three on each of six.
     let neighbours = 5 * 4 - 2 + 3 * 6;
-    assert_eq!(new.edges.len(), old[0] + old[1] + neighbours - 5 - 3);
+    assert_eq!(new.edges().len(), old[0] + old[1] + neighbours - 5 - 3);
     // Each rim edge has got its other face, and the wings that go with it.
     for rim in &joined.rims {
         for pair in rim.windows(2) {
             let ends = |e: &&WingedEdge| [[e.m, e.n], [e.n, e.m]].iter().any(|p| p == pair);
-            let edge: Vec<_> = new.edges.iter().filter(ends).collect();
+            let edge: Vec<_> = new.edges().iter().filter(ends).collect();
             assert_eq!(edge.len(), 1);
             let WingedEdge { b, c, d, e, left, right, .. } = *edge[0];
             assert!([b, c, d, e, left, right].iter().all(|&x| x != NONE));

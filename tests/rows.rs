@@ -222,7 +222,7 @@ fn the_winged_edges_of_the_first_piece_keep_their_numbers() {
         let (old, new) = (tables(&a.view()), tables(&joined.mesh.view(&Job::default()).unwrap()));
         let none = gusset::mesh::NONE;
         let mut filled = 0;
-        for (before, after) in old.edges.iter().zip(&new.edges) {
+        for (before, after) in old.edges().iter().zip(new.edges()) {
             // What was there stays; NULL sides along the rim, and they alone, are filled, wings and all.
             let slots = |e: &gusset::winged::WingedEdge| [e.m, e.n, e.b, e.c, e.d, e.e, e.left, e.right];
             for (x, y) in slots(before).into_iter().zip(slots(after)) {
@@ -234,7 +234,7 @@ fn the_winged_edges_of_the_first_piece_keep_their_numbers() {
         assert_eq!(filled, 3 * 9);
         // Euler's formula with the tables' own edges.
         let used = joined.mesh.positions.len() as i64;
-        assert_eq!(used - new.edges.len() as i64 + joined.mesh.face_count() as i64, 2);
+        assert_eq!(used - new.edges().len() as i64 + joined.mesh.face_count() as i64, 2);
     }
 }
 

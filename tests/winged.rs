@@ -15,12 +15,12 @@ fn tables(soup: &Soup, winding: Winding) -> WingedEdges {
 
 /// The vertices of a face, walked through the tables: forwards over b and e, or backwards over d and c.
 fn cycle(tables: &WingedEdges, face: u32, forwards: bool) -> Vec<u32> {
-    let first = tables.edge_of_face[face as usize];
+    let first = tables.edge_of_face()[face as usize];
     let mut at = first;
-    let mut right = tables.edges[at as usize].right == face;
+    let mut right = tables.edges()[at as usize].right == face;
     let mut vertices = Vec::new();
     loop {
-        let edge = &tables.edges[at as usize];
+        let edge = &tables.edges()[at as usize];
         assert_eq!(if right { edge.right } else { edge.left }, face);
         // As R the face runs M to N, as L from N to M.
         let (from, to) = if right { (edge.m, edge.n) } else { (edge.n, edge.m) };
@@ -33,7 +33,7 @@ fn cycle(tables: &WingedEdges, face: u32, forwards: bool) -> Vec<u32> {
             (false, false) => edge.c,
         };
         let joint = if forwards { to } else { from };
-        let edge = &tables.edges[next as usize];
+        let edge = &tables.edges()[next as usize];
         // Of a face that is on both sides of an edge, the side that goes on from here.
         let as_right = edge.right == face && joint == if forwards { edge.m } else { edge.n };
         let as_left = edge.left == face && joint == if forwards { edge.n } else { edge.m };
@@ -48,14 +48,14 @@ fn cycle(tables: &WingedEdges, face: u32, forwards: bool) -> Vec<u32> {
 fn check_invariants(soup: &Soup, winding: Winding) -> WingedEdges {
     let tables = tables(soup, winding);
     let mut sides = vec![0; soup.offsets.len() - 1];
-    for (i, edge) in tables.edges.iter().enumerate() {
+    for (i, edge) in tables.edges().iter().enumerate() {
         let WingedEdge { m, n, b, c, d, e, left, right, marks } = *edge;
         assert!(left != NONE || right != NONE, "edge {i} has no face");
         assert_eq!([b == NONE, d == NONE], [right == NONE; 2]);
         assert_eq!([c == NONE, e == NONE], [left == NONE; 2]);
         assert!(marks == 0 || left == NONE || right == NONE, "marked records have one face");
         [left, right].iter().filter(|&&f| f != NONE).for_each(|&f| sides[f as usize] += 1);
-        assert!([m, n].iter().all(|&v| tables.edge_of_vertex[v as usize] <= i as u32));
+        assert!([m, n].iter().all(|&v| tables.edge_of_vertex()[v as usize] <= i as u32));
     }
     for (f, face) in soup.faces().enumerate() {
         assert_eq!(sides[f], face.len(), "each side of face {f} once");
@@ -77,8 +77,8 @@ fn check_invariants(soup: &Soup, winding: Winding) -> WingedEdges {
             assert_eq!(backwards, expected, "face {f}");
         }
     }
-    for (h, &edge) in tables.edge_of_half_edge.iter().enumerate() {
-        let edge = &tables.edges[edge as usize];
+    for (h, &edge) in tables.edge_of_half_edge().iter().enumerate() {
+        let edge = &tables.edges()[edge as usize];
         assert!([edge.m, edge.n].contains(&soup.corners[h]));
     }
     tables
@@ -92,7 +92,7 @@ fn check_loops(soup: &Soup, tables: &WingedEdges) {
     let by_fans: Vec<_> = fast.iter().map(|l| l.vertices.to_vec()).collect();
     assert_eq!(by_tables, by_fans);
     for ((_, edges), found) in slow.iter().zip(fast.iter()) {
-        let of_half_edges: Vec<_> = found.half_edges.iter().map(|&h| tables.edge_of_half_edge[h as usize]).collect();
+        let of_half_edges: Vec<_> = found.half_edges.iter().map(|&h| tables.edge_of_half_edge()[h as usize]).collect();
         assert_eq!(edges, of_half_edges);
     }
 }
@@ -105,11 +105,11 @@ fn a_quad_by_hand() {
     let edge = |m, n, c, e| WingedEdge { m, n, b: none, c, d: none, e, left: 0, right: none, marks: 0 };
     // L runs N to M: in the clockwise cycle 1 0 3 2, edge 1 comes before edge 0, and edge 3 after.
     let expected = [edge(0, 1, 1, 3), edge(1, 2, 2, 0), edge(2, 3, 3, 1), edge(3, 0, 0, 2)];
-    assert_eq!(tables(&quad, Winding::CounterClockwise).edges, expected);
+    assert_eq!(tables(&quad, Winding::CounterClockwise).edges(), expected);
     // The same stored clockwise: the face is R, d before and b after.
     let edge = |m, n, d, b| WingedEdge { m, n, b, c: none, d, e: none, left: none, right: 0, marks: 0 };
     let expected = [edge(0, 1, 3, 1), edge(1, 2, 0, 2), edge(2, 3, 1, 3), edge(3, 0, 2, 0)];
-    assert_eq!(tables(&quad, Winding::Clockwise).edges, expected);
+    assert_eq!(tables(&quad, Winding::Clockwise).edges(), expected);
 }
 
 #[test]
@@ -128,14 +128,14 @@ fn shapes_and_odd_cases() {
         for winding in [Winding::CounterClockwise, Winding::Clockwise] {
             let tables = check_invariants(soup, winding);
             let edges = edge_counts(soup.faces());
-            if tables.edges.iter().all(|e| e.marks == 0) {
-                assert_eq!(tables.edges.len(), edges.len());
+            if tables.edges().iter().all(|e| e.marks == 0) {
+                assert_eq!(tables.edges().len(), edges.len());
             }
         }
         check_loops(soup, &tables(soup, Winding::CounterClockwise));
     }
     let three = tables(&cases[5], Winding::CounterClockwise);
-    assert_eq!(three.edges.iter().filter(|e| e.marks == EdgeMarks::NON_MANIFOLD).count(), 3);
+    assert_eq!(three.edges().iter().filter(|e| e.marks == EdgeMarks::NON_MANIFOLD).count(), 3);
 }
 
 #[test]
@@ -143,7 +143,7 @@ fn a_flipped_face_makes_marked_records() {
     let mut soup = sheet(3, 3);
     soup.corners[16..20].reverse();
     let tables = check_invariants(&soup, Winding::CounterClockwise);
-    assert_eq!(tables.edges.iter().filter(|e| e.marks == EdgeMarks::NOT_ORIENTED).count(), 8);
+    assert_eq!(tables.edges().iter().filter(|e| e.marks == EdgeMarks::NOT_ORIENTED).count(), 8);
 }
 
 #[test]
@@ -151,10 +151,10 @@ fn stored_clockwise_is_the_turned_mesh() {
     let soup = cap(9, 4, 0.3, 1.0);
     let free = |tables: &WingedEdges| free_loops(tables).unwrap().vertices.len();
     let (a, b) = (tables(&soup, Winding::CounterClockwise), tables(&soup.turned(), Winding::Clockwise));
-    assert_eq!((a.edges.len(), free(&a)), (b.edges.len(), free(&b)));
+    assert_eq!((a.edges().len(), free(&a)), (b.edges().len(), free(&b)));
     // The same faces clockwise from outside: the same face on the right of the same directed edge.
     let right = |tables: &WingedEdges| {
-        let mut list: Vec<_> = tables.edges.iter().flat_map(|e| [(e.m, e.n, e.right), (e.n, e.m, e.left)]).collect();
+        let mut list: Vec<_> = tables.edges().iter().flat_map(|e| [(e.m, e.n, e.right), (e.n, e.m, e.left)]).collect();
         list.sort_unstable();
         list
     };
@@ -168,7 +168,7 @@ proptest! {
         let soup = Soup::flat(9, &list);
         for winding in [Winding::CounterClockwise, Winding::Clockwise] {
             let tables = check_invariants(&soup, winding);
-            if tables.edges.iter().all(|e| e.marks & EdgeMarks::NOT_ORIENTED == 0)
+            if tables.edges().iter().all(|e| e.marks & EdgeMarks::NOT_ORIENTED == 0)
                 && winding == Winding::CounterClockwise
             {
                 check_loops(&soup, &tables);

@@ -161,11 +161,11 @@ pub unsafe extern "C" fn gusset_winged_tables(
         out.write(gusset_winged_view {
             struct_size: size_of::<gusset_winged_view>(),
             // The core's record has the same fields in the same order.
-            edges: tables.edges.as_ptr().cast(),
-            edge_count: tables.edges.len(),
-            edge_of_half_edge: gusset_indices::lend(&tables.edge_of_half_edge),
-            edge_of_face: gusset_indices::lend(&tables.edge_of_face),
-            edge_of_vertex: gusset_indices::lend(&tables.edge_of_vertex),
+            edges: tables.edges().as_ptr().cast(),
+            edge_count: tables.edges().len(),
+            edge_of_half_edge: gusset_indices::lend(tables.edge_of_half_edge()),
+            edge_of_face: gusset_indices::lend(tables.edge_of_face()),
+            edge_of_vertex: gusset_indices::lend(tables.edge_of_vertex()),
             loop_vertices: gusset_indices::lend(&loops.vertices),
             loop_edges: gusset_indices::lend(&loops.edges),
             loop_offsets: gusset_indices::lend(&loops.offsets),

@@ -49,15 +49,15 @@ struct Step {
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub fn free_loops(tables: &WingedEdges) -> Result<FreeLoops> {
-    let edge = |step: Step| &tables.edges[step.edge as usize];
+    let edge = |step: Step| &tables.edges()[step.edge as usize];
     let tail = |step: Step| if step.forward { edge(step).m } else { edge(step).n };
     let head = |step: Step| if step.forward { edge(step).n } else { edge(step).m };
 
-    let mut seen = alloc::filled(false, tables.edges.len())?;
-    let mut place = alloc::filled(NONE, tables.edge_of_vertex.len())?;
+    let mut seen = alloc::filled(false, tables.edges().len())?;
+    let mut place = alloc::filled(NONE, tables.edge_of_vertex().len())?;
     let mut walk: Vec<Step> = Vec::new();
     let mut loops: Vec<Vec<Step>> = Vec::new();
-    for (i, start) in tables.edges.iter().enumerate() {
+    for (i, start) in tables.edges().iter().enumerate() {
         if !is_free(start) || start.marks != 0 || seen[i] {
             continue;
         }
@@ -106,16 +106,16 @@ fn is_free(edge: &WingedEdge) -> bool {
 /// behind that edge it is the next one, left from v; else the face behind it is next. An edge with one face that is its
 /// own wing cannot occur: a face has three proper edges.
 fn next_free(tables: &WingedEdges, step: Step, v: u32) -> Step {
-    let mut at = &tables.edges[step.edge as usize];
+    let mut at = &tables.edges()[step.edge as usize];
     let mut forward = step.forward;
     loop {
         // The face: L if the edge was reached running forward, else R.
         let mut wing = if forward { at.c } else { at.d };
-        at = &tables.edges[wing as usize];
+        at = &tables.edges()[wing as usize];
         // Edges without length lie within the face: pass over them.
         while at.marks & EdgeMarks::DEGENERATE != 0 {
             wing = if at.left != NONE { at.c } else { at.d };
-            at = &tables.edges[wing as usize];
+            at = &tables.edges()[wing as usize];
         }
         // The wing arrives at v; behind it lies L if it ends there, which runs it from N to M, else R.
         let ends_here = at.n == v;

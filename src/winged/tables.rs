@@ -56,14 +56,10 @@ impl EdgeMarks {
 /// The edge table of a mesh, and ways into it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WingedEdges {
-    /// The edges in the order of their first half-edges; M is the vertex where that half-edge starts.
-    pub edges: Vec<WingedEdge>,
-    /// Per half-edge (corner), its edge.
-    pub edge_of_half_edge: Vec<u32>,
-    /// Per face, its first edge.
-    pub edge_of_face: Vec<u32>,
-    /// Per vertex, an edge at it, or [`NONE`].
-    pub edge_of_vertex: Vec<u32>,
+    edges: Vec<WingedEdge>,
+    of_half_edge: Vec<u32>,
+    of_face: Vec<u32>,
+    of_vertex: Vec<u32>,
 }
 
 /// Faces between two progress reports.
@@ -79,9 +75,9 @@ impl WingedEdges {
         let faces = mesh.faces();
         let mut tables = WingedEdges {
             edges: alloc::with_capacity(faces.half_edge_count() / 2 + 1)?,
-            edge_of_half_edge: alloc::filled(NONE, faces.half_edge_count())?,
-            edge_of_face: alloc::with_capacity(faces.len())?,
-            edge_of_vertex: alloc::filled(NONE, mesh.positions().len())?,
+            of_half_edge: alloc::filled(NONE, faces.half_edge_count())?,
+            of_face: alloc::with_capacity(faces.len())?,
+            of_vertex: alloc::filled(NONE, mesh.positions().len())?,
         };
         for f in 0..faces.len() {
             if f % STEP == 0 {
@@ -99,6 +95,26 @@ impl WingedEdges {
         Ok(tables)
     }
 
+    /// The edges in the order of their first half-edges; M is the vertex where that half-edge starts.
+    pub fn edges(&self) -> &[WingedEdge] {
+        &self.edges
+    }
+
+    /// Per half-edge (corner), its edge.
+    pub fn edge_of_half_edge(&self) -> &[u32] {
+        &self.of_half_edge
+    }
+
+    /// Per face, its first edge.
+    pub fn edge_of_face(&self) -> &[u32] {
+        &self.of_face
+    }
+
+    /// Per vertex, an edge at it, or [`NONE`].
+    pub fn edge_of_vertex(&self) -> &[u32] {
+        &self.of_vertex
+    }
+
     /// Gives every half-edge of face `f` its edge, a new one where its mate has none yet.
     fn number_edges(&mut self, mesh: &MeshView<'_>, f: usize, topology: &Topology) -> Result<()> {
         let range = mesh.faces().range(f);
@@ -106,7 +122,7 @@ impl WingedEdges {
         let mut m = ends.next().unwrap_or(NONE);
         for h in range.clone() {
             let n = ends.next().unwrap_or(NONE);
-            if self.edge_of_half_edge[h] == NONE {
+            if self.of_half_edge[h] == NONE {
                 let (mate, marks) = mate(mesh, topology, h as u32);
                 let edge = self.edges.len() as u32;
                 let none = NONE;
@@ -114,25 +130,25 @@ impl WingedEdges {
                     &mut self.edges,
                     WingedEdge { m, n, b: none, c: none, d: none, e: none, left: none, right: none, marks },
                 )?;
-                self.edge_of_half_edge[h] = edge;
+                self.of_half_edge[h] = edge;
                 if let Some(mate) = mate {
-                    self.edge_of_half_edge[mate as usize] = edge;
+                    self.of_half_edge[mate as usize] = edge;
                 }
                 for v in [m, n] {
-                    let at = &mut self.edge_of_vertex[v as usize];
+                    let at = &mut self.of_vertex[v as usize];
                     *at = edge.min(*at);
                 }
             }
             m = n;
         }
-        self.edge_of_face.push(self.edge_of_half_edge[range.start]);
+        self.of_face.push(self.of_half_edge[range.start]);
         Ok(())
     }
 
     /// Enters face `f` into the edges along it.
     fn fill_wings(&mut self, mesh: &MeshView<'_>, f: usize, winding: Winding) {
         let range = mesh.faces().range(f);
-        let cycle = &self.edge_of_half_edge[range.clone()];
+        let cycle = &self.of_half_edge[range.clone()];
         for (i, v) in mesh.face(f).enumerate() {
             let before = cycle[(i + cycle.len() - 1) % cycle.len()];
             let after = cycle[(i + 1) % cycle.len()];
