@@ -177,3 +177,35 @@ fn any_unit_will_do_and_bad_numbers_are_refused() {
     let refused = facing(&a, &b, Some(-1.0), Run::Closest);
     assert_eq!(refused, Err(Error::OptionOutOfRange { option: "tolerance", value: -1.0 }));
 }
+
+#[test]
+fn of_equally_long_runs_the_first_is_taken() {
+    // A cross: two arms of equal length reach over to the other loop.
+    let arm = |y: f64| [[2.0, y - 0.5, 0.0], [2.0, y, 0.0], [2.0, y + 0.5, 0.0]].map(DVec3::from_array);
+    let gap = |y: f64| [DVec3::new(-2.0, y, 0.0)];
+    let a = [&arm(-2.0)[..], &gap(0.0), &arm(2.0), &gap(2.6), &gap(-2.6)].concat();
+    let b = circle(12, 1.0, 0.1, DVec3::X * 8.0);
+    let found = facing(&a, &b, None, Run::Longest).unwrap();
+    assert_eq!(found.runs[0], [Arc { first: 0, count: 3 }, Arc { first: 4, count: 3 }]);
+    assert_eq!(found.taken[0], Arc { first: 0, count: 3 });
+}
+
+#[test]
+fn wavy_coaxial_rims_are_joined_whole() {
+    // Their vertices lie well off the planes, on both sides by turns: only the loops' normals tell.
+    let wavy = |n: usize, z: f64| -> Vec<DVec3> {
+        let lift = |i: usize| DVec3::Z * (z + if i % 2 == 0 { 0.2 } else { -0.2 });
+        circle(n, 1.0, 0.0, DVec3::ZERO).into_iter().enumerate().map(|(i, p)| p + lift(i)).collect()
+    };
+    let (low, high) = (wavy(24, 0.0), wavy(30, 2.0));
+    assert_eq!(facing(&low, &high, None, Run::Longest).unwrap().runs[0].len(), 12);
+    let (p, q) = (piece(&low, -DVec3::Z, 1.0), piece(&high, DVec3::Z, 1.0));
+    let (p, q) = (p.view(), q.view());
+    let names = |n: u32| (0..n).collect::<Vec<_>>();
+    let (loop_a, loop_b) = (names(24), names(30));
+    let request = Request { a: &p, loop_a: Some(&loop_a), b: Some(&q), loop_b: Some(&loop_b) };
+    let options = Options { extent: Extent::Auto, ..Options::default() };
+    let joined = stitch(&request, &options, &Job::default()).unwrap();
+    assert!(joined.closed);
+    assert_eq!(joined.rims.each_ref().map(Vec::len), [24, 30]);
+}

@@ -243,3 +243,23 @@ fn the_index_rule_is_linear_and_quick() {
     let rule = gusset::stitch::meridian::index_rule::index_rule(100_000, 80_000);
     assert_eq!(rule.last(), Some(80_000));
 }
+
+#[test]
+fn quads_are_split_and_measured_by_their_shorter_diagonals() {
+    // B is shifted by 0.4: of the two diagonals of each quad one leans by 0.6 and the other by 1.4.
+    let (a, mut b) = (sheet(6, 1), sheet(6, 1));
+    for shift in [0.4, -0.4] {
+        b.points.iter_mut().zip(&a.points).for_each(|(p, q)| *p = [q[0] + shift, q[1] + 2.0, 0.0]);
+        let with = |cells| {
+            let options =
+                Options { extent: Extent::OpenArcs, meridians: Meridians::Index, cells, ..Options::default() };
+            join(&a, &b, &options).unwrap().quality
+        };
+        let (triangles, quads) = (with(Cells::Triangles), with(Cells::Quads));
+        assert!((triangles.max_edge - 1f64.hypot(0.6)).abs() < 1e-12, "{shift}: {}", triangles.max_edge);
+        assert!((quads.max_edge - 1f64.hypot(0.4)).abs() < 1e-12);
+        assert!((quads.min_angle - triangles.min_angle).abs() < 1e-12);
+        assert!((quads.max_aspect - triangles.max_aspect).abs() < 1e-12);
+        assert!((quads.area - 6.0).abs() < 1e-12 && (triangles.area - 6.0).abs() < 1e-12);
+    }
+}
