@@ -248,6 +248,12 @@ fn the_index_rule_is_linear_and_quick() {
 fn quads_are_split_and_measured_by_their_shorter_diagonals() {
     // B is shifted by 0.4: of the two diagonals of each quad one leans by 0.6 and the other by 1.4.
     let (a, mut b) = (sheet(6, 1), sheet(6, 1));
+    let arc = |soup: &Soup, start: u32| {
+        let found = boundary_loops(&soup.view(), &BoundaryOptions::default(), &Job::default()).unwrap();
+        Arc { first: found.get(0).unwrap().vertices.iter().position(|&v| v == start).unwrap(), count: 7 }
+    };
+    // A's upper side from its right end, B's lower side from its left end.
+    let extent = Extent::Arcs([arc(&a, 13), arc(&b, 0)]);
     for shift in [0.4, -0.4] {
         b.points.iter_mut().zip(&a.points).for_each(|(p, q)| *p = [q[0] + shift, q[1] + 2.0, 0.0]);
         let with = |cells| {
