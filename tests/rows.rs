@@ -257,8 +257,7 @@ fn quads_are_split_and_measured_by_their_shorter_diagonals() {
     for shift in [0.4, -0.4] {
         b.points.iter_mut().zip(&a.points).for_each(|(p, q)| *p = [q[0] + shift, q[1] + 2.0, 0.0]);
         let with = |cells| {
-            let options =
-                Options { extent: Extent::OpenArcs, meridians: Meridians::Index, cells, ..Options::default() };
+            let options = Options { extent, meridians: Meridians::Index, cells, ..Options::default() };
             join(&a, &b, &options).unwrap().quality
         };
         let (triangles, quads) = (with(Cells::Triangles), with(Cells::Quads));
