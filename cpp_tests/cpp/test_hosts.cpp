@@ -10,6 +10,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -150,6 +151,40 @@ TEST_CASE("arcs and loops, rows, triangles and quads: both hosts take every face
                     }
                 }
             }
+        }
+    }
+}
+
+TEST_CASE("arcs of every length from 1 to 50: both hosts take every face") {
+    // A wide sheet each; the arcs lie in the middle of the sides that face each other.
+    const uint32_t width = 60;
+    const Soup a = sheet(width, 0.0), b = sheet(width, 2.5);
+    const gusset::Boundary rim_a(a.view()), rim_b(b.view());
+    const auto place = [](const gusset::Boundary &rim, uint32_t v) {
+        const auto loop = rim[0].vertices;
+        return static_cast<uint32_t>(std::find(loop.begin(), loop.end(), v) - loop.begin());
+    };
+    for (uint32_t n = 1; n <= 50; ++n) {
+        for (uint32_t m = 1; m <= 50; ++m) {
+            CAPTURE(n);
+            CAPTURE(m);
+            gusset::StitchOptions options;
+            options.extent = gusset::Extent::arcs;
+            // The upper side of A runs from right to left, the lower side of B from left to right.
+            options.arc_a = {place(rim_a, 3 * width - 1 - (width - n) / 2), n};
+            options.arc_b = {place(rim_b, (width - m) / 2), m};
+            options.rows = gusset::Rows::exactly((7 * n + m) % 11);
+            options.cells = (n + m) % 2 == 0 ? gusset::Cells::quads : gusset::Cells::triangles;
+            options.meridians = n % 2 == 0 ? gusset::Meridians::min_area : gusset::Meridians::index;
+            const gusset::Stitch stitch = gusset::stitch(a.view(), b.view(), options);
+            HostMesh openmesh;
+            REQUIRE(gusset::openmesh::append(openmesh, stitch.mesh()).empty());
+            CgalMesh cgal;
+            REQUIRE(gusset::cgal::append(cgal, stitch.mesh()).empty());
+            CHECK(CGAL::is_valid_polygon_mesh(cgal));
+            CHECK(gusset::Check(stitch.mesh()).is_oriented());
+            // A single vertex is touched by its fan at that vertex only: a bow-tie.
+            CHECK(gusset::Check(stitch.mesh()).is_manifold() == ((n > 1 && m > 1) || (n == 1 && m == 1)));
         }
     }
 }
