@@ -171,7 +171,9 @@
 #define GUSSET_MERIDIANS_INDEX 1
 
 /**
- * A second piece that is oriented against the first is turned over. Two loops of one connected piece are taken as they are.
+ * A second piece that is oriented against the first is turned over: the component that rim B is on. Two loops of one connected
+ * piece are taken as they are. Whole rims are compared as curves, and by where their surfaces lie if both lead off them to the
+ * same side, as at the ends of a U-bend; where nothing is clear, nothing is turned.
  */
 #define GUSSET_ORIENTATION_FIX 0
 
@@ -389,7 +391,7 @@ enum gusset_status
      */
     GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
     /**
-     * Every strip would repeat an edge that the mesh already has.
+     * Every strip through the first meridian would repeat an edge that the mesh already has.
      */
     GUSSET_ERROR_NO_STRIP = 1107,
     /**
@@ -1305,8 +1307,10 @@ GUSSET_API const char *gusset_status_text(int32_t status);
  *
  * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
  * LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions),
- * TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, plus O(N M) or O(N + M) by
- * the choice of meridians, plus the size of the strip; linear extra memory, and for MIN_AREA one byte for each of the N M pairs, at most 64 MiB.
+ * TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, plus O(N M) or
+ * O((N + M) log M) by the choice of meridians, plus the size of the strip, plus a box test for each pair of loops where the choice
+ * is left open. Extra memory is linear in the meshes and the strip; for MIN_AREA one byte for each of the N M pairs, at most
+ * 64 MiB, and 48 (M + 1) bytes for each 2^26 pairs begun.
  * Source: Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
  */
 GUSSET_API

@@ -194,7 +194,7 @@ fn of_equally_long_runs_the_first_is_taken() {
 fn wavy_coaxial_rims_are_joined_whole() {
     // Their vertices lie well off the planes, on both sides by turns: only the loops' normals tell.
     let wavy = |n: usize, z: f64| -> Vec<DVec3> {
-        let lift = |i: usize| DVec3::Z * (z + if i % 2 == 0 { 0.2 } else { -0.2 });
+        let lift = |i: usize| DVec3::Z * (z + if i.is_multiple_of(2) { 0.2 } else { -0.2 });
         circle(n, 1.0, 0.0, DVec3::ZERO).into_iter().enumerate().map(|(i, p)| p + lift(i)).collect()
     };
     let (low, high) = (wavy(24, 0.0), wavy(30, 2.0));

@@ -257,6 +257,60 @@ fn any_unit_of_length() {
     }
 }
 
+/// `soup` swung about the line x = 1.5, z = 0 by an angle in degrees: from above to the right, to below.
+fn swung(soup: &Soup, degrees: f64) -> Soup {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let mut swung = soup.clone();
+    for p in &mut swung.points {
+        let [x, y, z] = [p[0] - 1.5, p[1], p[2]];
+        *p = [1.5 + x * cos + z * sin, y, z * cos - x * sin];
+    }
+    swung
+}
+
+#[test]
+fn orientation_is_judged_right_round_any_bend() {
+    // Two cups, mouth to mouth at first, and at last side by side, both open upwards.
+    let (a, b) = (cap(24, 4, 0.3, -1.0), cap(20, 4, 0.3, 1.0));
+    for degrees in [0.0, 30.0, 60.0, 85.0, 95.0, 120.0, 150.0, 180.0] {
+        let b = swung(&b, degrees);
+        let joined = join(&a, &b, &Options::default()).unwrap();
+        assert!(!joined.turned, "{degrees}");
+        let fixed = join(&a, &b.turned(), &Options::default()).unwrap();
+        assert!(fixed.turned, "{degrees}");
+        assert_eq!(fixed.mesh.positions, joined.mesh.positions);
+        let signed = |s: &Stitch| volume(|v| s.mesh.positions.get(v).to_array(), faces(&s.mesh));
+        // Two cups and what lies between; a piece that is inside out would take its own volume away. (Quads are not plane, and
+        // a turned one starts at another corner, so that the two volumes are not quite the same.)
+        let (one, other) = (signed(&joined), signed(&fixed));
+        assert!(one > 2.0 && (one - other).abs() < 0.1, "{degrees}: {one} {other}");
+    }
+}
+
+#[test]
+fn nested_rims_are_judged_by_their_curves() {
+    // The inner and the outer wall of a thick bowl: both lead upwards, and run opposite ways.
+    let (outer, mut inner) = (cap(24, 4, 0.3, -1.0), cap(24, 4, 0.3, -1.0).turned());
+    inner.points.iter_mut().for_each(|p| *p = p.map(|x| 0.8 * x));
+    assert!(!join(&outer, &inner, &Options::default()).unwrap().turned);
+    assert!(join(&outer, &inner.turned(), &Options::default()).unwrap().turned);
+}
+
+#[test]
+fn only_the_component_on_the_rim_is_turned() {
+    let (a, b) = (cap(12, 3, 0.2, 1.0), cap(9, 3, 0.2, -1.0).turned());
+    let bystander = cap(5, 2, 0.2, 1.0);
+    let mut far = bystander.clone();
+    far.points.iter_mut().for_each(|p| p[0] += 10.0);
+    let joined = join(&a, &b.and(&far), &Options::default()).unwrap();
+    assert!(joined.turned);
+    let first = a.faces().count() + b.faces().count();
+    let offset = (a.points.len() + b.points.len()) as u32;
+    for (now, then) in faces(&joined.mesh).skip(first).zip(bystander.faces()) {
+        assert!(now.iter().map(|v| v - offset).eq(then.iter().copied()));
+    }
+}
+
 struct CancelAfter(std::cell::Cell<u32>);
 
 impl Progress for CancelAfter {

@@ -47,7 +47,8 @@ pub struct Options {
 pub struct LoopFlags(pub u32);
 
 impl LoopFlags {
-    /// The chain does not close: it has one vertex more than it has edges.
+    /// The chain does not close: it has one vertex more than it has edges. (A chain that ends at the vertex where it began, in
+    /// another fan, counts as closed.)
     pub const OPEN: u32 = 1;
     /// It passes a vertex where the surface touches itself.
     pub const BOW_TIE: u32 = 2;
@@ -100,6 +101,8 @@ pub struct Loop<'a> {
 }
 
 struct Record {
+    /// The smallest half-edge.
+    smallest: u32,
     vertices: Range<usize>,
     edges: Range<usize>,
     flags: u32,
@@ -167,7 +170,8 @@ impl Boundary {
 
 /// Finds every free boundary loop of `mesh`.
 ///
-/// O(H log d) for H half-edges and vertices of degree d; extra memory is linear: that of [`Topology`] and 4 bytes a vertex. With
+/// O(H log d) for H half-edges and vertices of degree d; extra memory is linear: that of [`Topology`], 5 bytes a
+/// vertex, and the border several times over. With
 /// [`Survey::BoundaryOnly`] O(H + B log B) for a boundary of B edges, and 8 bytes a vertex, unless the boundary is odd.
 ///
 /// # Errors
@@ -207,7 +211,8 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
             },
         )?;
     }
-    boundary.records.sort_by_key(|r| boundary.half_edges[r.edges.clone()].iter().copied().min());
+    // In place: a stable sort would ask for memory that may not be there.
+    boundary.records.sort_unstable_by_key(|r| r.smallest);
     for vertex in walker.bow_ties() {
         alloc::push(&mut boundary.defects, Defect::BowTie { vertex })?;
     }
@@ -318,6 +323,7 @@ impl Boundary {
             }
         }
         let record = Record {
+            smallest: self.half_edges[edge_start..].iter().copied().min().unwrap_or(NONE),
             vertices: vertex_start..self.vertices.len(),
             edges: edge_start..self.half_edges.len(),
             flags,

@@ -60,7 +60,7 @@ pub enum gusset_status {
     GUSSET_ERROR_LOOP_NOT_ORIENTED = 1105,
     /// The second piece is oriented against the first, and the options refuse to turn it over.
     GUSSET_ERROR_ORIENTATION_CONFLICT = 1106,
-    /// Every strip would repeat an edge that the mesh already has.
+    /// Every strip through the first meridian would repeat an edge that the mesh already has.
     GUSSET_ERROR_NO_STRIP = 1107,
     /// The planes through the loops' centres cannot tell which vertices face each other: such loops are joined whole.
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,

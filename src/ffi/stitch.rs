@@ -14,7 +14,9 @@ pub const GUSSET_MERIDIANS_MIN_AREA: u32 = 0;
 /// The paper's rule by index, O(N + M): good for evenly spaced rims.
 pub const GUSSET_MERIDIANS_INDEX: u32 = 1;
 
-/// A second piece that is oriented against the first is turned over. Two loops of one connected piece are taken as they are.
+/// A second piece that is oriented against the first is turned over: the component that rim B is on. Two loops of one connected
+/// piece are taken as they are. Whole rims are compared as curves, and by where their surfaces lie if both lead off them to the
+/// same side, as at the ends of a U-bend; where nothing is clear, nothing is turned.
 pub const GUSSET_ORIENTATION_FIX: u32 = 0;
 /// Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
 pub const GUSSET_ORIENTATION_REFUSE: u32 = 1;
@@ -235,8 +237,10 @@ impl gusset_stitch_options {
 ///
 /// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
 /// LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions),
-/// TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, plus O(N M) or O(N + M) by
-/// the choice of meridians, plus the size of the strip; linear extra memory, and for MIN_AREA one byte for each of the N M pairs, at most 64 MiB.
+/// TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, plus O(N M) or
+/// O((N + M) log M) by the choice of meridians, plus the size of the strip, plus a box test for each pair of loops where the choice
+/// is left open. Extra memory is linear in the meshes and the strip; for MIN_AREA one byte for each of the N M pairs, at most
+/// 64 MiB, and 48 (M + 1) bytes for each 2^26 pairs begun.
 /// Source: Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -6,6 +6,7 @@
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
+use std::ops::Range;
 
 /// Ranges of at most this many points are searched one by one.
 const LEAF: usize = 8;
@@ -16,6 +17,9 @@ pub(crate) struct KdTree<'a> {
     order: Vec<u32>,
     /// The splitting axis of the range whose middle is at this place of `order`.
     axis: Vec<u8>,
+    /// The box round all points.
+    low: DVec3,
+    high: DVec3,
 }
 
 impl<'a> KdTree<'a> {
@@ -25,6 +29,8 @@ impl<'a> KdTree<'a> {
             points,
             order: alloc::collect((0..points.len()).map(|i| i as u32))?,
             axis: alloc::filled(0, points.len())?,
+            low: points.iter().fold(DVec3::INFINITY, |low, &p| low.min(p)),
+            high: points.iter().fold(DVec3::NEG_INFINITY, |high, &p| high.max(p)),
         };
         split(points, &mut tree.order, &mut tree.axis);
         Ok(tree)
@@ -34,31 +40,43 @@ impl<'a> KdTree<'a> {
     /// equally near ones the smallest index.
     pub(crate) fn nearest(&self, query: DVec3, limit: f64, accept: impl Fn(u32) -> bool) -> Option<(f64, u32)> {
         let mut best = (limit, u32::MAX);
-        self.search(0, self.order.len(), query, &accept, &mut best);
+        let off = (self.low - query).max(query - self.high).max(DVec3::ZERO);
+        self.search(0..self.order.len(), query, off, &accept, &mut best);
         (best.1 != u32::MAX).then_some(best)
     }
 
-    fn search(&self, from: usize, to: usize, query: DVec3, accept: &impl Fn(u32) -> bool, best: &mut (f64, u32)) {
+    /// Searches a range of `order`. `off` is how far the query lies outside the range's cell along each axis: no point of the
+    /// range is nearer than its length.
+    fn search(
+        &self,
+        range: Range<usize>,
+        query: DVec3,
+        off: DVec3,
+        accept: &impl Fn(u32) -> bool,
+        best: &mut (f64, u32),
+    ) {
         let mut visit = |index: u32| {
             let candidate = (self.points[index as usize].distance_squared(query), index);
             if candidate < *best && accept(index) {
                 *best = candidate;
             }
         };
-        if to - from <= LEAF {
-            self.order[from..to].iter().for_each(|&index| visit(index));
+        if range.len() <= LEAF {
+            self.order[range].iter().for_each(|&index| visit(index));
             return;
         }
-        let middle = usize::midpoint(from, to);
+        let middle = usize::midpoint(range.start, range.end);
         visit(self.order[middle]);
         let axis = self.axis[middle] as usize;
         let offset = query[axis] - self.points[self.order[middle] as usize][axis];
-        let (near, far) =
-            if offset <= 0.0 { ((from, middle), (middle + 1, to)) } else { ((middle + 1, to), (from, middle)) };
-        self.search(near.0, near.1, query, accept, best);
+        let (low, high) = (range.start..middle, middle + 1..range.end);
+        let (near, far) = if offset <= 0.0 { (low, high) } else { (high, low) };
+        self.search(near, query, off, accept, best);
+        let mut beyond = off;
+        beyond[axis] = offset.abs().max(off[axis]);
         // Not `<`: an equally near point of smaller index may lie beyond.
-        if offset * offset <= best.0 {
-            self.search(far.0, far.1, query, accept, best);
+        if beyond.length_squared() <= best.0 {
+            self.search(far, query, beyond, accept, best);
         }
     }
 }

@@ -9,7 +9,7 @@ use super::pairing::{nearest_pair, usable_rims};
 use super::quality::Quality;
 use super::request::{Cells, Meridians, Options, Orientation, Request, Rows, Stitch};
 use super::rim::{Bridges, FreeEdges, Rim, shared_vertex};
-use super::sense::{arcs_run_the_same_way, run_the_same_way};
+use super::sense::{arcs_run_the_same_way, rims_disagree};
 use super::start::closest_pair;
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
@@ -24,8 +24,9 @@ use crate::mesh::{MeshView, Sets};
 /// nearest vertex of the other. Old positions are never changed, and every old face is kept.
 ///
 /// O(H log d) for the meshes' H half-edges, plus O(N M) ([`Meridians::MinArea`]) or O(N + M) ([`Meridians::Index`]) and O((N + M) log M), and
-/// the size of the strip. Extra memory is linear in the meshes, the strip and the table's of [`Meridians::MinArea`]: one byte for each of
-/// N M pairs, at most 64 MiB, and 48 (M + 1) (1 + N M / 2^26) bytes.
+/// the size of the strip, and a box test for each pair of loops where the choice is left open. Extra memory is linear in the
+/// meshes and the strip, but for [`Meridians::MinArea`]: one byte for each of N M pairs, at most 64 MiB, and 48 (M + 1) bytes for each
+/// 2^26 pairs begun, where N is rim A; hence a rim B that is the shorter one saves memory on very long rims.
 ///
 /// An arc of a single vertex gets a fan of triangles, which touches its piece at that vertex only; two arcs of one vertex each
 /// get one meridian and no face.
@@ -72,15 +73,17 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let mut pieces = vec![request.a];
     pieces.extend(request.b);
     let mut whole = Combination::new(&pieces, grid.new.len(), &faces)?;
+    // What is turned over is the component that rim B is on, and nothing else.
+    let mesh_b = request.b.unwrap_or(request.a);
+    let mut components = if turn { Some(Sets::of_vertices(mesh_b)?) } else { None };
+    let root = components.as_mut().map(|sets| sets.root(b.vertices[0]));
+    let is_turned = |f: usize| {
+        let of_face = |sets: &mut Sets| mesh_b.face(f).next().map(|v| sets.root(v));
+        components.as_mut().is_some_and(|sets| of_face(sets) == root)
+    };
     let maps = match request.b {
-        Some(second) => [whole.append(request.a, |_| false)?, whole.append(second, |_| turn)?],
-        None if turn => {
-            let mut components = Sets::of_vertices(request.a)?;
-            let root = components.root(b.vertices[0]);
-            let is_second = |f: usize| request.a.face(f).next().is_some_and(|v| components.root(v) == root);
-            [whole.append(request.a, is_second)?, IndexMap::default()]
-        }
-        None => [whole.append(request.a, |_| false)?, IndexMap::default()],
+        Some(second) => [whole.append(request.a, |_| false)?, whole.append(second, is_turned)?],
+        None => [whole.append(request.a, is_turned)?, IndexMap::default()],
     };
     let map_b = if request.b.is_some() { &maps[1] } else { &maps[0] };
     // The strip's own numbers to the result's.
@@ -197,8 +200,10 @@ fn choose_rims(request: &Request<'_>, job: &Job<'_>) -> Result<Rims> {
 
 /// True if the second piece has to be turned over.
 fn must_turn(request: &Request<'_>, a: &Rim, b: &Rim, orientation: Orientation) -> Result<bool> {
-    let same_way = if a.closed { run_the_same_way } else { arcs_run_the_same_way };
-    if orientation == Orientation::Keep || !same_way(&a.points, &b.points) {
+    if orientation == Orientation::Keep {
+        return Ok(false);
+    }
+    if !(if a.closed { rims_disagree(a, b) } else { arcs_run_the_same_way(&a.points, &b.points) }) {
         return Ok(false);
     }
     if request.b.is_none() {

@@ -18,6 +18,9 @@ pub(super) struct Rim {
     pub(super) points: Vec<DVec3>,
     /// A face on the rim.
     pub(super) face: u32,
+    /// The mean over the rim of the unit vectors that lead off the surface, square to the rim. Near 0 for a flat piece,
+    /// whose rim leads off it on all sides; near 1 long for the end of a tube.
+    pub(super) outward: DVec3,
 }
 
 /// Loops with any of these cannot carry a strip.
@@ -31,7 +34,7 @@ pub(super) fn is_usable(candidate: &Loop<'_>) -> bool {
 impl Rim {
     /// A usable loop of the boundary.
     pub(super) fn found(mesh: &MeshView<'_>, found: &Loop<'_>) -> Result<Rim> {
-        Rim::new(mesh, alloc::copied(found.vertices)?, found.faces[0], false)
+        Rim::new(mesh, alloc::copied(found.vertices)?, found.faces, false)
     }
 
     /// A loop given by the caller, in either direction.
@@ -48,31 +51,42 @@ impl Rim {
 
         // Faces that run the edges as the loop does, and faces that run them the other way.
         let mut faces = [None, None];
+        let mut along = alloc::with_capacity(count)?;
         for place in 0..count {
             let (u, v) = (vertices[place], vertices[(place + 1) % count]);
             match (edges.face_that_runs(u, v), edges.face_that_runs(v, u)) {
-                (Some(face), _) => faces[0] = Some(face),
-                (None, Some(face)) => faces[1] = Some(face),
+                (Some(face), _) => {
+                    faces[0] = Some(face);
+                    along.push(face);
+                }
+                (None, Some(face)) => {
+                    faces[1] = Some(face);
+                    along.push(face);
+                }
                 (None, None) => {
                     return Err(Error::LoopEdgeNotFree { side, place: place as u32, vertex: u });
                 }
             }
         }
         let mut vertices = alloc::copied(vertices)?;
-        let face = match faces {
+        match faces {
             [Some(_), Some(face)] => return Err(Error::LoopNotOriented { side, face }),
-            [Some(face), None] => face,
-            [None, against] => {
+            [Some(_), None] => {}
+            [None, _] => {
                 vertices.reverse();
-                against.unwrap_or(0)
+                // Edge i of the reversed loop is edge n - 2 - i of the given one.
+                along[..count - 1].reverse();
             }
-        };
-        Rim::new(mesh, vertices, face, faces[1].is_some())
+        }
+        Rim::new(mesh, vertices, &along, faces[1].is_some())
     }
 
-    fn new(mesh: &MeshView<'_>, vertices: Vec<u32>, face: u32, backwards: bool) -> Result<Rim> {
+    /// `faces`: the face that each edge borders.
+    fn new(mesh: &MeshView<'_>, vertices: Vec<u32>, faces: &[u32], backwards: bool) -> Result<Rim> {
         let points = alloc::collect(vertices.iter().map(|&v| mesh.positions().get(v)))?;
-        Ok(Rim { closed: true, backwards, vertices, points, face })
+        let n = points.len();
+        let outward = (0..n).map(|i| off_the_face(mesh, faces[i], points[i], points[(i + 1) % n])).sum::<DVec3>();
+        Ok(Rim { closed: true, backwards, vertices, points, face: faces[0], outward: outward / n as f64 })
     }
 
     /// The number of its edges.
@@ -117,6 +131,17 @@ impl Rim {
         self.vertices.rotate_left(first);
         self.points.rotate_left(first);
     }
+}
+
+/// The unit vector that leads off face `f` across its edge from `p` to `q`, square to it; 0 for a face without area.
+fn off_the_face(mesh: &MeshView<'_>, f: u32, p: DVec3, q: DVec3) -> DVec3 {
+    let corners = mesh.face(f as usize).map(|v| mesh.positions().get(v));
+    // In the face's own unit, so that nothing overflows.
+    let reach = corners.clone().map(|c| (c - p).abs().max_element()).fold(0.0, f64::max);
+    let count = corners.len() as f64;
+    let inwards = corners.map(|c| (c - p) / reach).sum::<DVec3>() / count;
+    let along = ((q - p) / reach).normalize_or_zero();
+    -(inwards - along * inwards.dot(along)).normalize_or_zero()
 }
 
 /// A vertex that both rims, of one mesh, pass.

@@ -4,6 +4,8 @@
 //! opposite ways; if they run the same way, one piece is inside out. The test compares the curves themselves: each is
 //! sampled at equal arc lengths and centred, and the second is laid on the first in both directions, at the best rotation.
 
+use super::facing::centre;
+use super::rim::Rim;
 use glam::DVec3;
 
 /// Samples of each rim.
@@ -14,7 +16,7 @@ const SAMPLES: usize = 64;
 const MARGIN: f64 = 0.01;
 
 /// True if rims `a` and `b` clearly run the same way, so that their surfaces disagree in orientation.
-pub(super) fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
+fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
     let (p, q) = (centred_samples(a), centred_samples(b));
     // The sum of squared distances is |p|^2 + |q|^2 - 2 sum(p . q): the least distance is the greatest correlation.
     let best = |sign: usize| {
@@ -25,6 +27,39 @@ pub(super) fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
     let (same, opposite) = (best(1), best(SAMPLES - 1));
     let spread = |s: &[DVec3]| s.iter().map(|v| v.length_squared()).sum::<f64>();
     2.0 * (same - opposite) > MARGIN * (spread(&p) + spread(&q))
+}
+
+/// True if whole rims `a` and `b`, each with its surface on the left, say clearly that their surfaces disagree in orientation.
+///
+/// The comparison of the curves holds while the gap bends by less than a right angle, or one rim lies inside the other. Where
+/// both rims lead off their surfaces to the same side, as the ends of a U-bend do, each is judged by itself: whether its
+/// surface is on the left as seen from where it leads to. The ends of an oriented surface all agree in that.
+pub(super) fn rims_disagree(a: &Rim, b: &Rim) -> bool {
+    let leads = |rim: &Rim| rim.outward.length() > LEADS;
+    if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !is_nested(&a.points, &b.points) {
+        let (u, v) = (turns(a), turns(b));
+        return u.abs().min(v.abs()) > LEADS && u * v < 0.0;
+    }
+    run_the_same_way(&a.points, &b.points)
+}
+
+/// A rim leads off its surface in a direction if the mean of its unit vectors is longer than this.
+const LEADS: f64 = 0.3;
+
+/// The cosine of the angle between a rim's area vector and the direction in which it leads off its surface.
+fn turns(rim: &Rim) -> f64 {
+    let n = rim.points.len();
+    let centre = centre(&rim.points);
+    let area: DVec3 = (0..n).map(|i| (rim.points[i] - centre).cross(rim.points[(i + 1) % n] - centre)).sum();
+    area.normalize_or_zero().dot(rim.outward.normalize_or_zero())
+}
+
+/// True if the centres are nearer to each other than half the larger rim's greatest radius.
+fn is_nested(a: &[DVec3], b: &[DVec3]) -> bool {
+    let centres = [centre(a), centre(b)];
+    let radius = |points: &[DVec3], c: DVec3| points.iter().map(|p| p.distance(c)).fold(0.0, f64::max);
+    let largest = radius(a, centres[0]).max(radius(b, centres[1]));
+    centres[0].distance(centres[1]) < 0.5 * largest
 }
 
 /// True if arcs `a` and `b`, each with its surface on the left, clearly run the same way, so that their surfaces disagree in

@@ -12,7 +12,7 @@
 //!
 //! **Ties.** In a plane all strips without folds have the same area, and round-off would choose. Areas that differ by less than
 //! 2^-32 of the paper's strip's area, shared out over the steps, count as equal, and then the smaller sum of squared
-//! meridian lengths wins. The area is thus within 2^-32 of that strip's area of the least one.
+//! meridian lengths wins. Each node compares at most twice, so the area is within 2^-31 of that strip's area of the least one.
 
 use super::Pair;
 use super::index_rule::index_meridians;
@@ -79,7 +79,8 @@ struct Table<'a, F> {
 /// closed, with the first point again at the end. The answer is the meridians from (0, 0) to (N, M); `None` if the forbidden
 /// ones leave none. `forbidden(i, j)` takes 0 <= i <= N, 0 <= j <= M.
 ///
-/// O(N M) time; extra memory 48 (M + 1) (1 + N M / 2^26) bytes and one byte a node for at most 2^26 nodes.
+/// O(N M) time; extra memory one byte a node for at most 2^26 nodes, 72 (M + 1) bytes, and 48 (M + 1) more for each 2^26 nodes
+/// begun.
 pub(crate) fn min_area(
     a: &[DVec3],
     b: &[DVec3],
