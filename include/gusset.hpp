@@ -10,6 +10,7 @@
 #include <gusset.h>
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -92,12 +93,18 @@ public:
     }
 
     /// 0: as many threads as the machine has; 1: the calling thread only. Results do not depend on it.
-    void set_threads(uint32_t threads) { detail::check(gusset_context_set_threads(get(), threads)); }
+    void set_threads(uint32_t threads) {
+        const InUse in_use(host_.get());
+        detail::check(gusset_context_set_threads(get(), threads));
+    }
+    /// Like every other use of a context while it runs a call, refused with GUSSET_ERROR_CONTEXT_BUSY and without effect.
     void set_progress(Progress progress) {
+        const InUse in_use(host_.get());
         host_->progress = std::move(progress);
         install();
     }
     void set_log(Log log) {
+        const InUse in_use(host_.get());
         host_->log = std::move(log);
         install();
     }
@@ -113,6 +120,7 @@ public:
     /// Makes a call of the C interface, `function(gusset_context *)`, and throws what it has to say.
     template <class Function>
     void call(Function &&function) const {
+        const InUse in_use(host_.get());
         host_->thrown = nullptr;
         const gusset_status status = function(get());
         if (host_->thrown) {
@@ -123,8 +131,7 @@ public:
         }
         gusset_report report{};
         report.struct_size = sizeof report;
-        // A context that is busy keeps its message for the call that it is busy with.
-        if (status == GUSSET_ERROR_CONTEXT_BUSY || gusset_context_report(get(), &report) != GUSSET_OK) {
+        if (gusset_context_report(get(), &report) != GUSSET_OK) {
             detail::check(status);
         }
         throw Error(gusset_context_message(get()), report);
@@ -135,6 +142,26 @@ private:
         Progress progress;
         Log log;
         std::exception_ptr thrown;
+        std::atomic_flag busy = ATOMIC_FLAG_INIT;
+    };
+    /// Holds the host's side of the context for one call; refuses a second one, on another thread or in a callback, and a
+    /// context that was moved from.
+    class InUse {
+    public:
+        explicit InUse(Host *host) : host_(host) {
+            if (host_ == nullptr) {
+                detail::check(GUSSET_ERROR_NULL_ARGUMENT);
+            }
+            if (host_->busy.test_and_set()) {
+                detail::check(GUSSET_ERROR_CONTEXT_BUSY);
+            }
+        }
+        ~InUse() { host_->busy.clear(); }
+        InUse(const InUse &) = delete;
+        InUse &operator=(const InUse &) = delete;
+
+    private:
+        Host *host_;
     };
     struct Destroy {
         void operator()(gusset_context *context) const noexcept { gusset_context_destroy(context); }
@@ -178,10 +205,11 @@ class MeshView {
 public:
     explicit MeshView(const gusset_mesh_view &view) : view_(view) {}
 
-    /// Faces of `face_size` corners each. `points`: elements whose first bytes are three floats or doubles, p[0] to p[2].
-    template <class Point>
-    static MeshView uniform(Span<const Point> points, Indices corners, uint32_t face_size) {
-        gusset_mesh_view view = with_points(points);
+    /// Faces of `face_size` corners each. `points`: any container or array that keeps its elements side by side; their first
+    /// bytes are three floats or doubles, p[0] to p[2]. The view borrows: points and indices must outlive it.
+    template <class Points>
+    static MeshView uniform(const Points &points, Indices corners, uint32_t face_size) {
+        gusset_mesh_view view = with_points(std::data(points), std::size(points));
         view.face_corners = corners.data();
         view.face_count = face_size == 0 ? 0 : corners.size() / face_size;
         view.face_size = face_size;
@@ -192,7 +220,7 @@ public:
     }
     template <class Points>
     static MeshView triangles(const Points &points, Indices corners) {
-        return uniform(Span<const typename Points::value_type>(points), corners, 3);
+        return uniform(points, corners, 3);
     }
 
     /// Face f has the corners offsets[f] to offsets[f + 1] - 1.
@@ -201,7 +229,7 @@ public:
         if (offsets.empty() || offsets[offsets.size() - 1] != corners.size()) {
             throw std::invalid_argument("gusset: the last offset is not the number of corners");
         }
-        gusset_mesh_view view = with_points(Span<const typename Points::value_type>(points));
+        gusset_mesh_view view = with_points(std::data(points), std::size(points));
         view.face_offsets = offsets.data();
         view.face_corners = corners.data();
         view.face_count = offsets.size() - 1;
@@ -239,15 +267,15 @@ public:
 
 private:
     template <class Point>
-    static gusset_mesh_view with_points(Span<const Point> points) {
+    static gusset_mesh_view with_points(const Point *points, std::size_t count) {
         using Scalar = std::decay_t<decltype(std::declval<const Point &>()[0])>;
         static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>, "points of float or double");
         static_assert(sizeof(Point) >= 3 * sizeof(Scalar), "three coordinates");
         gusset_mesh_view view{};
         view.struct_size = sizeof view;
-        view.positions = points.data();
+        view.positions = points;
         view.position_stride = sizeof(Point);
-        view.vertex_count = points.size();
+        view.vertex_count = count;
         view.scalar = std::is_same_v<Scalar, float> ? GUSSET_F32 : GUSSET_F64;
         return view;
     }
@@ -320,6 +348,7 @@ public:
         using difference_type = std::ptrdiff_t;
         using pointer = void;
         using reference = Loop;
+        iterator() = default;
         iterator(const Boundary *boundary, std::size_t i) : boundary_(boundary), i_(i) {}
         Loop operator*() const { return (*boundary_)[i_]; }
         iterator &operator++() {
@@ -335,8 +364,8 @@ public:
         friend bool operator!=(const iterator &a, const iterator &b) { return a.i_ != b.i_; }
 
     private:
-        const Boundary *boundary_;
-        std::size_t i_;
+        const Boundary *boundary_ = nullptr;
+        std::size_t i_ = 0;
     };
     iterator begin() const noexcept { return {this, 0}; }
     iterator end() const noexcept { return {this, size()}; }

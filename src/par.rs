@@ -19,6 +19,8 @@ pub(crate) fn chunks<R: Send>(
     let count = len.div_ceil(chunk);
     let range = |i: usize| i * chunk..len.min((i + 1) * chunk);
     let wanted = match threads {
+        // Asking the system takes longer than a small job.
+        _ if count <= 1 => 1,
         0 => thread::available_parallelism().map_or(1, usize::from),
         n => n,
     };

@@ -518,11 +518,28 @@ static void later_versions(void) {
 
 static gusset_status status_inside;
 
+/* Outputs are cleared even where the context is to blame. */
+static void cleared_whatever(const gusset_context *refusing, gusset_status status) {
+    const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
+    gusset_boundary *boundary = (gusset_boundary *)misaligned();
+    gusset_stitch *stitch = (gusset_stitch *)misaligned();
+    gusset_winged *winged = (gusset_winged *)misaligned();
+    gusset_check *check = (gusset_check *)misaligned();
+    gusset_facing *facing = (gusset_facing *)misaligned();
+    EXPECT(status, gusset_boundary_create(refusing, &up, NULL, &boundary));
+    EXPECT(status, gusset_stitch_create(refusing, &up, NULL, &down, NULL, NULL, &stitch));
+    EXPECT(status, gusset_winged_create(refusing, &up, NULL, &winged));
+    EXPECT(status, gusset_check_create(refusing, &up, &check));
+    EXPECT(status, gusset_facing_create(refusing, pyramid_up[0], 5, pyramid_down[0], 5, NULL, &facing));
+    CHECK(boundary == NULL && stitch == NULL && winged == NULL && check == NULL && facing == NULL);
+}
+
 static int call_again(void *user, double fraction, const char *stage) {
     const gusset_mesh_view mesh = pyramid(pyramid_up);
     gusset_boundary *boundary = NULL;
     (void)user, (void)fraction, (void)stage;
     status_inside = gusset_boundary_create(context, &mesh, NULL, &boundary);
+    cleared_whatever(context, GUSSET_ERROR_CONTEXT_BUSY);
     return 0;
 }
 
@@ -555,6 +572,9 @@ static void contexts(void) {
     CHECK(strcmp(gusset_status_text(123456), "unknown status") == 0);
 
     EXPECT(GUSSET_OK, gusset_context_create(&other));
+    cleared_whatever(misaligned(), GUSSET_ERROR_MISALIGNED_ARGUMENT);
+    gusset_context_cancel(other);
+    cleared_whatever(other, GUSSET_ERROR_CANCELLED);
     gusset_context_destroy(other);
     /* A call from within a call. */
     EXPECT(GUSSET_OK, gusset_context_set_progress(context, call_again, NULL));

@@ -80,6 +80,53 @@ TEST_CASE("a callback that throws: its exception comes out, and the context goes
     CHECK(gusset::Boundary(soup.view(), {}, context).size() == 1);
 }
 
+TEST_CASE("a context that runs a call refuses all else, and loses nothing") {
+    const Soup soup = square();
+    gusset::Context context;
+    int refused = 0;
+    const std::string kept(100, 'x');
+    context.set_progress([&context, &refused, &soup, kept](double, const char *) {
+        const auto busy = [&](auto &&work) {
+            try {
+                work();
+            } catch (const gusset::Error &error) {
+                refused += error.status() == GUSSET_ERROR_CONTEXT_BUSY;
+            }
+        };
+        busy([&] { context.set_progress(nullptr); });
+        busy([&] { context.set_log(nullptr); });
+        busy([&] { context.set_threads(2); });
+        busy([&] { gusset::Boundary(soup.view(), {}, context); });
+        return kept.size() == 100;
+    });
+    CHECK(gusset::Boundary(soup.view(), {}, context).size() == 1);
+    CHECK(refused > 0);
+    CHECK(refused % 4 == 0);
+
+    // From two threads: each call is made, refused, or thrown out of by its own callback.
+    context.set_progress([](double, const char *) -> bool { throw std::out_of_range("mine"); });
+    std::atomic<int> others{0};
+    const auto loop = [&] {
+        for (int i = 0; i < 300; ++i) {
+            try {
+                gusset::Boundary(soup.view(), {}, context);
+                ++others;
+            } catch (const std::out_of_range &) {
+            } catch (const gusset::Error &error) {
+                others += error.status() != GUSSET_ERROR_CONTEXT_BUSY;
+            }
+        }
+    };
+    std::thread other(loop);
+    loop();
+    other.join();
+    CHECK(others == 0);
+
+    gusset::Context moved = std::move(context);
+    CHECK_THROWS_AS(gusset::Boundary(soup.view(), {}, context), gusset::Error);
+    CHECK_THROWS_AS(context.set_threads(1), gusset::Error);
+}
+
 TEST_CASE("a log callback that throws stops the call too") {
     Soup a = square(), b = square();
     for (auto &p : b.points) {
@@ -184,6 +231,10 @@ TEST_CASE("views of any point type") {
     CHECK(view.get().position_stride == 16);
     CHECK(view.position(1)[0] == 1.0);
     CHECK(gusset::Boundary(view)[0].length == doctest::Approx(2.0 + std::sqrt(2.0)));
+    CHECK(gusset::MeshView::uniform(points, corners, 3).face_count() == 1);
+    const float raw[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    CHECK(gusset::Boundary(gusset::MeshView::triangles(raw, corners))[0].vertices.size() == 3);
+    CHECK(gusset::MeshView::triangles(gusset::Span<const Vertex>(points), corners).vertex_count() == 3);
     CHECK_THROWS_AS(gusset::MeshView::uniform(gusset::Span<const Vertex>(points), corners, 2), std::invalid_argument);
     CHECK_THROWS_AS(gusset::MeshView::polygons(points, std::vector<uint32_t>{0, 4}, corners), std::invalid_argument);
 }

@@ -40,20 +40,13 @@ public:
 
     MeshView view() const {
         const Span<const typename Mesh::Point> points(mesh_->points(), mesh_->n_vertices());
-        return MeshView::polygons(Points{points}, offsets_, corners_);
+        return MeshView::polygons(points, offsets_, corners_);
     }
 
     OpenMesh::FaceHandle face(uint32_t f) const { return faces_[f]; }
     OpenMesh::VertexHandle vertex(uint32_t v) const { return OpenMesh::VertexHandle(static_cast<int>(v)); }
 
 private:
-    struct Points {
-        using value_type = typename Mesh::Point;
-        Span<const value_type> span;
-        const value_type *data() const { return span.data(); }
-        std::size_t size() const { return span.size(); }
-    };
-
     const Mesh *mesh_;
     std::vector<uint32_t> offsets_, corners_;
     std::vector<OpenMesh::FaceHandle> faces_;

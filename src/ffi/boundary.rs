@@ -1,7 +1,7 @@
 //! Boundary loops as C sees them.
 
 use super::context::gusset_context;
-use super::guard::guard;
+use super::guard::{create, guard};
 use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::{Failure, gusset_status};
@@ -180,14 +180,12 @@ pub unsafe extern "C" fn gusset_boundary_create(
     options: *const gusset_boundary_options,
     boundary: *mut *mut gusset_boundary,
 ) -> gusset_status {
-    guard(context, |job| {
-        let out = input::output(boundary, ptr::null_mut(), "boundary")?;
+    create(context, boundary, "boundary", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
         let boundary = boundary_loops(&mesh, &options, &job.part(0.2, 1.0))?;
         let defects = alloc::collect(boundary.defects().iter().map(gusset_defect::from))?;
-        *out = Box::into_raw(Box::new(gusset_boundary { boundary, defects }));
-        Ok(())
+        Ok(gusset_boundary { boundary, defects })
     })
 }
 

@@ -1,7 +1,7 @@
 //! The check as C sees it.
 
 use super::context::gusset_context;
-use super::guard::guard;
+use super::guard::{create, guard};
 use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::gusset_status;
@@ -82,12 +82,10 @@ pub unsafe extern "C" fn gusset_check_create(
     mesh: *const gusset_mesh_view,
     check: *mut *mut gusset_check,
 ) -> gusset_status {
-    guard(context, |job| {
-        let out = input::output(check, ptr::null_mut(), "check")?;
+    create(context, check, "check", |job| {
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
         let found = self::check(&mesh, &job.part(0.2, 1.0))?;
-        *out = Box::into_raw(Box::new(gusset_check(found)));
-        Ok(())
+        Ok(gusset_check(found))
     })
 }
 

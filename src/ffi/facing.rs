@@ -1,7 +1,7 @@
 //! The steps of stitching that can be called by themselves: facing arcs, and the rule for meridians.
 
 use super::context::gusset_context;
-use super::guard::guard;
+use super::guard::{create, guard};
 use super::input::{self, Versioned};
 use super::mesh::gusset_indices;
 use super::status::gusset_status::{self, GUSSET_ERROR_BUFFER_TOO_SMALL};
@@ -110,8 +110,7 @@ pub unsafe extern "C" fn gusset_facing_create(
     options: *const gusset_facing_options,
     facing: *mut *mut gusset_facing,
 ) -> gusset_status {
-    guard(context, |_| {
-        let out = input::output(facing, ptr::null_mut(), "facing")?;
+    create(context, facing, "facing", |_| {
         let (run, tolerance) = input::read(options, true, "options")?.checked()?;
         let a = points(points_a, count_a, "points_a")?;
         let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
@@ -122,8 +121,7 @@ pub unsafe extern "C" fn gusset_facing_create(
             Ok::<_, Error>(list)
         };
         let runs = [pairs(&found.runs[0])?, pairs(&found.runs[1])?];
-        *out = Box::into_raw(Box::new(gusset_facing { found, runs }));
-        Ok(())
+        Ok(gusset_facing { found, runs })
     })
 }
 

@@ -1,9 +1,26 @@
 //! What becomes of a panic, and of a context that is in use.
 
 use super::context::gusset_context;
+use super::input;
 use super::status::{Failure, gusset_status};
 use crate::job::Job;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ptr;
+
+/// Runs `body` as [`guard`] does and gives its result to the host through `out`, which is cleared before anything else:
+/// whatever becomes of the context, the host finds NULL there after a failure.
+pub(super) fn create<T>(
+    context: *const gusset_context,
+    out: *mut *mut T,
+    name: &'static str,
+    body: impl FnOnce(&Job<'_>) -> Result<T, Failure>,
+) -> gusset_status {
+    let slot = input::output(out, ptr::null_mut(), name);
+    guard(context, |job| {
+        *slot? = Box::into_raw(Box::new(body(job)?));
+        Ok(())
+    })
+}
 
 /// Runs `body` with the context's job, or with the defaults if the context is NULL; records the outcome in the context.
 ///

@@ -1,7 +1,7 @@
 //! Stitching as C sees it.
 
 use super::context::gusset_context;
-use super::guard::guard;
+use super::guard::{create, guard};
 use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::{Failure, gusset_status};
@@ -253,8 +253,7 @@ pub unsafe extern "C" fn gusset_stitch_create(
     options: *const gusset_stitch_options,
     stitch: *mut *mut gusset_stitch,
 ) -> gusset_status {
-    guard(context, |job| {
-        let out = input::output(stitch, ptr::null_mut(), "stitch")?;
+    create(context, stitch, "stitch", |job| {
         let options = input::read(options, true, "options")?.checked()?;
         let a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
         let b = match mesh_b.is_null() {
@@ -265,8 +264,7 @@ pub unsafe extern "C" fn gusset_stitch_create(
         let loop_b = mesh::indices(loop_b, "loop_b").map_err(|failure| failure.of_input(1))?;
         let request = Request { a: &a, loop_a: loop_a.as_deref(), b: b.as_ref(), loop_b: loop_b.as_deref() };
         let done = self::stitch(&request, &options, &job.part(0.2, 1.0))?;
-        *out = Box::into_raw(Box::new(gusset_stitch(done)));
-        Ok(())
+        Ok(gusset_stitch(done))
     })
 }
 

@@ -1,7 +1,7 @@
 //! Winged-edge tables as C sees them.
 
 use super::context::gusset_context;
-use super::guard::guard;
+use super::guard::{create, guard};
 use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::{Failure, gusset_status};
@@ -123,8 +123,7 @@ pub unsafe extern "C" fn gusset_winged_create(
     options: *const gusset_winged_options,
     winged: *mut *mut gusset_winged,
 ) -> gusset_status {
-    guard(context, |job| {
-        let out = input::output(winged, ptr::null_mut(), "winged")?;
+    create(context, winged, "winged", |job| {
         let options = input::read(options, true, "options")?;
         if options.reserved != 0 {
             return Err(Failure::unknown("reserved", options.reserved.into()));
@@ -137,8 +136,7 @@ pub unsafe extern "C" fn gusset_winged_create(
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
         let tables = WingedEdges::new(&mesh, winding, &job.part(0.2, 1.0))?;
         let loops = free_loops(&tables)?;
-        *out = Box::into_raw(Box::new(gusset_winged { tables, loops }));
-        Ok(())
+        Ok(gusset_winged { tables, loops })
     })
 }
 

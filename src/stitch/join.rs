@@ -56,7 +56,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         b.reverse();
     }
     if closed {
-        let (i, j) = closest_pair(&a, &b, &bridges)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?;
+        let (i, j) =
+            closest_pair(&a, &b, &bridges, &job.part(0.4, 0.5))?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?;
         a.start_at(i);
         let count = b.vertices.len() as i64;
         b.start_at((j as i64 + options.twist.rem_euclid(count)).rem_euclid(count) as usize);
@@ -64,7 +65,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         return Err(Error::OptionOutOfRange { option: "twist", value: options.twist as f64 });
     }
 
-    let meridians = choose_meridians(&a, &b, &bridges, options, &job.part(0.4, 0.7))?;
+    let meridians = choose_meridians(&a, &b, &bridges, options, &job.part(0.5, 0.7))?;
     job.step(0.7, "putting the pieces together")?;
     let rows = row_count(request, options.rows, &a, &b, &meridians, unit)?;
     let grid = Grid::new(&a, &b, &meridians, rows)?;
