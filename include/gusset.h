@@ -5,6 +5,9 @@
  * Structs that begin with struct_size: set it to sizeof the struct, all other fields to 0 for the defaults:
  *     gusset_stitch_options options = {0};
  *     options.struct_size = sizeof options;
+ *
+ * Errors are listed without their prefix GUSSET_ERROR_. Every function that takes a context may also return CONTEXT_BUSY, and
+ * CANCELLED before it looks at its other arguments; outputs are cleared in any case. C99 or later.
  */
 
 #ifndef GUSSET_H
@@ -111,7 +114,7 @@
 #define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
 
 /**
- * An edge with three or more faces (count): its first half-edge is index.
+ * An edge with three or more half-edges (count; a face that runs it twice counts twice): its first half-edge is index.
  */
 #define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
 
@@ -456,7 +459,9 @@ typedef struct gusset_winged gusset_winged;
  * As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners (TOO_LARGE); at
  * least three corners a face (FACE_TOO_SMALL); indices below vertex_count (INDEX_OUT_OF_RANGE); finite coordinates at all
  * vertices that faces use (NOT_FINITE), while unused ones may hold anything. The arrays may have any alignment. They must
- * be as long as the counts say, which the library cannot see, and must not change during a call.
+ * be as long as the counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS and SIZE_OVERFLOW; counts are
+ * held against the limits before any element is read.
  *
  * As output: packed positions, face_offsets given, face_size 0.
  */
@@ -595,7 +600,7 @@ typedef struct gusset_defect {
      */
     uint32_t other;
     /**
-     * How many faces meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
+     * How many half-edges meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
      */
     uint32_t count;
 } gusset_defect;
@@ -802,7 +807,7 @@ typedef struct gusset_stitch_options {
      */
     uint32_t orientation;
     /**
-     * The first meridian joins the closest pair; with a twist, the vertex of rim B so many places later, counted in the
+     * The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so many places later, counted in the
      * direction in which rim A runs (negative: earlier). Any value; taken modulo the length of rim B. Must be 0 if arcs are
      * joined (OUT_OF_RANGE).
      */
@@ -871,7 +876,7 @@ typedef struct gusset_stitch_parts {
     /**
      * The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
      * They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M - 1) for
-     * arcs; count is twice the number of meridians.
+     * arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by the rule by index, both.
      */
     struct gusset_indices meridians;
     /**
@@ -904,7 +909,8 @@ typedef struct gusset_stitch_parts {
      */
     uint32_t closed;
     /**
-     * 1 if the second piece was turned over, else 0.
+     * 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way, each from its own first
+     * corner. Other components stay as they are.
      */
     uint32_t turned;
     /**
@@ -943,7 +949,7 @@ typedef struct gusset_quality {
      */
     uint32_t degenerate_faces;
     /**
-     * Boundary loops of the result; 0 if it is closed.
+     * Boundary loops of the result; 0 if no edge has exactly one face.
      */
     uint32_t loops_left;
     /**
@@ -1103,7 +1109,9 @@ extern "C" {
  * Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise from outside, the surface
  * is on the left and the hole on the right of someone who walks along the loop on the outside. Every loop passes each of
  * its vertices once: where the boundary touches itself it is cut into several loops. Loops come in the order of their
- * smallest half-edges. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
+ * smallest half-edges. A loop has at least one edge with exactly one face: walks along edges with three or more faces alone
+ * are left out. A face of fewer than three sides of different ends has no border; its neighbours are taken to touch each
+ * other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
  *
  * options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure.
  * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a

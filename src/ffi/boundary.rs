@@ -58,7 +58,7 @@ const _: () = assert!(
 pub const GUSSET_DEFECT_DEGENERATE_FACE: u32 = 1;
 /// An edge whose two faces run it in the same direction: half-edges index and other.
 pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: u32 = 2;
-/// An edge with three or more faces (count): its first half-edge is index.
+/// An edge with three or more half-edges (count; a face that runs it twice counts twice): its first half-edge is index.
 pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: u32 = 3;
 /// A vertex (index) where the surface touches itself: its faces form more than one fan.
 pub const GUSSET_DEFECT_BOW_TIE: u32 = 4;
@@ -114,7 +114,7 @@ pub struct gusset_defect {
     pub index: u32,
     /// The second element of the kinds that have one, else UINT32_MAX.
     pub other: u32,
-    /// How many faces meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
+    /// How many half-edges meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
     pub count: u32,
 }
 
@@ -166,7 +166,9 @@ impl From<&Defect> for gusset_defect {
 /// Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise from outside, the surface
 /// is on the left and the hole on the right of someone who walks along the loop on the outside. Every loop passes each of
 /// its vertices once: where the boundary touches itself it is cut into several loops. Loops come in the order of their
-/// smallest half-edges. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
+/// smallest half-edges. A loop has at least one edge with exactly one face: walks along edges with three or more faces alone
+/// are left out. A face of fewer than three sides of different ends has no border; its neighbours are taken to touch each
+/// other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
 ///
 /// options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure.
 /// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a

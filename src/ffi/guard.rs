@@ -17,7 +17,9 @@ pub(super) fn create<T>(
 ) -> gusset_status {
     let slot = input::output(out, ptr::null_mut(), name);
     guard(context, |job| {
-        *slot? = Box::into_raw(Box::new(body(job)?));
+        // First of all: there must be a place for the result.
+        let slot = slot?;
+        *slot = Box::into_raw(Box::new(body(job)?));
         Ok(())
     })
 }

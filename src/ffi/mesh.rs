@@ -34,7 +34,9 @@ pub struct gusset_indices {
 /// As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners (TOO_LARGE); at
 /// least three corners a face (FACE_TOO_SMALL); indices below vertex_count (INDEX_OUT_OF_RANGE); finite coordinates at all
 /// vertices that faces use (NOT_FINITE), while unused ones may hold anything. The arrays may have any alignment. They must
-/// be as long as the counts say, which the library cannot see, and must not change during a call.
+/// be as long as the counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS and SIZE_OVERFLOW; counts are
+/// held against the limits before any element is read.
 ///
 /// As output: packed positions, face_offsets given, face_size 0.
 #[repr(C)]

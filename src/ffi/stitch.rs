@@ -68,7 +68,7 @@ pub struct gusset_stitch_options {
     pub meridians: u32,
     /// GUSSET_ORIENTATION_...
     pub orientation: u32,
-    /// The first meridian joins the closest pair; with a twist, the vertex of rim B so many places later, counted in the
+    /// The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so many places later, counted in the
     /// direction in which rim A runs (negative: earlier). Any value; taken modulo the length of rim B. Must be 0 if arcs are
     /// joined (OUT_OF_RANGE).
     pub twist: i64,
@@ -109,7 +109,7 @@ pub struct gusset_stitch_parts {
     pub rim: [gusset_indices; 2],
     /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
     /// They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M - 1) for
-    /// arcs; count is twice the number of meridians.
+    /// arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by the rule by index, both.
     pub meridians: gusset_indices,
     /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
     pub matrix: gusset_indices,
@@ -126,7 +126,8 @@ pub struct gusset_stitch_parts {
     pub row_count: u32,
     /// 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
     pub closed: u32,
-    /// 1 if the second piece was turned over, else 0.
+    /// 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way, each from its own first
+    /// corner. Other components stay as they are.
     pub turned: u32,
     /// 0.
     pub reserved: u32,
@@ -149,7 +150,7 @@ pub struct gusset_quality {
     pub area: f64,
     /// Triangles of the strip without area.
     pub degenerate_faces: u32,
-    /// Boundary loops of the result; 0 if it is closed.
+    /// Boundary loops of the result; 0 if no edge has exactly one face.
     pub loops_left: u32,
     /// Edges of the result with three or more faces.
     pub non_manifold_edges: u32,
