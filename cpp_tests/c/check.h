@@ -27,6 +27,12 @@ static int failures;
         }                                                                                                              \
     } while (0)
 
+/* An address that no struct of ours may have. */
+static inline void *misaligned(void) {
+    static double room[64];
+    return (char *)room + 1;
+}
+
 /* An open pyramid: apex 0, rim 1 2 3 4, faces counter-clockwise from above. */
 static const double pyramid_up[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
 /* The same seen in a mirror below: apex 0, rim 1 2 3 4, faces counter-clockwise from outside too. */
