@@ -6,7 +6,7 @@ use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::{Failure, gusset_status};
 use crate::stitch::facing::{Arc, Run};
-use crate::stitch::{Cells, Extent, Meridians, Options, Orientation, Request, Rows, Stitch, stitch};
+use crate::stitch::{Cells, Extent, Meridians, Options, Orientation, Request, Rows, Search, Stitch, stitch};
 use std::ptr;
 
 /// The strip of least area among all closed bands of triangles through the first meridian: exact, O(N M).
@@ -220,7 +220,7 @@ impl gusset_stitch_options {
             GUSSET_TOLERANCE_GIVEN => Some(self.tolerance),
             other => return Err(Failure::unknown("tolerance_mode", other.into())),
         };
-        Ok(Options { meridians, orientation, twist: self.twist, extent, run, tolerance, rows, cells })
+        Ok(Options { meridians, search: Search::Auto, orientation, twist: self.twist, extent, run, tolerance, rows, cells })
     }
 }
 

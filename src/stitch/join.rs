@@ -4,10 +4,10 @@ use super::combine::{Combination, IndexMap};
 use super::extent::arcs;
 use super::facing::check_tolerance;
 use super::grid::Grid;
-use super::meridian::{Pair, index_rule::index_meridians, min_area::min_area};
+use super::meridian::{Pair, Rails, forbidden_nodes, meridians};
 use super::pairing::{nearest_pair, usable_rims};
 use super::quality::Quality;
-use super::request::{Cells, Meridians, Options, Orientation, Request, Rows, Stitch};
+use super::request::{Cells, Options, Orientation, Request, Rows, Stitch};
 use super::rim::{Bridges, FreeEdges, Rim, shared_vertex};
 use super::sense::{arcs_run_the_same_way, rims_disagree};
 use super::start::closest_pair;
@@ -133,16 +133,16 @@ fn cut_arcs(request: &Request<'_>, options: &Options, a: &mut Rim, b: &mut Rim, 
 }
 
 fn choose_meridians(a: &Rim, b: &Rim, bridges: &Bridges, options: &Options, job: &Job<'_>) -> Result<Vec<Pair>> {
-    match options.meridians {
-        Meridians::Index => index_meridians(a.segments(), b.segments()),
-        Meridians::MinArea => {
-            let taken = |i: usize, j: usize| bridges.has(a.vertex(i as u32), b.vertex(j as u32));
-            // With interior rows no meridian is an edge of its own.
-            let forbidden = (!bridges.is_empty() && options.rows == Rows::None).then_some(taken);
-            let found = min_area(&a.line()?, &b.line()?, a.closed, forbidden, job)?;
-            found.ok_or(Error::NoStrip { vertex: a.vertices[0] })
-        }
-    }
+    let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
+    // With interior rows no meridian is an edge of its own.
+    let forbidden = match options.rows {
+        Rows::None => forbidden_nodes(bridges.nodes(a, b)?.into_iter(), n, m, a.closed)?,
+        _ => Vec::new(),
+    };
+    let (line_a, line_b) = (a.line()?, b.line()?);
+    let rails = Rails { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides: None };
+    let found = meridians(&rails, options.meridians, options.search, job)?;
+    found.map(|chosen| chosen.pairs).ok_or(Error::NoStrip { vertex: a.vertices[0] })
 }
 
 /// The number of interior rows.

@@ -39,4 +39,5 @@ pub use combine::IndexMap;
 pub use extent::Extent;
 pub use join::stitch;
 pub use quality::Quality;
-pub use request::{Cells, Meridians, Options, Orientation, Request, Rows, Stitch};
+pub use meridian::{Meridians, Search};
+pub use request::{Cells, Options, Orientation, Request, Rows, Stitch};

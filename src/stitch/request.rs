@@ -3,20 +3,10 @@
 use super::combine::IndexMap;
 use super::extent::Extent;
 use super::facing::Run;
-use super::meridian::Pair;
+use super::meridian::{Meridians, Pair, Search};
 use super::quality::Quality;
 use crate::mesh::{Mesh, MeshView};
 use std::ops::Range;
-
-/// How meridians are chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Meridians {
-    /// The strip of least area, by exact dynamic programming: O(N M).
-    #[default]
-    MinArea,
-    /// The paper's rule by index: O(N + M). Good for evenly spaced rims.
-    Index,
-}
 
 /// What happens if the second piece is oriented against the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -58,6 +48,8 @@ pub enum Cells {
 pub struct Options {
     /// The choice of meridians.
     pub meridians: Meridians,
+    /// How hard the best ones are looked for.
+    pub search: Search,
     /// What to do about a second piece that is inside out.
     pub orientation: Orientation,
     /// The first meridian of a closed band joins the closest pair; with a twist, the vertex of rim B that comes this many places

@@ -210,6 +210,25 @@ impl Bridges {
         !self.0.is_empty() && self.0.binary_search(&(u, v)).is_ok()
     }
 
+    /// The places (i, j) on rims `a` and `b` of the edges' ends.
+    pub(super) fn nodes(&self, a: &Rim, b: &Rim) -> Result<Vec<[u32; 2]>> {
+        if self.is_empty() {
+            return Ok(Vec::new());
+        }
+        let places = |rim: &Rim| -> Result<Vec<(u32, u32)>> {
+            let mut places = alloc::collect(rim.vertices.iter().enumerate().map(|(i, &v)| (v, i as u32)))?;
+            places.sort_unstable();
+            Ok(places)
+        };
+        let (on_a, on_b) = (places(a)?, places(b)?);
+        let find = |places: &[(u32, u32)], v: u32| {
+            places.binary_search_by_key(&v, |&(vertex, _)| vertex).ok().map(|at| places[at].1)
+        };
+        let mut nodes = alloc::with_capacity(self.0.len())?;
+        nodes.extend(self.0.iter().filter_map(|&(u, v)| Some([find(&on_a, u)?, find(&on_b, v)?])));
+        Ok(nodes)
+    }
+
     /// True if the rims are joined by no edge.
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()

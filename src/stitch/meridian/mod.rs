@@ -1,14 +1,191 @@
 //! Meridians: which vertex of one rim is joined to which of the other.
 //!
 //! A set of meridians is a list of pairs (i, j), i = 0..=N on rim A and j = 0..=M on rim B, that starts with (0, 0), ends with
-//! (N, M) (the start again, as both rims are closed), and from one to the next advances by one vertex on A, on B, or on
-//! both. It is a path through the lattice of all pairs, and it is the paper's matrix H read row by row.
+//! (N, M) (the start again, if the rims are closed), and from one to the next advances by one vertex on A, on B, or on
+//! both. It is a path through the lattice of all pairs, and it is the paper's matrix H read row by row. [`Meridians`] lists the
+//! ways to choose it.
 //!
-//! * [`index_rule`](mod@index_rule): the paper's rule, by index alone.
-//! * `min_area`: the path whose triangles have the least total area.
+//! | file | |
+//! |---|---|
+//! | [`index_rule`](mod@index_rule) | the paper's rule, by index alone |
+//! | `simple` | by arc length, and greedily |
+//! | `metric`, `bend` | what paths cost: area, lengths; bends |
+//! | `lattice` | the cheapest path, where a step's cost depends on nothing else |
+//! | `proper` | the cheapest path with bends, or where the plain one would use a meridian twice |
+//! | `band`, `coarse` | a part of a large lattice, found coarse to fine |
 
+mod band;
+mod bend;
+mod coarse;
 pub mod index_rule;
-pub(crate) mod min_area;
+mod lattice;
+mod metric;
+mod proper;
+mod simple;
+#[cfg(test)]
+mod tests;
+
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use band::Band;
+use bend::Bends;
+use glam::DVec3;
+use index_rule::index_meridians;
+use metric::Metric;
+use proper::{Cost, cheapest_proper, is_proper};
 
 /// One meridian: the places on rim A and on rim B.
 pub type Pair = [u32; 2];
+
+/// How meridians are chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Meridians {
+    /// The strip of triangles of least area.
+    #[default]
+    MinArea,
+    /// The paper's rule by index: O(N + M). Good for evenly spaced rims.
+    Index,
+    /// Both rims walked at the same pace, by arc length: O(N + M).
+    ArcLength,
+    /// Always on to the shorter of the two next meridians: O(N + M).
+    Greedy,
+    /// The strip of triangles whose meridians have the least total length.
+    MinDiagonal,
+    /// The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the
+    /// angle between the normals).
+    Smooth,
+    /// Steps on both rims at once wherever that makes the sum of the meridians' squared lengths less (dynamic time warping):
+    /// quads where both sides advance, triangles elsewhere. Meant for strips with interior rows.
+    Quad,
+}
+
+/// How hard the best meridians are looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Search {
+    /// Exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time and linear memory, and a result that was
+    /// within a few hundredths of a per cent of the best.
+    #[default]
+    Auto,
+    /// Exactly: O(N M) time, one byte of memory for each of up to 2^26 pairs of vertices (8 bytes for each pair with
+    /// [`Meridians::Smooth`]), and 8 M bytes for each 2^26 pairs begun.
+    Exact,
+}
+
+/// Lattices of more nodes than this are searched coarse to fine.
+const LARGE: usize = 1 << 21;
+
+/// Where meridians run: two polylines of N + 1 and M + 1 points; of closed ones the last point is the first again.
+pub(crate) struct Rails<'a> {
+    pub(crate) a: &'a [DVec3],
+    pub(crate) b: &'a [DVec3],
+    pub(crate) closed: bool,
+    /// Nodes that no path may pass, in ascending order.
+    pub(crate) forbidden: &'a [Pair],
+    /// For each edge of A and of B, the unit normal of the old face along it, on the side on which the strip's triangles
+    /// run A_i A_i-1 B_j.
+    pub(crate) sides: Option<[&'a [DVec3]; 2]>,
+}
+
+impl Rails<'_> {
+    fn forbidden_in_row(&self, i: usize) -> &[Pair] {
+        let from = self.forbidden.partition_point(|&[row, _]| (row as usize) < i);
+        let count = self.forbidden[from..].partition_point(|&[row, _]| row as usize == i);
+        &self.forbidden[from..from + count]
+    }
+
+    fn is_forbidden(&self, node: Pair) -> bool {
+        !self.forbidden.is_empty() && self.forbidden.binary_search(&node).is_ok()
+    }
+}
+
+/// Meridians, and what they cost in the measure of their choice.
+pub(crate) struct Chosen {
+    pub(crate) pairs: Vec<Pair>,
+    /// To be compared with others of the same rims and choice only.
+    pub(crate) cost: f64,
+}
+
+/// The meridians of `choice` that pass no forbidden node, and of closed rims use none twice; `None` if there are none. The rule by
+/// index minds neither.
+pub(crate) fn meridians(rails: &Rails<'_>, choice: Meridians, search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
+    let (a, b) = (rails.a, rails.b);
+    let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1)?;
+    let area = Metric::area(a, b, &paper);
+    let chosen = |metric: Metric, pairs: Vec<Pair>| Chosen { cost: metric.of_path(a, b, &pairs), pairs };
+    let simple = match choice {
+        Meridians::Index => return Ok(Some(chosen(area, paper))),
+        Meridians::ArcLength => simple::by_arc_length(rails)?,
+        Meridians::Greedy => simple::greedily(rails)?,
+        Meridians::MinArea => return additive(rails, area, search, job),
+        Meridians::MinDiagonal => return additive(rails, Metric::Diagonal, search, job),
+        Meridians::Quad => return additive(rails, Metric::Quad, search, job),
+        Meridians::Smooth => return smooth(rails, &paper, search, job),
+    };
+    if is_proper(rails, &simple) && !simple.iter().any(|&pair| rails.is_forbidden(pair)) {
+        return Ok(Some(chosen(Metric::Diagonal, simple)));
+    }
+    additive(rails, Metric::Diagonal, search, job)
+}
+
+/// The cheapest path for a metric that depends on each step alone.
+fn additive(rails: &Rails<'_>, metric: Metric, search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
+    let find = |rails: &Rails<'_>, band: &Band| match lattice::cheapest(rails, metric, band, job)? {
+        // The best of all paths is usually proper, and then the best of the proper ones.
+        Some(path) if !is_proper(rails, &path) => {
+            Ok(cheapest_proper(rails, &Cost::Steps(metric), band, job)?.map(|(_, path)| path))
+        }
+        found => Ok(found),
+    };
+    let pairs = wide_or_deep(rails, search, &find)?;
+    Ok(pairs.map(|pairs| Chosen { cost: metric.of_path(rails.a, rails.b, &pairs), pairs }))
+}
+
+/// The path of the least bends.
+fn smooth(rails: &Rails<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
+    let cost = std::cell::Cell::new(f64::INFINITY);
+    let find = |rails: &Rails<'_>, band: &Band| {
+        let bends = Bends::new(rails, paper);
+        let found = cheapest_proper(rails, &Cost::Bends(&bends), band, job)?;
+        Ok(found.map(|(least, path)| {
+            cost.set(least);
+            path
+        }))
+    };
+    let pairs = wide_or_deep(rails, search, &find)?;
+    Ok(pairs.map(|pairs| Chosen { cost: cost.get(), pairs }))
+}
+
+/// Searches the whole lattice, or coarse to fine.
+fn wide_or_deep(
+    rails: &Rails<'_>,
+    search: Search,
+    find: &impl Fn(&Rails<'_>, &Band) -> Result<Option<Vec<Pair>>>,
+) -> Result<Option<Vec<Pair>>> {
+    let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
+    if search == Search::Auto && (n + 1) * (m + 1) > LARGE {
+        let found = coarse::coarse_to_fine(rails, find)?;
+        // Where forbidden meridians close the band, the way may lie outside.
+        if found.is_some() || rails.forbidden.is_empty() {
+            return Ok(found);
+        }
+    }
+    find(rails, &Band::full(n, m)?)
+}
+
+/// Lattice nodes in ascending order, the ends of closed rims named twice: `nodes` with i < N and j < M.
+pub(crate) fn forbidden_nodes(nodes: impl Iterator<Item = Pair>, n: u32, m: u32, closed: bool) -> Result<Vec<Pair>> {
+    let mut all = Vec::new();
+    for [i, j] in nodes {
+        alloc::push(&mut all, [i, j])?;
+        if closed {
+            for (again, node) in [(i == 0, [n, j]), (j == 0, [i, m]), (i == 0 && j == 0, [n, m])] {
+                if again {
+                    alloc::push(&mut all, node)?;
+                }
+            }
+        }
+    }
+    all.sort_unstable();
+    Ok(all)
+}

@@ -1,0 +1,81 @@
+//! The part of the lattice that is searched: for each row i the columns j from `low[i]` to `high[i]`, both never decreasing.
+
+use super::Pair;
+use crate::alloc;
+use crate::error::Result;
+use std::ops::{Range, RangeInclusive};
+
+/// A band of the lattice from (0, 0) to (N, M).
+pub(super) struct Band {
+    low: Vec<u32>,
+    high: Vec<u32>,
+}
+
+impl Band {
+    /// All nodes.
+    pub(super) fn full(n: usize, m: usize) -> Result<Self> {
+        Ok(Band { low: alloc::filled(0, n + 1)?, high: alloc::filled(m as u32, n + 1)? })
+    }
+
+    /// The nodes within `width` rows and columns of a path from (0, 0) to (n, m), of whose nodes some may be left out: the
+    /// path is taken to fill the rectangle between one node and the next.
+    pub(super) fn around(path: &[Pair], n: usize, m: usize, width: usize) -> Result<Self> {
+        let (mut low, mut high) = (alloc::filled(u32::MAX, n + 1)?, alloc::filled(0u32, n + 1)?);
+        for step in path.windows(2) {
+            let ([i, j], [i2, j2]) = (step[0], step[1]);
+            for row in i as usize..=i2 as usize {
+                low[row] = low[row].min(j);
+                high[row] = high[row].max(j2);
+            }
+        }
+        // Both are monotone: the least column within `width` rows is that of the first of them.
+        Ok(Band {
+            low: alloc::collect((0..n + 1).map(|i| low[i.saturating_sub(width)].saturating_sub(width as u32)))?,
+            high: alloc::collect((0..n + 1).map(|i| (high[n.min(i + width)] as usize + width).min(m) as u32))?,
+        })
+    }
+
+    /// N.
+    pub(super) fn last_row(&self) -> usize {
+        self.low.len() - 1
+    }
+
+    /// M.
+    pub(super) fn last_column(&self) -> usize {
+        self.high[self.last_row()] as usize
+    }
+
+    /// The columns of row `i`.
+    pub(super) fn columns(&self, i: usize) -> RangeInclusive<usize> {
+        self.low[i] as usize..=self.high[i] as usize
+    }
+
+    /// The number of nodes in row `i`.
+    pub(super) fn width(&self, i: usize) -> usize {
+        (self.high[i] - self.low[i]) as usize + 1
+    }
+
+    /// Rows 1..=N in blocks of at most `nodes` nodes, or of one row.
+    pub(super) fn blocks(&self, nodes: usize) -> Result<Vec<Range<usize>>> {
+        let mut blocks: Vec<Range<usize>> = Vec::new();
+        let mut room = 0;
+        for i in 1..=self.last_row() {
+            match blocks.last_mut() {
+                Some(block) if self.width(i) <= room => {
+                    block.end = i + 1;
+                    room -= self.width(i);
+                }
+                _ => {
+                    alloc::push(&mut blocks, i..i + 1)?;
+                    room = nodes.saturating_sub(self.width(i));
+                }
+            }
+        }
+        Ok(blocks)
+    }
+
+    /// The nodes of some rows.
+    pub(super) fn nodes(&self, rows: Range<usize>) -> usize {
+        rows.map(|i| self.width(i)).sum()
+    }
+}

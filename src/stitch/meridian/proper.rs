@@ -1,0 +1,226 @@
+//! The cheapest path where a step's cost depends on what came before: bends between triangles, and no meridian twice.
+//!
+//! **No meridian twice.** On closed rims (i, 0) and (i, M) are the same edge, since B_M is B_0. A path through both takes all its
+//! B steps at one i: no step of it that advances on A starts before j = M and ends after j = 0. Likewise for (0, j) and (N, j). So a strip
+//! is proper if and only if its path has both a step on A with j < M before it and j > 0 after it, and a step on B with i < N
+//! before and i > 0 after. Two bits say which of the two a path has had.
+//!
+//! **Bends.** The cost of a bend lies between two triangles, so a third bit says on which rim the last step was. Of a closed strip the
+//! first triangle meets the last one: the search is made for either kind of first step.
+//!
+//! The search keeps the cheapest way to each node in each of the eight states, and is exact.
+
+use super::band::Band;
+use super::bend::{Bends, Normals};
+use super::metric::{Line, Metric, Steps};
+use super::{Pair, Rails};
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use glam::DVec3;
+
+const STATES: usize = 8;
+/// The path has had a step on A within B.
+const WITHIN_B: usize = 1;
+/// The path has had a step on B within A.
+const WITHIN_A: usize = 2;
+/// The last step was on B. Kept for bends only.
+const LAST_B: usize = 4;
+
+/// Nodes between two progress reports.
+const REPORT: usize = 1 << 16;
+
+/// A step.
+#[derive(Clone, Copy, PartialEq)]
+enum By {
+    A,
+    B,
+    Both,
+}
+
+/// What a path costs.
+pub(super) enum Cost<'a> {
+    /// A sum over its steps.
+    Steps(Metric),
+    /// The bends.
+    Bends(&'a Bends<'a>),
+}
+
+type Costs = [f64; STATES];
+const NEVER: Costs = [f64::INFINITY; STATES];
+
+/// The state after a step into (i, j).
+fn advance(rails: &Rails<'_>, state: usize, by: By, i: usize, j: usize, bends: bool) -> usize {
+    let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
+    let (i_before, j_before) = (i - usize::from(by != By::B), j - usize::from(by != By::A));
+    let within_b = by != By::B && j_before < m && j > 0;
+    let within_a = by != By::A && i_before < n && i > 0;
+    let last = if bends && by == By::B { LAST_B } else { 0 };
+    state & (WITHIN_A | WITHIN_B) | usize::from(within_b) * WITHIN_B | usize::from(within_a) * WITHIN_A | last
+}
+
+/// True if no meridian of the path is used twice. A path between open rims has none.
+pub(super) fn is_proper(rails: &Rails<'_>, path: &[Pair]) -> bool {
+    let mut state = 0;
+    for step in path.windows(2) {
+        let ([i, j], [i2, j2]) = (step[0], step[1]);
+        let by = if i == i2 { By::B } else if j == j2 { By::A } else { By::Both };
+        state = advance(rails, state, by, i2 as usize, j2 as usize, false);
+    }
+    !rails.closed || state == WITHIN_A | WITHIN_B
+}
+
+/// The cheapest proper path within `band`, and its cost; `None` if there is none.
+///
+/// Time: the number of nodes in the band, for each of the eight states, twice for bends. Extra memory: 8 bytes a node.
+pub(super) fn cheapest_proper(
+    rails: &Rails<'_>,
+    cost: &Cost<'_>,
+    band: &Band,
+    job: &Job<'_>,
+) -> Result<Option<(f64, Vec<Pair>)>> {
+    let (n, m) = (band.last_row(), band.last_column());
+    let mut search = Search {
+        rails,
+        cost,
+        band,
+        line: Line::new(rails.b)?,
+        steps: Steps::new(m + 1)?,
+        row: alloc::filled(NEVER, m + 1)?,
+        normals: alloc::filled([DVec3::ZERO; 2], if matches!(cost, Cost::Bends(_)) { m + 1 } else { 0 })?,
+        arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,
+    };
+    let firsts: &[Option<By>] = match cost {
+        Cost::Bends(_) if rails.closed => &[Some(By::A), Some(By::B)],
+        _ => &[None],
+    };
+    let mut best: Option<(f64, Vec<Pair>)> = None;
+    for (k, &first) in firsts.iter().enumerate() {
+        let part = job.part(k as f64 / firsts.len() as f64, (k + 1) as f64 / firsts.len() as f64);
+        search.run(first, &part)?;
+        let wanted = |state: &usize| !rails.closed || state & 3 == WITHIN_A | WITHIN_B;
+        for state in (0..STATES).filter(wanted) {
+            let mut total = search.row[m][state];
+            if let (Cost::Bends(bends), Some(first)) = (cost, first) {
+                let last = bends.normals(n, m)[usize::from(state & LAST_B > 0)];
+                let next = if first == By::A { bends.normals(1, 0)[0] } else { bends.normals(0, 1)[1] };
+                total += bends.across(n, m, last, next);
+            }
+            if total < best.as_ref().map_or(f64::INFINITY, |&(least, _)| least) {
+                best = Some((total, search.way_back(state)?));
+            }
+        }
+    }
+    Ok(best)
+}
+
+struct Search<'a> {
+    rails: &'a Rails<'a>,
+    cost: &'a Cost<'a>,
+    band: &'a Band,
+    line: Line,
+    steps: Steps,
+    /// The cheapest ways to the nodes of one row.
+    row: Vec<Costs>,
+    /// For bends, the normals of the triangles that end at the nodes of that row.
+    normals: Vec<Normals>,
+    /// For each node and state: the state before, and the step (8 times 0 for A, 1 for B, 2 for both).
+    arrivals: Vec<[u8; STATES]>,
+}
+
+impl Search<'_> {
+    /// Fills the table. `first`: the first step must be of this kind.
+    fn run(&mut self, first: Option<By>, job: &Job<'_>) -> Result<()> {
+        self.row.fill(NEVER);
+        let mut start = 0;
+        let mut reported = 0;
+        for i in 0..=self.band.last_row() {
+            self.next_row(i, start, first);
+            start += self.band.width(i);
+            if start / REPORT > reported {
+                reported = start / REPORT;
+                job.step(i as f64 / self.band.last_row() as f64, "finding the best meridians")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn next_row(&mut self, i: usize, start: usize, first: Option<By>) {
+        let columns = self.band.columns(i);
+        let low = *columns.start();
+        if let Cost::Steps(metric) = self.cost {
+            metric.measure(self.rails.a, &self.line, i, columns.clone(), &mut self.steps);
+        }
+        let both = matches!(self.cost, Cost::Steps(metric) if metric.steps_on_both());
+        let shifted = i > 0 && low > *self.band.columns(i - 1).start();
+        let (mut left, mut before) = (NEVER, if shifted { self.row[low - 1] } else { NEVER });
+        let mut left_normals = [DVec3::ZERO; 2];
+        for j in columns {
+            // Row i - 1 still stands at j, where it is within its band.
+            let up = if i > 0 { self.row[j] } else { NEVER };
+            let normals = if let Cost::Bends(bends) = self.cost { bends.normals(i, j) } else { left_normals };
+            let (mut here, mut how) = (NEVER, [0u8; STATES]);
+            if (i, j) == (0, 0) {
+                here[0] = 0.0;
+            }
+            let from = [(By::A, &up, i > 0), (By::B, &left, j > 0), (By::Both, &before, both && i > 0 && j > 0)];
+            for (kind, (by, costs, exists)) in from.into_iter().enumerate() {
+                let is_first = (i, j) == (usize::from(by != By::B), usize::from(by != By::A));
+                if !exists || (is_first && first.is_some_and(|first| first != by)) {
+                    continue;
+                }
+                // By the kind of the step before.
+                let steps = match self.cost {
+                    Cost::Steps(_) => [if by == By::B { self.steps.b[j] } else { self.steps.a[j] }; 2],
+                    Cost::Bends(bends) => {
+                        let on_a = by == By::A;
+                        let normal = normals[usize::from(!on_a)];
+                        let along = bends.along(i, j, on_a, normal);
+                        let (i, j, old) = if on_a { (i - 1, j, self.normals[j]) } else { (i, j - 1, left_normals) };
+                        // Nothing comes before the first step: the seam is added at the end.
+                        old.map(|p| along + if is_first { 0.0 } else { bends.across(i, j, p, normal) })
+                    }
+                };
+                for (state, &cost) in costs.iter().enumerate() {
+                    let total = cost + steps[usize::from(state & LAST_B > 0)];
+                    let to = advance(self.rails, state, by, i, j, matches!(self.cost, Cost::Bends(_)));
+                    if total < here[to] {
+                        here[to] = total;
+                        how[to] = (state + STATES * kind) as u8;
+                    }
+                }
+            }
+            if self.rails.is_forbidden([i as u32, j as u32]) {
+                here = NEVER;
+            }
+            self.arrivals[start + j - low] = how;
+            before = self.row[j];
+            self.row[j] = here;
+            left = here;
+            if let Some(at) = self.normals.get_mut(j) {
+                *at = normals;
+            }
+            left_normals = normals;
+        }
+    }
+
+    /// The path to (N, M) in `state`.
+    fn way_back(&self, mut state: usize) -> Result<Vec<Pair>> {
+        let (mut i, mut j) = (self.band.last_row(), self.band.last_column());
+        let mut start = self.band.nodes(0..i);
+        let mut path = alloc::with_capacity(i + j + 1)?;
+        path.push([i as u32, j as u32]);
+        while (i, j) != (0, 0) {
+            let how = usize::from(self.arrivals[start + j - self.band.columns(i).start()][state]);
+            state = how % STATES;
+            j -= usize::from(how / STATES > 0);
+            if how / STATES != 1 {
+                i -= 1;
+                start -= self.band.width(i);
+            }
+            path.push([i as u32, j as u32]);
+        }
+        path.reverse();
+        Ok(path)
+    }
+}

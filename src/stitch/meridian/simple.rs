@@ -1,0 +1,48 @@
+//! Meridians without a search: by arc length, and greedily.
+
+use super::{Pair, Rails};
+use crate::alloc;
+use crate::error::Result;
+use glam::DVec3;
+
+/// Both rims are laid out on a segment by their arc lengths, and walked at the same pace: the next step is on the rim whose next vertex
+/// comes first, on A if both come at once. O(N + M).
+pub(super) fn by_arc_length(rails: &Rails<'_>) -> Result<Vec<Pair>> {
+    let (along_a, along_b) = (parameters(rails.a)?, parameters(rails.b)?);
+    walk(rails, |i, j| along_a[i + 1] <= along_b[j + 1])
+}
+
+/// The next step is the one to the shorter meridian, on A if both are equal. O(N + M).
+pub(super) fn greedily(rails: &Rails<'_>) -> Result<Vec<Pair>> {
+    let (a, b) = (rails.a, rails.b);
+    walk(rails, |i, j| a[i + 1].distance_squared(b[j]) <= a[i].distance_squared(b[j + 1]))
+}
+
+/// Walks from (0, 0) to (N, M); `on_a` chooses while there is a choice.
+fn walk(rails: &Rails<'_>, on_a: impl Fn(usize, usize) -> bool) -> Result<Vec<Pair>> {
+    let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
+    let mut pairs = alloc::with_capacity(n + m + 1)?;
+    let (mut i, mut j) = (0, 0);
+    pairs.push([0, 0]);
+    while (i, j) != (n, m) {
+        if j == m || (i < n && on_a(i, j)) { i += 1 } else { j += 1 }
+        pairs.push([i as u32, j as u32]);
+    }
+    Ok(pairs)
+}
+
+/// The part of the whole length that lies before each point; by index if there is no length.
+fn parameters(points: &[DVec3]) -> Result<Vec<f64>> {
+    let mut along = alloc::with_capacity(points.len())?;
+    let mut length = 0.0;
+    along.push(0.0);
+    for pair in points.windows(2) {
+        length += pair[0].distance(pair[1]);
+        along.push(length);
+    }
+    let segments = (points.len() - 1) as f64;
+    for (i, t) in along.iter_mut().enumerate() {
+        *t = if length > 0.0 { *t / length } else { i as f64 / segments };
+    }
+    Ok(along)
+}

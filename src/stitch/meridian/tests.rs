@@ -1,0 +1,212 @@
+//! Every choice of meridians that has a measure against brute force, and the coarse-to-fine search against the exact one.
+
+use super::index_rule::index_meridians;
+use super::metric::strip_area;
+use super::*;
+use proptest::prelude::*;
+
+/// The edges that a path uses, those of a closed polyline's end being those of its start.
+fn edges(rails: &Rails<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
+    let (n, m) = (rails.a.len(), rails.b.len());
+    let (n, m) = if rails.closed { (n - 1, m - 1) } else { (n, m) };
+    let mut edges: Vec<_> = path.iter().map(|&[i, j]| [i as usize % n, j as usize % m]).collect();
+    if rails.closed {
+        // The last meridian is the first, by definition.
+        edges.pop();
+    }
+    edges.sort_unstable();
+    edges
+}
+
+fn is_good(rails: &Rails<'_>, path: &[Pair]) -> bool {
+    edges(rails, path).windows(2).all(|pair| pair[0] != pair[1])
+        && !path.iter().any(|pair| rails.forbidden.contains(pair))
+}
+
+/// Every good path, by recursion.
+fn all_paths(rails: &Rails<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pair])) {
+    let end = [rails.a.len() as u32 - 1, rails.b.len() as u32 - 1];
+    let mut paths = vec![vec![[0, 0]]];
+    while let Some(path) = paths.pop() {
+        let [i, j] = *path.last().unwrap();
+        if [i, j] == end {
+            if is_good(rails, &path) {
+                visit(&path);
+            }
+            continue;
+        }
+        for [di, dj] in steps {
+            if i + di <= end[0] && j + dj <= end[1] {
+                paths.push([path.as_slice(), &[[i + di, j + dj]]].concat());
+            }
+        }
+    }
+}
+
+/// The bends of a strip, triangle by triangle.
+fn bends(rails: &Rails<'_>, path: &[Pair]) -> f64 {
+    let (a, b) = (|i: u32| rails.a[i as usize], |j: u32| rails.b[j as usize]);
+    let mut sum = 0.0;
+    let mut normals = Vec::new();
+    for step in path.windows(2) {
+        let ([i, j], [i2, j2]) = (step[0], step[1]);
+        let third = if i2 > i { a(i) } else { b(j) };
+        let normal = (third - a(i2)).cross(b(j2) - a(i2)).normalize_or_zero();
+        if let Some([along_a, along_b]) = rails.sides {
+            let (edge, side) = if i2 > i { (a(i2) - a(i), along_a[i as usize]) } else { (b(j2) - b(j), along_b[j as usize]) };
+            sum += edge.length() * (1.0 - normal.dot(side));
+        }
+        normals.push(normal);
+    }
+    for (k, pair) in normals.windows(2).enumerate() {
+        let [i, j] = path[k + 1];
+        sum += a(i).distance(b(j)) * (1.0 - pair[0].dot(pair[1]));
+    }
+    if rails.closed {
+        sum += a(0).distance(b(0)) * (1.0 - normals[0].dot(normals[normals.len() - 1]));
+    }
+    sum
+}
+
+fn check(rails: &Rails<'_>) {
+    let (a, b) = (rails.a, rails.b);
+    let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
+    let length = |&[i, j]: &Pair| a[i as usize].distance(b[j as usize]);
+    let squares = |path: &[Pair]| path[1..].iter().map(|pair| length(pair).powi(2)).sum::<f64>();
+    type Measure<'a> = &'a dyn Fn(&[Pair]) -> f64;
+    let triangles: &[[u32; 2]] = &[[1, 0], [0, 1]];
+    let cases: [(Meridians, &[[u32; 2]], Measure<'_>); 4] = [
+        (Meridians::MinArea, triangles, &|path| strip_area(a, b, path)),
+        (Meridians::MinDiagonal, triangles, &|path| path[1..].iter().map(length).sum()),
+        (Meridians::Smooth, triangles, &|path| bends(rails, path)),
+        (Meridians::Quad, &[[1, 0], [0, 1], [1, 1]], &squares),
+    ];
+    for (choice, steps, measure) in cases {
+        let mut least = f64::INFINITY;
+        let mut slack = 0.0;
+        all_paths(rails, steps, |path| {
+            if measure(path) < least {
+                least = measure(path);
+                // The tie break weighs as much as this for the best path.
+                slack = match choice {
+                    Meridians::MinArea if strip_area(a, b, &paper) == 0.0 => f64::INFINITY,
+                    Meridians::MinArea => 0.5f64.powi(32) * strip_area(a, b, &paper) / squares(&paper) * squares(path),
+                    Meridians::Smooth => {
+                        0.5f64.powi(20) * paper.iter().map(length).sum::<f64>()
+                            / paper.iter().map(|pair| length(pair).powi(2)).sum::<f64>()
+                            * squares(path)
+                    }
+                    _ => 0.0,
+                };
+            }
+        });
+        match meridians(rails, choice, Search::Auto, &Job::default()).unwrap() {
+            None => assert_eq!(least, f64::INFINITY, "{choice:?}"),
+            Some(chosen) => {
+                assert!(is_good(rails, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
+                assert_eq!((chosen.pairs[0], chosen.pairs.last()), ([0, 0], Some(&[a.len() as u32 - 1, b.len() as u32 - 1])));
+                let cost = measure(&chosen.pairs);
+                let round_off = 1e-12 * (1.0 + least.abs());
+                assert!(cost >= least - round_off && !(cost > least + slack + round_off), "{choice:?} {cost} {least}");
+            }
+        }
+    }
+    for choice in [Meridians::ArcLength, Meridians::Greedy] {
+        if let Some(chosen) = meridians(rails, choice, Search::Auto, &Job::default()).unwrap() {
+            assert!(is_good(rails, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
+        }
+    }
+}
+
+/// The first point again at the end.
+fn closed(points: &[DVec3]) -> Vec<DVec3> {
+    points.iter().chain(&points[..1]).copied().collect()
+}
+
+fn polyline(coordinates: &[(i8, i8, i8)]) -> Vec<DVec3> {
+    coordinates.iter().map(|&(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z)) / 128.0).collect()
+}
+
+proptest! {
+    #[test]
+    fn equals_brute_force(
+        a in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
+        b in prop::collection::vec(any::<(i8, i8, i8)>(), 3..6),
+        // A tiny second rim is where the best of all paths uses a meridian twice.
+        shrink in prop::sample::select(vec![1.0, 1e-3, 0.0]),
+        sides in prop::collection::vec(any::<(i8, i8, i8)>(), 10),
+        forbidden in any::<u64>(),
+        sparse in 1u32..5,
+    ) {
+        let a = polyline(&a);
+        let b: Vec<_> = polyline(&b).iter().map(|&p| p * shrink).collect();
+        let (n, m) = (a.len() as u32, b.len() as u32);
+        let sides: Vec<_> = polyline(&sides).iter().map(|p| p.normalize_or_zero()).collect();
+        let sides = [&sides[..5], &sides[5..]];
+        let some = (0..n).flat_map(|i| (0..m).map(move |j| [i, j]));
+        let some: Vec<_> =
+            some.filter(|&[i, j]| (i * 7 + j) % sparse == 3 && forbidden >> (i * 6 + j) & 1 == 1).collect();
+        for few in [&[][..], &some] {
+            let nodes = |closed| forbidden_nodes(few.iter().copied(), n, m, closed).unwrap();
+            for sides in [None, Some(sides)] {
+                check(&Rails { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &nodes(true), sides });
+                check(&Rails { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides });
+            }
+        }
+    }
+
+    #[test]
+    fn open_polylines_of_few_points(
+        a in prop::collection::vec(any::<(i8, i8, i8)>(), 1..4),
+        b in prop::collection::vec(any::<(i8, i8, i8)>(), 1..6),
+    ) {
+        // Two points give no strip to measure.
+        prop_assume!(a.len() + b.len() > 2);
+        check(&Rails { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None });
+    }
+
+    /// Blocks and bands lose nothing: a long wavy rim, coarse to fine and exactly.
+    #[test]
+    fn coarse_to_fine_is_nearly_the_best(
+        n in 1500usize..2500,
+        ratio in 0.3f64..1.0,
+        waves in prop::collection::vec((1u32..40, -0.2f64..0.2, 0.0f64..6.3), 4),
+        shift in 0.0f64..0.1,
+    ) {
+        let rim = |count: usize, lift: f64, shift: f64| -> Vec<DVec3> {
+            (0..count).map(|i| {
+                let t = shift + std::f64::consts::TAU * i as f64 / count as f64;
+                let wave = waves.iter().map(|&(k, size, phase)| size * (f64::from(k) * t + phase).sin() / f64::from(k));
+                DVec3::new(t.cos(), t.sin(), lift + (1.0 + lift) * wave.sum::<f64>())
+            }).collect()
+        };
+        let (a, b) = (closed(&rim(n, 0.0, 0.0)), closed(&rim((ratio * n as f64) as usize, 0.3, shift)));
+        let rails = Rails { a: &a, b: &b, closed: true, forbidden: &[], sides: None };
+        let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
+        for metric in [Metric::area(&a, &b, &paper), Metric::Diagonal, Metric::Quad] {
+            let find = |rails: &Rails<'_>, band: &Band| lattice::cheapest(rails, metric, band, &Job::default());
+            let coarse = coarse::coarse_to_fine(&rails, &find).unwrap().unwrap();
+            let exact = find(&rails, &Band::full(a.len() - 1, b.len() - 1).unwrap()).unwrap().unwrap();
+            let (coarse, exact) = (metric.of_path(&a, &b, &coarse), metric.of_path(&a, &b, &exact));
+            prop_assert!(coarse >= exact * (1.0 - 1e-12) && coarse <= exact * 1.0005, "{metric:?} {coarse} {exact}");
+        }
+    }
+}
+
+#[test]
+fn a_plane_ring_gets_short_meridians() {
+    // All strips of a plane ring have the same area and no bends; the ties must not leave a fan.
+    let circle = |n: usize, r: f64| -> Vec<DVec3> {
+        let angle = |i| std::f64::consts::TAU * i as f64 / n as f64;
+        (0..n).map(|i| DVec3::new(r * angle(i).cos(), r * angle(i).sin(), 0.0)).collect()
+    };
+    let (a, b) = (circle(48, 2.0), circle(32, 1.7));
+    let rails = Rails { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None };
+    for choice in [Meridians::MinArea, Meridians::Smooth] {
+        let chosen = meridians(&rails, choice, Search::Auto, &Job::default()).unwrap().unwrap();
+        let length = |&[i, j]: &Pair| a[i as usize % 48].distance(b[j as usize % 32]);
+        let longest = chosen.pairs.iter().map(length).fold(0.0, f64::max);
+        // None leans sideways by more than one edge: the gap is 0.3 wide, the longer edge 0.334 long.
+        assert!(longest < 0.3f64.hypot(0.334), "{choice:?} {longest}");
+    }
+}
