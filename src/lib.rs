@@ -42,6 +42,8 @@ mod alloc;
 pub mod boundary;
 pub mod check;
 pub mod error;
+#[allow(dead_code, unused_imports)]
+mod fair;
 pub mod ffi;
 pub mod filters;
 mod geom;

@@ -1,0 +1,23 @@
+//! Thin-plate fairing: some vertices of a triangle patch move so that the patch bends as little as possible, the rest stay.
+//!
+//! Source: M. Botsch, L. Kobbelt, *An intuitive framework for real-time freeform modeling* (2004), and P. Liepa, *Filling holes
+//! in meshes* (2003), section 5, which both minimise the thin-plate energy, the sum over vertices of the squared Laplacian. Its
+//! minimum solves the bi-Laplacian equation; with two rows of fixed vertices round the free ones, the rim and the old vertices
+//! next to it, the new surface leaves the old one without a crease.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | [`rings`](self) | the neighbours of each vertex and their weights |
+//! | [`plate`](self) | the energy's normal equations, and the new places |
+//! | [`order`](self) | an order of the unknowns that keeps the factor sparse: nested dissection |
+//! | [`sparse`](self) | the factor L D L^T |
+
+mod order;
+mod plate;
+mod rings;
+mod sparse;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use plate::thin_plate;
+pub(crate) use rings::Weights;

@@ -1,0 +1,129 @@
+//! The energy's normal equations, and the new places.
+
+use super::order::dissect;
+use super::rings::{Rings, Weights};
+use super::sparse::{Factor, Symmetric};
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::scale::common_unit;
+use crate::job::Job;
+use crate::mesh::NONE;
+use glam::DVec3;
+
+/// Moves the `free` vertices of a patch to where the sum over all `centres` v of |L x(v)|^2 is least; the others stay.
+///
+/// For a crease-free seam the centres are the free vertices and those fixed ones that border on a free one, each with its whole
+/// one-ring in `triangles`, old neighbours included. A vertex stays where it is if no chain of free vertices connects it with a
+/// fixed one, or if the equations do not determine its place.
+///
+/// The displacement y of the free vertices solves A y = -G, G being the gradient of the energy where they are now and A its
+/// second derivative, a sparse matrix that couples vertices with a centre in common.
+///
+/// For n free vertices of a patch of T triangles O(T + n log n) and the factor: O(n^1.5) operations and O(n log n) memory, 16
+/// bytes an entry, on a surface patch; nearly linear on a strip.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+pub(crate) fn thin_plate(
+    points: &mut [DVec3],
+    triangles: &[[u32; 3]],
+    free: &[bool],
+    centres: &[bool],
+    weights: Weights,
+    job: &Job<'_>,
+) -> Result<()> {
+    job.step(0.0, "fairing")?;
+    let unit = common_unit(&*points);
+    // Seen from one of the points, so that a patch far from the origin loses no digits.
+    let origin = points.first().map_or(DVec3::ZERO, |&p| p / unit);
+    let local = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
+    let rings = Rings::new(&local, triangles, weights)?;
+    let mut unknowns = held(&rings, free)?;
+    dissect(&mut unknowns, &local, &rings, centres)?;
+    let (matrix, mut moves) = equations(&local, &rings, &unknowns, centres)?;
+    Factor::new(&matrix, &job.part(0.2, 1.0))?.solve(&mut moves);
+    for (&v, &by) in unknowns.iter().zip(&moves) {
+        let place = (local[v as usize] + by + origin) * unit;
+        if by != DVec3::ZERO && place.is_finite() {
+            points[v as usize] = place;
+        }
+    }
+    Ok(())
+}
+
+/// The free vertices that a chain of free vertices connects with a fixed one.
+fn held(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
+    let mut found = alloc::filled(false, free.len())?;
+    let mut list = alloc::with_capacity(free.len())?;
+    let neighbours = |v: u32| rings.ring(v as usize).iter().map(|&(w, _)| w as usize);
+    for v in (0..free.len()).filter(|&v| free[v]) {
+        if neighbours(v as u32).any(|w| !free[w]) {
+            found[v] = true;
+            list.push(v as u32);
+        }
+    }
+    let mut next = 0;
+    while next < list.len() {
+        for w in neighbours(list[next]) {
+            if free[w] && !found[w] {
+                found[w] = true;
+                list.push(w as u32);
+            }
+        }
+        next += 1;
+    }
+    Ok(list)
+}
+
+/// The second derivative of the energy, in the order of `unknowns`, and less its gradient; both halved.
+fn equations(points: &[DVec3], rings: &Rings, unknowns: &[u32], centres: &[bool]) -> Result<(Symmetric, Vec<DVec3>)> {
+    // The Laplacian of each centre, scaled.
+    let mut bend = alloc::filled(DVec3::ZERO, points.len())?;
+    for c in (0..points.len()).filter(|&c| centres[c]) {
+        let laplacian =
+            rings.ring(c).iter().fold(DVec3::ZERO, |sum, &(w, weight)| sum + weight * (points[w as usize] - points[c]));
+        bend[c] = rings.scale(c) * laplacian;
+    }
+    let mut place = alloc::filled(NONE, points.len())?;
+    for (k, &v) in unknowns.iter().enumerate() {
+        place[v as usize] = k as u32;
+    }
+    let n = unknowns.len();
+    let mut matrix = Symmetric {
+        start: alloc::with_capacity(n + 1)?,
+        entries: alloc::with_capacity(10 * n)?,
+        diagonal: alloc::with_capacity(n)?,
+    };
+    matrix.start.push(0);
+    let mut moves = alloc::with_capacity(n)?;
+    let mut column = alloc::filled(0.0, n)?;
+    let mut rows = Vec::new();
+    let mut seen = alloc::filled(NONE, n)?;
+    for (k, &v) in unknowns.iter().enumerate() {
+        let mut gradient = DVec3::ZERO;
+        for (c, factor) in rings.row(v as usize).filter(|&(c, _)| centres[c]) {
+            gradient += factor * bend[c];
+            let factor = factor * rings.scale(c);
+            for (w, weight) in rings.row(c) {
+                let i = place[w] as usize;
+                // Also if it is no unknown.
+                if i > k {
+                    continue;
+                }
+                if seen[i] != k as u32 {
+                    seen[i] = k as u32;
+                    column[i] = 0.0;
+                    alloc::push(&mut rows, i as u32)?;
+                }
+                column[i] += factor * weight;
+            }
+        }
+        moves.push(-gradient);
+        let is_centred = seen[k] == k as u32;
+        matrix.diagonal.push(if is_centred { column[k] } else { 0.0 });
+        alloc::reserve(&mut matrix.entries, rows.len())?;
+        matrix.entries.extend(rows.drain(..).filter(|&i| i as usize != k).map(|i| (i, column[i as usize])));
+        matrix.start.push(matrix.entries.len());
+    }
+    Ok((matrix, moves))
+}

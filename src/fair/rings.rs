@@ -1,0 +1,152 @@
+//! The neighbours of each vertex and their weights.
+
+use crate::alloc;
+use crate::error::Result;
+use glam::DVec3;
+
+/// The discrete Laplacian L x(v) = s(v) sum over neighbours w of weight(v, w) (x(w) - x(v)).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Weights {
+    /// Every neighbour weighs the same. The result depends on the connectivity alone, and vertices spread evenly.
+    Uniform,
+    /// 1 / length of the edge.
+    InverseLength,
+    /// The cotangent weights of the triangles as they are, over the vertex's share of the area: the Laplacian of the surface.
+    /// The shape of the result hardly depends on the triangulation.
+    Cotangent,
+}
+
+/// The neighbours of every vertex, ascending, with weights that are the same both ways, and each vertex's scale.
+pub(super) struct Rings {
+    start: Vec<u32>,
+    entries: Vec<(u32, f64)>,
+    /// Less the sum of the weights round a vertex.
+    middle: Vec<f64>,
+    /// The square of s(v) times the vertex's share of the area.
+    scale: Vec<f64>,
+}
+
+/// Cotangents are kept within these bounds, those of 2.9 and 177.1 degrees: slivers must not outweigh all others.
+const MAX_COTANGENT: f64 = 20.0;
+/// An edge weighs at least this much, so that no vertex is let go by its neighbours.
+const MIN_COTANGENT: f64 = 1e-3;
+/// Lengths and areas below this part of the mean are taken to be this part.
+const LEAST_PART: f64 = 1e-3;
+
+impl Rings {
+    /// O(T) for T triangles, which may repeat vertices or be without area; extra memory: about 100 bytes a triangle.
+    pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], weights: Weights) -> Result<Self> {
+        let mut start = alloc::filled(0u32, points.len() + 1)?;
+        let proper = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
+        for &[a, b, c] in proper.clone() {
+            [a, b, c].iter().for_each(|&v| start[v as usize + 1] += 2);
+        }
+        for v in 0..points.len() {
+            start[v + 1] += start[v];
+        }
+        let mut entries = alloc::filled((0u32, 0.0), start[points.len()] as usize)?;
+        let mut area = alloc::filled(0.0, points.len())?;
+        let mut next = alloc::copied(&start[..points.len()])?;
+        for &triangle in proper {
+            let corner = triangle.map(|v| points[v as usize]);
+            let double_area = (corner[1] - corner[0]).cross(corner[2] - corner[0]).length();
+            for k in 0..3 {
+                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                let cotangent = cotangent((corner[i] - corner[k]).dot(corner[j] - corner[k]), double_area);
+                for (u, v) in [(triangle[i], triangle[j]), (triangle[j], triangle[i])] {
+                    let place = &mut next[u as usize];
+                    entries[*place as usize] = (v, cotangent / 2.0);
+                    *place += 1;
+                }
+                area[triangle[k] as usize] += double_area / 6.0;
+            }
+        }
+        let mut rings = Rings { start, entries, middle: Vec::new(), scale: area };
+        rings.merge();
+        rings.weigh(points, weights)?;
+        Ok(rings)
+    }
+
+    /// Makes one entry of the two or more that an edge has, with the sum of their weights.
+    fn merge(&mut self) {
+        let mut kept = 0;
+        let mut from = 0;
+        for v in 1..self.start.len() {
+            let to = self.start[v] as usize;
+            // By weight too, so that the sum does not depend on the order of the triangles.
+            self.entries[from..to].sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+            let first = kept;
+            for i in from..to {
+                let (w, weight) = self.entries[i];
+                if kept > first && self.entries[kept - 1].0 == w {
+                    self.entries[kept - 1].1 += weight;
+                } else {
+                    self.entries[kept] = (w, weight);
+                    kept += 1;
+                }
+            }
+            from = to;
+            self.start[v] = kept as u32;
+        }
+        self.entries.truncate(kept);
+    }
+
+    /// Replaces the cotangents by the weights asked for, and the areas by scales.
+    fn weigh(&mut self, points: &[DVec3], weights: Weights) -> Result<()> {
+        let count = self.entries.len().max(1) as f64;
+        let length = |v: usize, w: u32| points[v].distance(points[w as usize]);
+        let total: f64 = (0..points.len()).flat_map(|v| self.ring(v).iter().map(move |e| length(v, e.0))).sum();
+        let least = (LEAST_PART * total / count).max(f64::MIN_POSITIVE);
+        let used = self.scale.iter().filter(|&&area| area > 0.0).count().max(1) as f64;
+        let least_area = (LEAST_PART * self.scale.iter().sum::<f64>() / used).max(f64::MIN_POSITIVE);
+        self.middle = alloc::with_capacity(points.len())?;
+        for v in 0..points.len() {
+            let range = self.start[v] as usize..self.start[v + 1] as usize;
+            let valence = range.len().max(1) as f64;
+            let mut lengths = 0.0;
+            for entry in &mut self.entries[range.clone()] {
+                let length = length(v, entry.0).max(least);
+                lengths += length;
+                entry.1 = match weights {
+                    Weights::Uniform => 1.0,
+                    Weights::InverseLength => 1.0 / length,
+                    Weights::Cotangent => entry.1.max(MIN_COTANGENT),
+                };
+            }
+            let sum = self.entries[range].iter().map(|e| e.1).sum::<f64>();
+            self.middle.push(-sum);
+            let scale = match weights {
+                Weights::Uniform => 1.0 / valence,
+                Weights::InverseLength => 2.0 / lengths,
+                Weights::Cotangent => 1.0 / self.scale[v].max(least_area),
+            };
+            self.scale[v] = match weights {
+                Weights::Uniform => scale * scale,
+                Weights::InverseLength => scale * scale * (lengths / valence).powi(2),
+                Weights::Cotangent => scale,
+            };
+        }
+        Ok(())
+    }
+
+    /// The neighbours of `v` and their weights.
+    pub(super) fn ring(&self, v: usize) -> &[(u32, f64)] {
+        &self.entries[self.start[v] as usize..self.start[v + 1] as usize]
+    }
+
+    /// The row of L for vertex `v`, itself first, before scaling. It is the column too.
+    pub(super) fn row(&self, v: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        std::iter::once((v, self.middle[v])).chain(self.ring(v).iter().map(|&(w, weight)| (w as usize, weight)))
+    }
+
+    /// What the square of row `v` is multiplied by in the energy.
+    pub(super) fn scale(&self, v: usize) -> f64 {
+        self.scale[v]
+    }
+}
+
+/// The cotangent of an angle from the product and the cross product of its legs, kept within bounds.
+fn cotangent(dot: f64, cross: f64) -> f64 {
+    // Not a quotient where the cross product is small or 0.
+    if dot.abs() >= MAX_COTANGENT * cross { MAX_COTANGENT.copysign(dot) } else { dot / cross }
+}

@@ -1,0 +1,295 @@
+//! Thin-plate fairing against known shapes and equations.
+
+use super::{Weights, thin_plate};
+use crate::Job;
+use glam::{DQuat, DVec3};
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+
+const ALL: [Weights; 3] = [Weights::Uniform, Weights::InverseLength, Weights::Cotangent];
+
+/// A patch with the vertices that may move.
+#[derive(Clone)]
+struct Patch {
+    points: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    free: Vec<bool>,
+}
+
+impl Patch {
+    /// Free vertices, and those beside them that are not on the patch's own border.
+    fn centres(&self) -> Vec<bool> {
+        let edges: BTreeSet<[u32; 2]> = self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
+        let mut centres = self.free.clone();
+        for &[a, b] in edges.iter().filter(|&&[a, b]| self.free[a as usize] || self.free[b as usize]) {
+            centres[a as usize] = true;
+            centres[b as usize] = true;
+        }
+        for &[a, b] in edges.iter().filter(|&&[a, b]| !edges.contains(&[b, a])) {
+            centres[a as usize] = self.free[a as usize];
+            centres[b as usize] = self.free[b as usize];
+        }
+        centres
+    }
+
+    fn fair(&mut self, weights: Weights) {
+        let centres = self.centres();
+        thin_plate(&mut self.points, &self.triangles, &self.free, &centres, weights, &Job::default()).unwrap();
+    }
+}
+
+/// A disk of radius 1 in the plane z = 0: a middle vertex and `rings` rings, ring i of 6 i vertices; all but the last two
+/// rings are free.
+fn disk(rings: u32) -> Patch {
+    let first = |i: u32| if i == 0 { 0 } else { 3 * i * (i - 1) + 1 };
+    let vertex = |i: u32, k: u32| if i == 0 { 0 } else { first(i) + k % (6 * i) };
+    let (mut points, mut triangles) = (vec![DVec3::ZERO], Vec::new());
+    for i in 1..=rings {
+        for k in 0..6 * i {
+            let angle = TAU * f64::from(k) / f64::from(6 * i);
+            points.push(DVec3::new(angle.cos(), angle.sin(), 0.0) * f64::from(i) / f64::from(rings));
+        }
+        for side in 0..6 {
+            for k in 0..i {
+                let (outer, inner) = (side * i + k, side * (i - 1) + k);
+                triangles.push([vertex(i, outer), vertex(i, outer + 1), vertex(i - 1, inner)]);
+                if k + 1 < i {
+                    triangles.push([vertex(i - 1, inner), vertex(i, outer + 1), vertex(i - 1, inner + 1)]);
+                }
+            }
+        }
+    }
+    let free = (0..points.len() as u32).map(|v| v < first(rings - 1)).collect();
+    Patch { points, triangles, free }
+}
+
+/// A reproducible number from -1 to 1.
+fn noise(i: usize) -> f64 {
+    ((i as f64 * 12.9898).sin() * 43758.5453).fract()
+}
+
+#[test]
+fn a_plane_stays_a_plane() {
+    let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 1.0);
+    let away = DVec3::new(100.0, -200.0, 50.0);
+    for weights in ALL {
+        let mut patch = disk(8);
+        for (i, p) in patch.points.iter_mut().enumerate() {
+            *p += DVec3::new(noise(i), noise(i + 1000), 0.0) * 0.03;
+            *p = turn * *p + away;
+        }
+        patch.fair(weights);
+        for p in &patch.points {
+            assert!((turn.inverse() * (*p - away)).z.abs() < 1e-12, "{weights:?}");
+        }
+    }
+}
+
+#[test]
+fn fixed_vertices_keep_their_bits_and_free_ones_forget_where_they_were() {
+    let mut patch = disk(6);
+    for (i, p) in patch.points.iter_mut().enumerate() {
+        p.z = (3.0 * p.x).sin() + 0.1 * noise(i);
+    }
+    let mut other = patch.clone();
+    for v in (0..other.points.len()).filter(|&v| other.free[v]) {
+        other.points[v] += DVec3::new(noise(v), noise(v + 7), noise(v + 99));
+    }
+    let before = patch.points.clone();
+    patch.fair(Weights::Uniform);
+    other.fair(Weights::Uniform);
+    for (v, &was) in before.iter().enumerate() {
+        assert_eq!(patch.points[v] == was, !patch.free[v]);
+        assert!(patch.points[v].distance(other.points[v]) < 1e-12);
+    }
+}
+
+/// On a nearly flat disk the energy with cotangent weights is the thin plate's, and biharmonic functions minimise it: second
+/// order in the length of the edges.
+#[test]
+fn biharmonic_functions_are_found() {
+    let height = |p: DVec3| 1e-4 * (p.length_squared() * (p.x + 1.0) + p.x * p.y);
+    let error = |rings: u32| {
+        let mut patch = disk(rings);
+        for v in 0..patch.points.len() {
+            patch.points[v].z = if patch.free[v] { 0.0 } else { height(patch.points[v]) };
+        }
+        patch.fair(Weights::Cotangent);
+        patch.points.iter().map(|&p| (p.z - height(p)).abs()).fold(0.0, f64::max) / 1e-4
+    };
+    let errors = [8, 16, 32].map(error);
+    assert!(errors[0] < 0.03 && errors[1] < errors[0] / 3.0 && errors[2] < errors[1] / 3.0, "{errors:?}");
+}
+
+/// Over a cap of radius R of the unit sphere the biharmonic surface with the sphere's height and slope at the rim is R^4 / 8
+/// off at the most.
+#[test]
+fn a_hole_in_a_sphere_is_domed() {
+    for weights in ALL {
+        for radius in [0.2, 0.4] {
+            let mut patch = disk(16);
+            let on_sphere = |p: DVec3| DVec3::new(p.x, p.y, (1.0 - p.x * p.x - p.y * p.y).sqrt());
+            let rim = on_sphere(DVec3::X * radius).z;
+            for v in 0..patch.points.len() {
+                let flat = patch.points[v] * radius;
+                patch.points[v] = if patch.free[v] { flat + DVec3::Z * rim } else { on_sphere(flat) };
+            }
+            patch.fair(weights);
+            let error = patch.points.iter().map(|p| (p.length() - 1.0).abs()).fold(0.0, f64::max);
+            // The other weights take the disk's six corners for bends: 5 % of the dome's height.
+            let bound =
+                if weights == Weights::Cotangent { 1.2 * radius.powi(4) / 8.0 } else { 0.025 * radius * radius };
+            assert!(error < bound, "{weights:?}: {error} at {radius}");
+        }
+    }
+}
+
+/// A tube of `around` vertices a row and `rows` rows, of which all but the outer two on each side are free.
+fn tube(around: u32, rows: u32) -> Patch {
+    let (mut points, mut triangles, mut free) = (Vec::new(), Vec::new(), Vec::new());
+    for row in 0..rows {
+        for k in 0..around {
+            let angle = TAU * f64::from(k) / f64::from(around);
+            let height = TAU * f64::from(row) / f64::from(around);
+            points.push(DVec3::new(angle.cos(), angle.sin(), height));
+            free.push((2..rows - 2).contains(&row));
+            let [a, b] = [row * around + k, row * around + (k + 1) % around];
+            if row + 1 < rows {
+                triangles.extend([[a, b, a + around], [b, b + around, a + around]]);
+            }
+        }
+    }
+    Patch { points, triangles, free }
+}
+
+#[test]
+fn a_gap_in_a_cylinder_gets_its_waist_back() {
+    for weights in ALL {
+        let mut patch = tube(60, 9);
+        for (v, p) in patch.points.iter_mut().enumerate() {
+            if patch.free[v] {
+                *p *= DVec3::new(0.95, 0.95, 1.0);
+            }
+        }
+        patch.fair(weights);
+        for p in &patch.points {
+            assert!((p.truncate().length() - 1.0).abs() < 5e-3, "{weights:?} {p}");
+        }
+    }
+}
+
+#[test]
+fn symmetric_input_gives_symmetric_output() {
+    // The disk is symmetric under a sixth of a turn, with the vertices of each ring renumbered.
+    for weights in ALL {
+        let mut patch = disk(7);
+        for p in &mut patch.points {
+            let angle = p.y.atan2(p.x);
+            p.z = 0.3 * p.length_squared() * (6.0 * angle).cos();
+        }
+        patch.fair(weights);
+        let turn = DQuat::from_rotation_z(TAU / 6.0);
+        for &p in &patch.points {
+            let nearest = patch.points.iter().map(|q| q.distance(turn * p)).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-12, "{weights:?} {nearest}");
+        }
+    }
+}
+
+/// At the minimum no vertex can be moved to gain anything. The energy is computed here in its own way.
+#[test]
+fn the_energy_is_least() {
+    let mut patch = disk(6);
+    for (i, p) in patch.points.iter_mut().enumerate() {
+        *p += DVec3::new(noise(i), noise(i + 1000), noise(i + 2000)) * 0.2;
+    }
+    let centres = patch.centres();
+    let mut neighbours = vec![BTreeSet::new(); patch.points.len()];
+    for &[a, b, c] in &patch.triangles {
+        for [u, v] in [[a, b], [b, c], [c, a]] {
+            neighbours[u as usize].insert(v as usize);
+            neighbours[v as usize].insert(u as usize);
+        }
+    }
+    let energy = |points: &[DVec3]| -> f64 {
+        let mean = |v: usize| neighbours[v].iter().map(|&w| points[w]).sum::<DVec3>() / neighbours[v].len() as f64;
+        (0..points.len()).filter(|&v| centres[v]).map(|v| (mean(v) - points[v]).length_squared()).sum()
+    };
+    let before = energy(&patch.points);
+    patch.fair(Weights::Uniform);
+    let least = energy(&patch.points);
+    assert!(least < before / 2.0);
+    for v in (0..patch.points.len()).filter(|&v| patch.free[v]) {
+        for by in [DVec3::X, DVec3::Y, DVec3::Z] {
+            let mut sides = [1e-4, -1e-4].map(|h| {
+                let mut moved = patch.points.clone();
+                moved[v] += by * h;
+                energy(&moved) - least
+            });
+            sides.sort_by(f64::total_cmp);
+            assert!(sides[0] > 0.0 && (sides[1] - sides[0]) < 1e-6 * sides[1], "{v} {sides:?}");
+        }
+    }
+}
+
+#[test]
+fn a_vertex_among_fixed_ones() {
+    // With uniform weights and itself as only centre, the middle of its neighbours.
+    let mut patch = disk(1);
+    patch.free = vec![true, false, false, false, false, false, false];
+    patch.points[0] = DVec3::new(0.3, 0.2, 5.0);
+    let centres = patch.free.clone();
+    thin_plate(&mut patch.points, &patch.triangles, &patch.free, &centres, Weights::Uniform, &Job::default()).unwrap();
+    assert!(patch.points[0].length() < 1e-15);
+}
+
+#[test]
+fn vertices_that_nothing_determines_stay() {
+    for weights in ALL {
+        // All free: the energy is 0 wherever the patch shrinks to a point.
+        let mut patch = disk(4);
+        patch.free.fill(true);
+        let before = patch.points.clone();
+        patch.fair(weights);
+        assert_eq!(patch.points, before);
+
+        // No centre, no energy.
+        let mut patch = disk(4);
+        let none = vec![false; patch.points.len()];
+        thin_plate(&mut patch.points, &patch.triangles, &patch.free, &none, weights, &Job::default()).unwrap();
+        assert_eq!(patch.points, before);
+
+        // A second disk far away, loose vertices, and triangles that are none.
+        let mut patch = disk(4);
+        let count = patch.points.len() as u32;
+        patch.points.extend(before.iter().map(|&p| p + DVec3::X * 10.0));
+        let again: Vec<_> = patch.triangles.iter().map(|t| t.map(|v| v + count)).collect();
+        patch.triangles.extend(again);
+        patch.points.extend([DVec3::ONE, DVec3::NEG_ONE]);
+        patch.triangles.extend([[2 * count, 2 * count, 0], [2 * count, 2 * count + 1, 2 * count]]);
+        patch.free.resize(patch.points.len(), true);
+        patch.points[0].z = 1.0;
+        patch.fair(weights);
+        assert!(patch.points[0].z.abs() < 1e-9, "{weights:?}");
+        assert_eq!(patch.points[2 * count as usize], DVec3::ONE);
+        assert!((count..2 * count).all(|v| patch.points[v as usize].x > 8.0));
+    }
+}
+
+#[test]
+fn degenerate_patches_do_no_harm() {
+    for weights in ALL {
+        for size in [0.0, 1e-300, 1e300] {
+            let mut patch = disk(4);
+            patch.points.iter_mut().for_each(|p| *p *= size);
+            // Half of the free ones coincide.
+            for v in (0..10).filter(|v| v % 2 == 0) {
+                patch.points[v] = patch.points[0];
+            }
+            patch.fair(weights);
+            assert!(patch.points.iter().all(|p| p.abs().max_element() <= 1.1 * size), "{weights:?} {size}");
+        }
+    }
+    let nothing = thin_plate(&mut [], &[], &[], &[], Weights::Uniform, &Job::default());
+    assert_eq!(nothing, Ok(()));
+}
