@@ -164,7 +164,7 @@
 #define GUSSET_U64 1
 
 /**
- * The strip of least area among all closed bands of triangles through the first meridian: exact, O(N M).
+ * The strip of triangles of least area through the first meridian.
  */
 #define GUSSET_MERIDIANS_MIN_AREA 0
 
@@ -172,6 +172,87 @@
  * The paper's rule by index, O(N + M): good for evenly spaced rims.
  */
 #define GUSSET_MERIDIANS_INDEX 1
+
+/**
+ * Both rims walked at the same pace, by arc length, O(N + M).
+ */
+#define GUSSET_MERIDIANS_ARC_LENGTH 2
+
+/**
+ * Always on to the shorter of the two next meridians, O(N + M).
+ */
+#define GUSSET_MERIDIANS_GREEDY 3
+
+/**
+ * The strip of triangles whose meridians have the least total length.
+ */
+#define GUSSET_MERIDIANS_MIN_DIAGONAL 4
+
+/**
+ * The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the angle between
+ * the normals).
+ */
+#define GUSSET_MERIDIANS_SMOOTH 5
+
+/**
+ * The least sum of the meridians' squared lengths where steps on both rims at once are allowed (dynamic time warping): quads
+ * where both sides advance, triangles elsewhere. Meant for strips with interior rows.
+ */
+#define GUSSET_MERIDIANS_QUAD 6
+
+/**
+ * The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time, linear
+ * memory, and a result within a few hundredths of a per cent of the best on all rims that were measured.
+ */
+#define GUSSET_SEARCH_AUTO 0
+
+/**
+ * Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch_create.
+ */
+#define GUSSET_SEARCH_EXACT 1
+
+/**
+ * The first meridian of a closed band joins the closest pair of vertices, or the closest pair after rim B has been turned along
+ * rim A to where it fits best; the better strip of the two is kept.
+ */
+#define GUSSET_START_AUTO 0
+
+/**
+ * The closest pair.
+ */
+#define GUSSET_START_CLOSEST 1
+
+/**
+ * gusset_strip_create only: the first points.
+ */
+#define GUSSET_START_GIVEN 2
+
+/**
+ * New vertices divide their meridians evenly, as the paper has it.
+ */
+#define GUSSET_FAIRING_NONE 0
+
+/**
+ * New vertices are moved so that the strip bends as a thin plate does and meets both pieces smoothly: the sum of the squared
+ * Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
+ */
+#define GUSSET_FAIRING_THIN_PLATE 1
+
+/**
+ * Faces of the strip that cut others are looked for where rows are faired; there the fairing is taken back in places until nothing
+ * cuts, or nothing is left to take back.
+ */
+#define GUSSET_INTERSECTIONS_AUTO 0
+
+/**
+ * They are not looked for.
+ */
+#define GUSSET_INTERSECTIONS_IGNORE 1
+
+/**
+ * They are always looked for.
+ */
+#define GUSSET_INTERSECTIONS_REPORT 2
 
 /**
  * A second piece that is oriented against the first is turned over: the component that rim B is on. Two loops of one connected
@@ -447,6 +528,11 @@ typedef struct gusset_facing gusset_facing;
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
  */
 typedef struct gusset_stitch gusset_stitch;
+
+/**
+ * A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
+ */
+typedef struct gusset_strip gusset_strip;
 
 /**
  * The winged-edge tables of a mesh. Opaque and immutable; it keeps nothing of the mesh.
@@ -807,9 +893,9 @@ typedef struct gusset_stitch_options {
      */
     uint32_t orientation;
     /**
-     * The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so many places later, counted in the
-     * direction in which rim A runs (negative: earlier). Any value; taken modulo the length of rim B. Must be 0 if arcs are
-     * joined (OUT_OF_RANGE).
+     * The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so many
+     * places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any value;
+     * taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
      */
     int64_t twist;
     /**
@@ -850,6 +936,22 @@ typedef struct gusset_stitch_options {
      * The same on loop B.
      */
     uint32_t arc_b[2];
+    /**
+     * GUSSET_SEARCH_...
+     */
+    uint32_t search;
+    /**
+     * GUSSET_START_...
+     */
+    uint32_t start;
+    /**
+     * GUSSET_FAIRING_...
+     */
+    uint32_t fairing;
+    /**
+     * GUSSET_INTERSECTIONS_...
+     */
+    uint32_t intersections;
 } gusset_stitch_options;
 
 /**
@@ -914,6 +1016,20 @@ typedef struct gusset_stitch_parts {
      */
     uint32_t turned;
     /**
+     * 1 if faces that cut each other were looked for, else 0.
+     */
+    uint32_t intersections_known;
+    /**
+     * Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What they share by
+     * number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split by their shorter
+     * diagonals, others as fans from their first corners.
+     */
+    struct gusset_indices intersections;
+    /**
+     * How often the fairing had to be taken back in places.
+     */
+    uint32_t back_off_count;
+    /**
      * 0.
      */
     uint32_t reserved;
@@ -961,6 +1077,56 @@ typedef struct gusset_quality {
      */
     uint32_t orientation_conflicts;
 } gusset_quality;
+
+/**
+ * How a strip is made; all zero is the default.
+ */
+typedef struct gusset_strip_options {
+    /**
+     * sizeof(gusset_strip_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MERIDIANS_...
+     */
+    uint32_t meridians;
+    /**
+     * GUSSET_SEARCH_...
+     */
+    uint32_t search;
+    /**
+     * GUSSET_START_..., for closed polylines; open ones begin at their first points.
+     */
+    uint32_t start;
+    /**
+     * 1: the polylines are closed; 0: they are open.
+     */
+    uint32_t closed;
+} gusset_strip_options;
+
+/**
+ * The parts of a strip. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_strip_parts {
+    /**
+     * sizeof(gusset_strip_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The points of A and of B that the first meridian joins.
+     */
+    uint32_t start[2];
+    /**
+     * The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for closed polylines of N and M points,
+     * where place N is place 0 again, and to (N - 1, M - 1) for open ones; count is twice the number of meridians.
+     */
+    struct gusset_indices meridians;
+    /**
+     * The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow. They run A_i+1, A_i, B_j: against
+     * polyline A, and along B. Where both sides advance at once a quad is split by its shorter diagonal.
+     */
+    struct gusset_indices triangles;
+} gusset_strip_parts;
 
 /**
  * How tables are made; all zero is the default.
@@ -1313,12 +1479,15 @@ GUSSET_API const char *gusset_status_text(int32_t status);
  * Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex gets a fan,
  * which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
  *
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
- * LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions),
- * TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, plus O(N M) or
- * O((N + M) log M) by the choice of meridians, plus the size of the strip, plus a box test for each pair of loops where the choice
- * is left open. Extra memory is linear in the meshes and the strip; for MIN_AREA one byte for each of the N M pairs, at most
- * 64 MiB, and 48 (M + 1) bytes for each 2^26 pairs begun.
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX,
+ * LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64
+ * positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ *
+ * O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices, beyond
+ * that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where asked
+ * for; plus a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
+ * GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
+ * GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair.
  * Source: Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
  */
 GUSSET_API
@@ -1370,6 +1539,40 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_stitch_quality(const struct gusset_stitch *stitch,
                                     struct gusset_quality *quality);
+
+/**
+ * Makes a strip of triangles between two polylines that run side by side: meridians and faces, without any mesh.
+ *
+ * points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at least 3, and
+ * the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the result, for
+ * gusset_strip_destroy; NULL on failure.
+ * Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the
+ * meridians of gusset_stitch_create, and O(N + M). Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for
+ * the rule by index.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_strip_create(const struct gusset_context *context,
+                                  const double *points_a,
+                                  size_t count_a,
+                                  const double *points_b,
+                                  size_t count_b,
+                                  const struct gusset_strip_options *options,
+                                  struct gusset_strip **strip);
+
+/**
+ * Destroys a strip; NULL is allowed.
+ */
+GUSSET_API void gusset_strip_destroy(struct gusset_strip *strip);
+
+/**
+ * Lends the meridians and triangles, valid until the strip is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_strip_view(const struct gusset_strip *strip,
+                                struct gusset_strip_parts *parts);
 
 /**
  * The library's version, "major.minor.patch". Never NULL; static.

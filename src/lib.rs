@@ -42,11 +42,12 @@ mod alloc;
 pub mod boundary;
 pub mod check;
 pub mod error;
-#[allow(dead_code, unused_imports)]
 mod fair;
+#[allow(dead_code, unused_imports)]
 pub mod ffi;
 pub mod filters;
 mod geom;
+mod intersect;
 pub mod job;
 pub mod mesh;
 mod par;

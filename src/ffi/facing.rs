@@ -6,7 +6,7 @@ use super::input::{self, Versioned};
 use super::mesh::gusset_indices;
 use super::status::gusset_status::{self, GUSSET_ERROR_BUFFER_TOO_SMALL};
 use super::status::{Failure, GUSSET_ELEMENT_COUNT};
-use super::stitch::{GUSSET_RUN_CLOSEST, GUSSET_RUN_LONGEST, GUSSET_TOLERANCE_AUTO, GUSSET_TOLERANCE_GIVEN};
+use super::stitch_options::{GUSSET_RUN_CLOSEST, GUSSET_RUN_LONGEST, GUSSET_TOLERANCE_AUTO, GUSSET_TOLERANCE_GIVEN};
 use crate::alloc;
 use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
@@ -83,7 +83,7 @@ impl gusset_facing_options {
 }
 
 /// Packed points of the caller's.
-fn points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
+pub(super) fn points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
     if count as u64 > MAX_ELEMENTS {
         return Err(Error::TooLarge { what: name, count: count as u64, limit: MAX_ELEMENTS }.into());
     }

@@ -4,95 +4,13 @@ use super::context::gusset_context;
 use super::guard::{create, guard};
 use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
-use super::status::{Failure, gusset_status};
-use crate::stitch::facing::{Arc, Run};
-use crate::stitch::{Cells, Extent, Meridians, Options, Orientation, Request, Rows, Search, Stitch, stitch};
+use super::status::gusset_status;
+use super::stitch_options::gusset_stitch_options;
+use crate::stitch::{Request, Stitch, stitch};
 use std::ptr;
-
-/// The strip of least area among all closed bands of triangles through the first meridian: exact, O(N M).
-pub const GUSSET_MERIDIANS_MIN_AREA: u32 = 0;
-/// The paper's rule by index, O(N + M): good for evenly spaced rims.
-pub const GUSSET_MERIDIANS_INDEX: u32 = 1;
-
-/// A second piece that is oriented against the first is turned over: the component that rim B is on. Two loops of one connected
-/// piece are taken as they are. Whole rims are compared as curves, and by where their surfaces lie if both lead off them to the
-/// same side, as at the ends of a U-bend; where nothing is clear, nothing is turned.
-pub const GUSSET_ORIENTATION_FIX: u32 = 0;
-/// Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
-pub const GUSSET_ORIENTATION_REFUSE: u32 = 1;
-/// The rims are not compared: the faces are taken to be right as they are.
-pub const GUSSET_ORIENTATION_KEEP: u32 = 2;
-
-/// All of both loops, by a closed band.
-pub const GUSSET_EXTENT_WHOLE_LOOPS: u32 = 0;
-/// The runs of vertices that face the other loop, as the paper has it: GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
-pub const GUSSET_EXTENT_OPEN_ARCS: u32 = 1;
-/// Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of their centres, or if the
-/// planes cannot tell; else open arcs.
-pub const GUSSET_EXTENT_AUTO: u32 = 2;
-/// The arcs given in arc_a and arc_b.
-pub const GUSSET_EXTENT_ARCS: u32 = 3;
-
-/// Of several runs of facing vertices, on each loop the one with the closest pair.
-pub const GUSSET_RUN_CLOSEST: u32 = 0;
-/// On each loop the one of the most vertices.
-pub const GUSSET_RUN_LONGEST: u32 = 1;
-
-/// No interior rows: every meridian is one edge.
-pub const GUSSET_ROWS_NONE: u32 = 0;
-/// max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
-pub const GUSSET_ROWS_MEAN_EDGE: u32 = 1;
-/// As many as row_count says.
-pub const GUSSET_ROWS_COUNT: u32 = 2;
-
-/// Triangles throughout; quads are split by their shorter diagonals.
-pub const GUSSET_CELLS_TRIANGLES: u32 = 0;
-/// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
-pub const GUSSET_CELLS_QUADS: u32 = 1;
-
-/// The tolerance is what round-off of the coordinates can do.
-pub const GUSSET_TOLERANCE_AUTO: u32 = 0;
-/// The tolerance is the one given.
-pub const GUSSET_TOLERANCE_GIVEN: u32 = 1;
 
 /// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
 pub struct gusset_stitch(Stitch);
-
-/// How to stitch; all zero is the default.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_stitch_options {
-    /// sizeof(gusset_stitch_options), set by the caller.
-    pub struct_size: usize,
-    /// GUSSET_MERIDIANS_...
-    pub meridians: u32,
-    /// GUSSET_ORIENTATION_...
-    pub orientation: u32,
-    /// The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so many places later, counted in the
-    /// direction in which rim A runs (negative: earlier). Any value; taken modulo the length of rim B. Must be 0 if arcs are
-    /// joined (OUT_OF_RANGE).
-    pub twist: i64,
-    /// GUSSET_EXTENT_...
-    pub extent: u32,
-    /// GUSSET_RUN_...
-    pub run: u32,
-    /// GUSSET_ROWS_...
-    pub rows: u32,
-    /// Interior rows, read for GUSSET_ROWS_COUNT.
-    pub row_count: u32,
-    /// GUSSET_CELLS_...
-    pub cells: u32,
-    /// GUSSET_TOLERANCE_...
-    pub tolerance_mode: u32,
-    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0; read
-    /// for GUSSET_TOLERANCE_GIVEN.
-    pub tolerance: f64,
-    /// Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length. The
-    /// arc runs along the loop as it was given, and may pass its end.
-    pub arc_a: [u32; 2],
-    /// The same on loop B.
-    pub arc_b: [u32; 2],
-}
 
 /// The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
 #[repr(C)]
@@ -129,6 +47,14 @@ pub struct gusset_stitch_parts {
     /// 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way, each from its own first
     /// corner. Other components stay as they are.
     pub turned: u32,
+    /// 1 if faces that cut each other were looked for, else 0.
+    pub intersections_known: u32,
+    /// Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What they share by
+    /// number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split by their shorter
+    /// diagonals, others as fans from their first corners.
+    pub intersections: gusset_indices,
+    /// How often the fairing had to be taken back in places.
+    pub back_off_count: u32,
     /// 0.
     pub reserved: u32,
 }
@@ -158,10 +84,6 @@ pub struct gusset_quality {
     pub orientation_conflicts: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_stitch_options {
-    const LEAST_SIZE: usize = 72;
-}
 // SAFETY: repr(C), size first, pointers and plain numbers.
 unsafe impl Versioned for gusset_stitch_parts {
     const LEAST_SIZE: usize = 192;
@@ -170,59 +92,8 @@ unsafe impl Versioned for gusset_stitch_parts {
 unsafe impl Versioned for gusset_quality {
     const LEAST_SIZE: usize = 56;
 }
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_stitch_options>() == 72
-            && size_of::<gusset_stitch_parts>() == 192
-            && size_of::<gusset_quality>() == 56)
-);
-
-impl gusset_stitch_options {
-    fn checked(self) -> Result<Options, Failure> {
-        let meridians = match self.meridians {
-            GUSSET_MERIDIANS_MIN_AREA => Meridians::MinArea,
-            GUSSET_MERIDIANS_INDEX => Meridians::Index,
-            other => return Err(Failure::unknown("meridians", other.into())),
-        };
-        let orientation = match self.orientation {
-            GUSSET_ORIENTATION_FIX => Orientation::Fix,
-            GUSSET_ORIENTATION_REFUSE => Orientation::Refuse,
-            GUSSET_ORIENTATION_KEEP => Orientation::Keep,
-            other => return Err(Failure::unknown("orientation", other.into())),
-        };
-        let extent = match self.extent {
-            GUSSET_EXTENT_WHOLE_LOOPS => Extent::WholeLoops,
-            GUSSET_EXTENT_OPEN_ARCS => Extent::OpenArcs,
-            GUSSET_EXTENT_AUTO => Extent::Auto,
-            GUSSET_EXTENT_ARCS => Extent::Arcs(
-                [self.arc_a, self.arc_b].map(|[first, count]| Arc { first: first as usize, count: count as usize }),
-            ),
-            other => return Err(Failure::unknown("extent", other.into())),
-        };
-        let run = match self.run {
-            GUSSET_RUN_CLOSEST => Run::Closest,
-            GUSSET_RUN_LONGEST => Run::Longest,
-            other => return Err(Failure::unknown("run", other.into())),
-        };
-        let rows = match self.rows {
-            GUSSET_ROWS_NONE => Rows::None,
-            GUSSET_ROWS_MEAN_EDGE => Rows::MeanEdge,
-            GUSSET_ROWS_COUNT => Rows::Count(self.row_count),
-            other => return Err(Failure::unknown("rows", other.into())),
-        };
-        let cells = match self.cells {
-            GUSSET_CELLS_TRIANGLES => Cells::Triangles,
-            GUSSET_CELLS_QUADS => Cells::Quads,
-            other => return Err(Failure::unknown("cells", other.into())),
-        };
-        let tolerance = match self.tolerance_mode {
-            GUSSET_TOLERANCE_AUTO => None,
-            GUSSET_TOLERANCE_GIVEN => Some(self.tolerance),
-            other => return Err(Failure::unknown("tolerance_mode", other.into())),
-        };
-        Ok(Options { meridians, search: Search::Auto, orientation, twist: self.twist, extent, run, tolerance, rows, cells })
-    }
-}
+const _: () =
+    assert!(size_of::<usize>() != 8 || (size_of::<gusset_stitch_parts>() == 216 && size_of::<gusset_quality>() == 56));
 
 /// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a strip
 /// between the arcs that face each other.
@@ -236,12 +107,15 @@ impl gusset_stitch_options {
 /// Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex gets a fan,
 /// which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
 ///
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE,
-/// LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64 positions),
-/// TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, plus O(N M) or
-/// O((N + M) log M) by the choice of meridians, plus the size of the strip, plus a box test for each pair of loops where the choice
-/// is left open. Extra memory is linear in the meshes and the strip; for MIN_AREA one byte for each of the N M pairs, at most
-/// 64 MiB, and 48 (M + 1) bytes for each 2^26 pairs begun.
+/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX,
+/// LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64
+/// positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+///
+/// O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices, beyond
+/// that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where asked
+/// for; plus a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
+/// GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
+/// GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair.
 /// Source: Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -329,6 +203,9 @@ pub unsafe extern "C" fn gusset_stitch_view(
             row_count: done.rows,
             closed: done.closed.into(),
             turned: done.turned.into(),
+            intersections_known: done.intersections.is_some().into(),
+            intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
+            back_off_count: done.back_offs,
             reserved: 0,
         });
         Ok(())

@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::stitch::facing::Run;
-use crate::stitch::{Cells, Extent, Meridians, Options, Orientation, Quality, Request, Rows, Search, Stitch, stitch};
+use crate::stitch::{Cells, Extent, Meridians, Options, Orientation, Quality, Request, Rows, Stitch, stitch};
 
 /// A twist beyond this is a mistake; no loop is longer.
 const MOST: f64 = u32::MAX as f64;
@@ -148,7 +148,6 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let request = Request { a, loop_a: loop_a.as_deref(), b, loop_b: loop_b.as_deref() };
     let options = Options {
         meridians: [Meridians::MinArea, Meridians::Index][values.chosen("meridians")],
-        search: Search::Auto,
         orientation: [Orientation::Fix, Orientation::Refuse, Orientation::Keep][values.chosen("orientation")],
         twist: values.number("twist") as i64,
         extent: [Extent::WholeLoops, Extent::OpenArcs, Extent::Auto][values.chosen("extent")],
@@ -160,6 +159,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             _ => Rows::Count(values.number("row_count") as u32),
         },
         cells: [Cells::Triangles, Cells::Quads][values.chosen("cells")],
+        ..Options::default()
     };
     let done = stitch(&request, &options, &job.part(0.2, 1.0))?;
     let text = report(&done);

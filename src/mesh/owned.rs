@@ -111,6 +111,11 @@ impl Mesh {
         self.face_offsets.len() - 1
     }
 
+    /// The corners of each face.
+    pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        self.face_offsets.windows(2).map(|w| &self.face_corners[w[0] as usize..w[1] as usize])
+    }
+
     /// A validated view; see [`MeshView::new`] for the errors.
     pub fn view(&self, job: &Job<'_>) -> Result<MeshView<'_>> {
         MeshView::new(self.positions.view(), Faces::polygons(&self.face_offsets, &self.face_corners)?, job)

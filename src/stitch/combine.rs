@@ -24,24 +24,20 @@ pub(super) struct Combination {
 }
 
 impl Combination {
-    /// Room for all of `pieces`, `extra` vertices and the strip's faces.
+    /// Room for all of `pieces`.
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::MixedScalars`], [`Error::OutOfMemory`].
-    pub(super) fn new(pieces: &[&MeshView<'_>], extra: usize, strip: &FaceList) -> Result<Self> {
+    pub(super) fn new(pieces: &[&MeshView<'_>]) -> Result<Self> {
         let scalar = pieces[0].positions().scalar();
         if scalar == Scalar::F32 && pieces.iter().any(|p| p.positions().scalar() == Scalar::F64) {
             return Err(Error::MixedScalars);
         }
         let total = |count: fn(&MeshView<'_>) -> usize| pieces.iter().map(|p| count(p)).sum::<usize>();
-        let vertices = total(|p| p.positions().len()) + extra;
-        let corners = total(|p| p.faces().half_edge_count()) + strip.corners.len();
-        for (what, count) in [("vertices", vertices as u64), ("half-edges", corners as u64)] {
-            if count > MAX_ELEMENTS {
-                return Err(Error::TooLarge { what, count, limit: MAX_ELEMENTS });
-            }
-        }
-        let mut face_offsets = alloc::with_capacity(total(|p| p.faces().len()) + strip.offsets.len())?;
+        let vertices = total(|p| p.positions().len());
+        let corners = total(|p| p.faces().half_edge_count());
+        check_counts(vertices, corners)?;
+        let mut face_offsets = alloc::with_capacity(total(|p| p.faces().len()) + 1)?;
         face_offsets.push(0);
         Ok(Combination {
             mesh: Mesh {
@@ -77,15 +73,30 @@ impl Combination {
         Ok(first..self.mesh.positions.len() as u32)
     }
 
-    /// Appends the strip, whose vertex v is `names[v]` here; returns its faces.
-    pub(super) fn append_strip(&mut self, faces: &FaceList, names: &[u32]) -> Range<u32> {
+    /// Appends a strip, whose vertex v is `names[v]` here; returns its faces.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub(super) fn append_strip(&mut self, faces: &FaceList, names: &[u32]) -> Result<Range<u32>> {
+        check_counts(self.mesh.positions.len(), self.mesh.face_corners.len() + faces.corners.len())?;
+        alloc::reserve(&mut self.mesh.face_corners, faces.corners.len())?;
+        alloc::reserve(&mut self.mesh.face_offsets, faces.offsets.len())?;
         let first = self.mesh.face_count() as u32;
         for face in faces.iter() {
             self.mesh.face_corners.extend(face.iter().map(|&v| names[v as usize]));
             self.mesh.face_offsets.push(self.mesh.face_corners.len() as u32);
         }
-        first..self.mesh.face_count() as u32
+        Ok(first..self.mesh.face_count() as u32)
     }
+}
+
+fn check_counts(vertices: usize, corners: usize) -> Result<()> {
+    for (what, count) in [("vertices", vertices as u64), ("half-edges", corners as u64)] {
+        if count > MAX_ELEMENTS {
+            return Err(Error::TooLarge { what, count, limit: MAX_ELEMENTS });
+        }
+    }
+    Ok(())
 }
 
 /// The strip as a mesh of its own; its vertex v is `names[v]` of the whole.

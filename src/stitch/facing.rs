@@ -94,10 +94,7 @@ pub fn facing(a: &[DVec3], b: &[DVec3], tolerance: Option<f64>, run: Run) -> Res
         if points.is_empty() {
             return Err(Error::LoopTooShort { side, count: 0 });
         }
-        if let Some(i) = points.iter().position(|p| !p.is_finite()) {
-            let value = points[i].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::PointNotFinite { side, place: i as u32, value });
-        }
+        check_points(side, points)?;
     }
     check_tolerance(tolerance)?;
     // In a unit in which products neither overflow nor vanish.
@@ -109,6 +106,18 @@ pub fn facing(a: &[DVec3], b: &[DVec3], tolerance: Option<f64>, run: Run) -> Res
     found.planes.normals = found.planes.normals.map(|n| n * unit);
     found.distances.iter_mut().flatten().for_each(|d| *d *= unit);
     Ok(found)
+}
+
+/// # Errors
+/// [`Error::PointNotFinite`].
+pub(super) fn check_points(side: Side, points: &[DVec3]) -> Result<()> {
+    match points.iter().position(|p| !p.is_finite()) {
+        None => Ok(()),
+        Some(i) => {
+            let value = points[i].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+            Err(Error::PointNotFinite { side, place: i as u32, value })
+        }
+    }
 }
 
 /// Of the largest coordinate: less than this is round-off, 64 units in the last place of the host's own numbers.

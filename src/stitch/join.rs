@@ -3,20 +3,19 @@
 use super::combine::{Combination, IndexMap};
 use super::extent::arcs;
 use super::facing::check_tolerance;
-use super::grid::Grid;
-use super::meridian::{Pair, Rails, forbidden_nodes, meridians};
 use super::pairing::{nearest_pair, usable_rims};
 use super::quality::Quality;
-use super::request::{Cells, Options, Orientation, Request, Rows, Stitch};
+use super::request::{Options, Orientation, Request, Stitch};
 use super::rim::{Bridges, FreeEdges, Rim, shared_vertex};
 use super::sense::{arcs_run_the_same_way, rims_disagree};
-use super::start::closest_pair;
+use super::settle::settle;
+use super::strip::Strip;
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result, Side};
 use crate::geom::scale::{common_unit, distance};
 use crate::job::Job;
-use crate::mesh::{MeshView, Sets};
+use crate::mesh::{Mesh, MeshView, Sets};
 
 /// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of new faces.
 ///
@@ -37,7 +36,7 @@ use crate::mesh::{MeshView, Sets};
 /// [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
     let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.4))?;
-    let closed = !cut_arcs(request, options, &mut a, &mut b, unit)?;
+    cut_arcs(request, options, &mut a, &mut b, unit)?;
     let bridges = match request.b {
         Some(_) => Bridges::none(),
         None => {
@@ -48,33 +47,15 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         }
     };
 
-    // On one oriented surface the rims run opposite ways; run B backwards, and they run side by side.
     let turn = must_turn(request, &a, &b, options.orientation)?;
     if turn {
         job.note("the second piece was inside out and has been turned over");
-    } else {
-        b.reverse();
-    }
-    if closed {
-        let (i, j) =
-            closest_pair(&a, &b, &bridges, &job.part(0.4, 0.5))?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?;
-        a.start_at(i);
-        let count = b.vertices.len() as i64;
-        b.start_at((j as i64 + options.twist.rem_euclid(count)).rem_euclid(count) as usize);
-    } else if options.twist != 0 {
-        return Err(Error::OptionOutOfRange { option: "twist", value: options.twist as f64 });
     }
 
-    let meridians = choose_meridians(&a, &b, &bridges, options, &job.part(0.5, 0.7))?;
-    job.step(0.7, "putting the pieces together")?;
-    let rows = row_count(request, options.rows, &a, &b, &meridians, unit)?;
-    let grid = Grid::new(&a, &b, &meridians, rows)?;
-    let faces = grid.faces(&a, &b, &bridges, options.cells == Cells::Quads)?;
-
+    // Both pieces in one mesh. What is turned over is the component that rim B is on, and nothing else.
     let mut pieces = vec![request.a];
     pieces.extend(request.b);
-    let mut whole = Combination::new(&pieces, grid.new.len(), &faces)?;
-    // What is turned over is the component that rim B is on, and nothing else.
+    let mut whole = Combination::new(&pieces)?;
     let mesh_b = request.b.unwrap_or(request.a);
     let mut components = if turn { Some(Sets::of_vertices(mesh_b)?) } else { None };
     let root = components.as_mut().map(|sets| sets.root(b.vertices[0]));
@@ -87,13 +68,26 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         None => [whole.append(request.a, is_turned)?, IndexMap::default()],
     };
     let map_b = if request.b.is_some() { &maps[1] } else { &maps[0] };
+    a.vertices.iter_mut().for_each(|v| *v = maps[0].vertices[*v as usize]);
+    b.vertices.iter_mut().for_each(|v| *v = map_b.vertices[*v as usize]);
+
+    // On one oriented surface the rims run opposite ways; run B backwards, and they run side by side.
+    if turn {
+        b.turn();
+    }
+    b.reverse();
+    let mean_side = || mean_side(&whole.mesh) / unit;
+    let mut strip = Strip::between(a, b, &bridges, options, mean_side, &job.part(0.4, 0.6))?;
+    let settled = settle(&whole.mesh, &mut strip, unit, options, &job.part(0.6, 0.75))?;
+    job.step(0.75, "putting the pieces together")?;
+    let Strip { a, b, meridians, grid, faces } = strip;
+
     // The strip's own numbers to the result's.
-    let mut names = alloc::with_capacity(grid.points.len())?;
-    names.extend(a.vertices.iter().map(|&v| maps[0].vertices[v as usize]));
-    names.extend(b.vertices.iter().map(|&v| map_b.vertices[v as usize]));
     let (n, m) = (a.vertices.len(), b.vertices.len());
+    let mut names = alloc::with_capacity(grid.points.len())?;
+    names.extend(a.vertices.iter().chain(&b.vertices));
     names.extend(whole.append_vertices(grid.points[n + m..].iter().map(|&p| p * unit))?);
-    let strip_faces = whole.append_strip(&faces, &names);
+    let strip_faces = whole.append_strip(&faces, &names)?;
     let mesh = whole.mesh;
     let strip = super::combine::strip_alone(&mesh, faces, &names)?;
     let quality = Quality::of(&mesh, &strip, &job.part(0.75, 1.0))?;
@@ -101,7 +95,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     let name = |v: u32| names[v as usize];
     Ok(Stitch {
         rims: [alloc::copied(&names[..n])?, alloc::copied(&names[n..n + m])?],
-        closed,
+        closed: a.closed,
         matrix: alloc::collect(grid.matrix.iter().map(|&v| name(v)))?,
         rows: (grid.matrix.len() / meridians.len()) as u32 - 2,
         parents: alloc::collect(grid.parents().map(|pair| pair.map(name)))?,
@@ -109,65 +103,38 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         mesh,
         strip,
         maps,
+        intersections: settled.intersections,
         strip_faces,
         meridians,
+        back_offs: settled.back_offs,
         turned: turn,
         quality,
     })
 }
 
-/// Cuts the rims down to the arcs that the options say; false if they stay whole.
-fn cut_arcs(request: &Request<'_>, options: &Options, a: &mut Rim, b: &mut Rim, unit: f64) -> Result<bool> {
+/// Cuts the rims down to the arcs that the options say.
+fn cut_arcs(request: &Request<'_>, options: &Options, a: &mut Rim, b: &mut Rim, unit: f64) -> Result<()> {
     check_tolerance(options.tolerance)?;
     let tolerance = options.tolerance.map(|t| t / unit);
     // Round-off is that of the coarser numbers.
     let scalar = request.b.unwrap_or(request.a).positions().scalar().min(request.a.positions().scalar());
-    match arcs(a, b, options.extent, options.run, tolerance, scalar)? {
-        Some([arc_a, arc_b]) => {
-            a.cut(arc_a)?;
-            b.cut(arc_b)?;
-            Ok(true)
-        }
-        None => Ok(false),
+    if let Some([arc_a, arc_b]) = arcs(a, b, options.extent, options.run, tolerance, scalar)? {
+        a.cut(arc_a)?;
+        b.cut(arc_b)?;
     }
+    Ok(())
 }
 
-fn choose_meridians(a: &Rim, b: &Rim, bridges: &Bridges, options: &Options, job: &Job<'_>) -> Result<Vec<Pair>> {
-    let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
-    // With interior rows no meridian is an edge of its own.
-    let forbidden = match options.rows {
-        Rows::None => forbidden_nodes(bridges.nodes(a, b)?.into_iter(), n, m, a.closed)?,
-        _ => Vec::new(),
-    };
-    let (line_a, line_b) = (a.line()?, b.line()?);
-    let rails = Rails { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides: None };
-    let found = meridians(&rails, options.meridians, options.search, job)?;
-    found.map(|chosen| chosen.pairs).ok_or(Error::NoStrip { vertex: a.vertices[0] })
-}
-
-/// The number of interior rows.
-fn row_count(request: &Request<'_>, rows: Rows, a: &Rim, b: &Rim, meridians: &[Pair], unit: f64) -> Result<u32> {
-    match rows {
-        Rows::None => Ok(0),
-        Rows::Count(count) => Ok(count),
-        Rows::MeanEdge => {
-            let lengths = meridians.iter().map(|&[i, j]| a.at(i).distance(b.at(j)));
-            let mean_meridian = lengths.sum::<f64>() / meridians.len() as f64;
-            let (mut sum, mut count) = (0.0, 0.0);
-            for mesh in [Some(request.a), request.b].into_iter().flatten() {
-                for f in 0..mesh.faces().len() {
-                    let corners = mesh.face(f);
-                    for (u, v) in corners.clone().zip(corners.cycle().skip(1)) {
-                        sum += distance(mesh.positions().get(u), mesh.positions().get(v)) / unit;
-                        count += 1.0;
-                    }
-                }
-            }
-            let parts = (mean_meridian * count / sum).round();
-            // Sides without length: no number of rows is right, so none.
-            Ok(if sum > 0.0 { (parts - 1.0).max(0.0) as u32 } else { 0 })
+/// The mean side of a mesh's faces; infinite if no side has a length, so that no number of rows is wanted.
+fn mean_side(mesh: &Mesh) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for face in mesh.faces() {
+        for (k, &u) in face.iter().enumerate() {
+            sum += distance(mesh.positions.get(u), mesh.positions.get(face[(k + 1) % face.len()]));
+            count += 1.0;
         }
     }
+    if sum > 0.0 { sum / count } else { f64::INFINITY }
 }
 
 /// Two rims, each with its surface on the left, in a common unit.
@@ -204,7 +171,7 @@ fn must_turn(request: &Request<'_>, a: &Rim, b: &Rim, orientation: Orientation) 
     if orientation == Orientation::Keep {
         return Ok(false);
     }
-    if !(if a.closed { rims_disagree(a, b) } else { arcs_run_the_same_way(&a.points, &b.points) }) {
+    if !(if a.closed { rims_disagree(a, b)? } else { arcs_run_the_same_way(&a.points, &b.points)? }) {
         return Ok(false);
     }
     if request.b.is_none() {

@@ -15,9 +15,12 @@
 //! | [`facing`] | which vertices of the loops face each other: algorithm 2 |
 //! | [`extent`](self) | whole loops, or arcs |
 //! | [`sense`](self) | do the rims run opposite ways round the gap, as on one oriented surface? |
-//! | [`start`](self) | the meridian to begin with: the closest pair |
-//! | [`meridian`] | which vertices the meridians join, matrix H: the paper's rule, or the strip of least area |
+//! | [`start`](self) | the meridian to begin with: the closest pair, or the best rotation |
+//! | [`meridian`] | which vertices the meridians join, matrix H: the paper's rule, the strip of least area, and others |
 //! | [`grid`](self) | rows between the rims, matrix P, and the faces between them |
+//! | [`strip`](self) | from two rims to a strip: the last three, in order |
+//! | [`settle`](self) | the strip among its neighbours: rows faired, faces that cut each other |
+//! | [`ruled`](self) | a strip between polylines that belong to no mesh |
 //! | [`combine`](self) | one mesh of both pieces and the strip, with maps from old to new |
 //! | [`quality`](self) | what the result is worth |
 //! | [`join`](self) | all of these, in order |
@@ -29,15 +32,21 @@ mod grid;
 mod join;
 pub mod meridian;
 mod pairing;
+mod polyline;
 mod quality;
 mod request;
 mod rim;
+mod ruled;
 mod sense;
+mod settle;
 mod start;
+mod strip;
 
 pub use combine::IndexMap;
 pub use extent::Extent;
 pub use join::stitch;
-pub use quality::Quality;
 pub use meridian::{Meridians, Search};
-pub use request::{Cells, Options, Orientation, Request, Rows, Stitch};
+pub use quality::Quality;
+pub use request::{Cells, Fairing, Intersections, Options, Orientation, Request, Rows, Stitch};
+pub use ruled::{Ruled, RuledOptions, ruled};
+pub use start::Start;

@@ -5,6 +5,7 @@ use super::extent::Extent;
 use super::facing::Run;
 use super::meridian::{Meridians, Pair, Search};
 use super::quality::Quality;
+use super::start::Start;
 use crate::mesh::{Mesh, MeshView};
 use std::ops::Range;
 
@@ -43,6 +44,29 @@ pub enum Cells {
     Quads,
 }
 
+/// Whether the new vertices stay on straight meridians.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Fairing {
+    /// They divide their meridians evenly, as the paper has it.
+    #[default]
+    None,
+    /// They are moved so that the strip bends as a thin plate does and meets both pieces smoothly: see
+    /// [`stitch()`](super::stitch()). The rims stay where they are.
+    ThinPlate,
+}
+
+/// Whether faces of the strip that cut others are looked for. What they share by number, a vertex or an edge, is no cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Intersections {
+    /// Where rows are faired: there the fairing is taken back until nothing cuts that did not before.
+    #[default]
+    Auto,
+    /// Never.
+    Ignore,
+    /// Always. Without faired rows nothing is changed.
+    Report,
+}
+
 /// How to stitch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
@@ -50,10 +74,12 @@ pub struct Options {
     pub meridians: Meridians,
     /// How hard the best ones are looked for.
     pub search: Search,
+    /// Which first meridians of a closed band are tried.
+    pub start: Start,
     /// What to do about a second piece that is inside out.
     pub orientation: Orientation,
     /// The first meridian of a closed band joins the closest pair; with a twist, the vertex of rim B that comes this many places
-    /// later, counted in the direction in which rim A runs (negative: earlier). Must be 0 if arcs are joined.
+    /// later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Must be 0 if arcs are joined.
     pub twist: i64,
     /// How much of the loops is joined.
     pub extent: Extent,
@@ -66,6 +92,10 @@ pub struct Options {
     pub rows: Rows,
     /// Triangles or quads.
     pub cells: Cells,
+    /// Whether the rows are faired.
+    pub fairing: Fairing,
+    /// Whether faces that cut each other are looked for.
+    pub intersections: Intersections,
 }
 
 /// What to stitch: two loops of two meshes, or of one.
@@ -113,6 +143,11 @@ pub struct Stitch {
     pub parents: Vec<[u32; 2]>,
     /// Of each new vertex, the weight of its second parent; that of the first is 1 less this.
     pub weights: Vec<f64>,
+    /// Pairs of faces of [`Stitch::mesh`] that cut each other, the first one of the strip and the larger one if both are, in ascending order; `None`
+    /// if they were not looked for. Polygons are taken as triangles: quads split by their shorter diagonals, others as fans.
+    pub intersections: Option<Vec<[u32; 2]>>,
+    /// How often the fairing had to be taken back in places.
+    pub back_offs: u32,
     /// The second piece was turned over.
     pub turned: bool,
     /// Measures of the result.

@@ -16,6 +16,8 @@ pub(super) struct Rim {
     pub(super) vertices: Vec<u32>,
     /// Their positions, in a unit common to all rims of one stitch.
     pub(super) points: Vec<DVec3>,
+    /// Of each edge, from one place to the next, the unit normal of the face along it; 0 for a face without area.
+    pub(super) normals: Vec<DVec3>,
     /// A face on the rim.
     pub(super) face: u32,
     /// The mean over the rim of the unit vectors that lead off the surface, square to the rim. Near 0 for a flat piece,
@@ -86,7 +88,22 @@ impl Rim {
         let points = alloc::collect(vertices.iter().map(|&v| mesh.positions().get(v)))?;
         let n = points.len();
         let outward = (0..n).map(|i| off_the_face(mesh, faces[i], points[i], points[(i + 1) % n])).sum::<DVec3>();
-        Ok(Rim { closed: true, backwards, vertices, points, face: faces[0], outward: outward / n as f64 })
+        let normals = alloc::collect(faces.iter().map(|&f| unit_normal(mesh, f)))?;
+        Ok(Rim { closed: true, backwards, vertices, points, normals, face: faces[0], outward: outward / n as f64 })
+    }
+
+    /// A polyline that belongs to no mesh; its vertices are its places.
+    pub(super) fn bare(points: Vec<DVec3>, closed: bool) -> Result<Rim> {
+        let edges = points.len() - usize::from(!closed);
+        Ok(Rim {
+            closed,
+            backwards: false,
+            vertices: alloc::collect((0..points.len()).map(|i| i as u32))?,
+            normals: alloc::filled(DVec3::ZERO, edges)?,
+            points,
+            face: 0,
+            outward: DVec3::ZERO,
+        })
     }
 
     /// The number of its edges.
@@ -94,12 +111,7 @@ impl Rim {
         self.vertices.len() as u32 - u32::from(!self.closed)
     }
 
-    /// The vertex at place `i`; of a loop of N, place N is place 0 again.
-    pub(super) fn vertex(&self, i: u32) -> u32 {
-        self.vertices[i as usize % self.vertices.len()]
-    }
-
-    /// Its position.
+    /// The position at place `i`; of a loop of N, place N is place 0 again.
     pub(super) fn at(&self, i: u32) -> DVec3 {
         self.points[i as usize % self.points.len()]
     }
@@ -116,6 +128,8 @@ impl Rim {
         let arc = if self.backwards { Arc { first: n - 1 - last, ..arc } } else { arc };
         self.vertices = alloc::collect(arc.places(n).map(|i| self.vertices[i]))?;
         self.points = alloc::collect(arc.places(n).map(|i| self.points[i]))?;
+        self.normals = alloc::collect(arc.places(n).map(|i| self.normals[i]))?;
+        self.normals.truncate(arc.count - 1);
         self.closed = false;
         Ok(())
     }
@@ -124,12 +138,24 @@ impl Rim {
     pub(super) fn reverse(&mut self) {
         self.vertices.reverse();
         self.points.reverse();
+        self.normals.reverse();
+        if self.closed {
+            // Edge k now leads from what was place n - 1 - k to n - 2 - k: it was edge n - 2 - k.
+            self.normals.rotate_left(1);
+        }
+    }
+
+    /// Its surface has been turned over: the rim runs the other way, so that the surface is on the left again.
+    pub(super) fn turn(&mut self) {
+        self.reverse();
+        self.normals.iter_mut().for_each(|normal| *normal = -*normal);
     }
 
     /// Makes place `first` the new place 0.
     pub(super) fn start_at(&mut self, first: usize) {
         self.vertices.rotate_left(first);
         self.points.rotate_left(first);
+        self.normals.rotate_left(first);
     }
 }
 
@@ -142,6 +168,19 @@ fn off_the_face(mesh: &MeshView<'_>, f: u32, p: DVec3, q: DVec3) -> DVec3 {
     let inwards = corners.map(|c| (c - p) / reach).sum::<DVec3>() / count;
     let along = ((q - p) / reach).normalize_or_zero();
     -(inwards - along * inwards.dot(along)).normalize_or_zero()
+}
+
+/// The unit normal of face `f`, by its vector area; 0 if it has none.
+fn unit_normal(mesh: &MeshView<'_>, f: u32) -> DVec3 {
+    let mut corners = mesh.face(f as usize).map(|v| mesh.positions().get(v));
+    let Some(first) = corners.next() else {
+        return DVec3::ZERO;
+    };
+    let reach = corners.clone().map(|c| (c - first).abs().max_element()).fold(0.0, f64::max);
+    let arms = corners.map(|c| (c - first) / reach);
+    let area = arms.clone().zip(arms.skip(1)).map(|(p, q)| p.cross(q)).sum::<DVec3>();
+    // Without any reach the arms are 0 / 0.
+    if area.is_finite() { area.normalize_or_zero() } else { DVec3::ZERO }
 }
 
 /// A vertex that both rims, of one mesh, pass.

@@ -5,7 +5,9 @@
 //! sampled at equal arc lengths and centred, and the second is laid on the first in both directions, at the best rotation.
 
 use super::facing::centre;
+use super::polyline::samples;
 use super::rim::Rim;
+use crate::error::Result;
 use glam::DVec3;
 
 /// Samples of each rim.
@@ -16,8 +18,8 @@ const SAMPLES: usize = 64;
 const MARGIN: f64 = 0.01;
 
 /// True if rims `a` and `b` clearly run the same way, so that their surfaces disagree in orientation.
-fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
-    let (p, q) = (centred_samples(a), centred_samples(b));
+fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
+    let (p, q) = (centred_samples(a)?, centred_samples(b)?);
     // The sum of squared distances is |p|^2 + |q|^2 - 2 sum(p . q): the least distance is the greatest correlation.
     let best = |sign: usize| {
         (0..SAMPLES)
@@ -26,7 +28,7 @@ fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
     };
     let (same, opposite) = (best(1), best(SAMPLES - 1));
     let spread = |s: &[DVec3]| s.iter().map(|v| v.length_squared()).sum::<f64>();
-    2.0 * (same - opposite) > MARGIN * (spread(&p) + spread(&q))
+    Ok(2.0 * (same - opposite) > MARGIN * (spread(&p) + spread(&q)))
 }
 
 /// True if whole rims `a` and `b`, each with its surface on the left, say clearly that their surfaces disagree in orientation.
@@ -34,11 +36,11 @@ fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
 /// The comparison of the curves holds while the gap bends by less than a right angle, or one rim lies inside the other. Where
 /// both rims lead off their surfaces to the same side, as the ends of a U-bend do, each is judged by itself: whether its
 /// surface is on the left as seen from where it leads to. The ends of an oriented surface all agree in that.
-pub(super) fn rims_disagree(a: &Rim, b: &Rim) -> bool {
+pub(super) fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
     let leads = |rim: &Rim| rim.outward.length() > LEADS;
     if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !is_nested(&a.points, &b.points) {
         let (u, v) = (turns(a), turns(b));
-        return u.abs().min(v.abs()) > LEADS && u * v < 0.0;
+        return Ok(u.abs().min(v.abs()) > LEADS && u * v < 0.0);
     }
     run_the_same_way(&a.points, &b.points)
 }
@@ -64,39 +66,19 @@ fn is_nested(a: &[DVec3], b: &[DVec3]) -> bool {
 
 /// True if arcs `a` and `b`, each with its surface on the left, clearly run the same way, so that their surfaces disagree in
 /// orientation: laid side by side in the same direction they are nearer to each other than in opposite ones.
-pub(super) fn arcs_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> bool {
-    let (p, q) = (samples(a, false), samples(b, false));
+pub(super) fn arcs_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
+    let (p, q) = (samples(a, false, SAMPLES)?, samples(b, false, SAMPLES)?);
     let apart = |at: fn(usize) -> usize| (0..SAMPLES).map(|k| p[k].distance_squared(q[at(k)])).sum::<f64>();
     let (same, opposite) = (apart(|k| k), apart(|k| SAMPLES - 1 - k));
-    opposite - same > MARGIN * (opposite + same)
+    Ok(opposite - same > MARGIN * (opposite + same))
 }
 
 /// Samples of a closed polyline, moved so that their mean is the origin.
-fn centred_samples(points: &[DVec3]) -> [DVec3; SAMPLES] {
-    let samples = samples(points, true);
+fn centred_samples(points: &[DVec3]) -> Result<Vec<DVec3>> {
+    let mut samples = samples(points, true, SAMPLES)?;
     let mean = samples.iter().sum::<DVec3>() / SAMPLES as f64;
-    samples.map(|s| s - mean)
-}
-
-/// Points at equal arc lengths along a polyline; of an open one both ends are among them.
-fn samples(points: &[DVec3], closed: bool) -> [DVec3; SAMPLES] {
-    let n = points.len();
-    let edges = if closed { n } else { n - 1 };
-    let edge = |i: usize| points[i].distance(points[(i + 1) % n]);
-    let length: f64 = (0..edges).map(edge).sum();
-    let parts = if closed { SAMPLES } else { SAMPLES - 1 } as f64;
-    let mut samples = [points[0]; SAMPLES];
-    let (mut i, mut start) = (0, 0.0);
-    for (k, sample) in samples.iter_mut().enumerate() {
-        let at = length * k as f64 / parts;
-        while i + 1 < edges && start + edge(i) < at {
-            start += edge(i);
-            i += 1;
-        }
-        let t = if edge(i) > 0.0 { ((at - start) / edge(i)).clamp(0.0, 1.0) } else { 0.0 };
-        *sample = points[i].lerp(points[(i + 1) % n], t);
-    }
-    samples
+    samples.iter_mut().for_each(|s| *s -= mean);
+    Ok(samples)
 }
 
 #[cfg(test)]
@@ -118,9 +100,9 @@ mod tests {
             for lift in [0.0, 0.1, 50.0] {
                 for turn in [0.0, 1.0, 4.0] {
                     let (a, mut b) = (circle(n, 0.0, 0.0), circle(m, turn, lift));
-                    assert!(run_the_same_way(&a, &b), "{n} {m} {lift} {turn}");
+                    assert!(run_the_same_way(&a, &b).unwrap(), "{n} {m} {lift} {turn}");
                     b.reverse();
-                    assert!(!run_the_same_way(&a, &b), "{n} {m} {lift} {turn}");
+                    assert!(!run_the_same_way(&a, &b).unwrap(), "{n} {m} {lift} {turn}");
                 }
             }
         }
@@ -129,7 +111,7 @@ mod tests {
     #[test]
     fn what_cannot_be_told_is_left_alone() {
         let line: Vec<_> = (0..10).chain((1..9).rev()).map(|i| DVec3::X * f64::from(i)).collect();
-        assert!(!run_the_same_way(&line, &line));
-        assert!(!run_the_same_way(&[DVec3::ONE; 3], &circle(5, 0.0, 0.0)));
+        assert!(!run_the_same_way(&line, &line).unwrap());
+        assert!(!run_the_same_way(&[DVec3::ONE; 3], &circle(5, 0.0, 0.0)).unwrap());
     }
 }

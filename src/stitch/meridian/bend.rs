@@ -13,7 +13,7 @@ pub(super) struct Bends<'a> {
     b: &'a [DVec3],
     /// See [`Rails::sides`].
     sides: Option<[&'a [DVec3]; 2]>,
-    /// Weight of the meridians' squared lengths: on flat ground all strips are alike, and round-off would choose.
+    /// Weight of the meridians' squared lengths.
     tie: f64,
 }
 
@@ -21,13 +21,9 @@ pub(super) struct Bends<'a> {
 pub(super) type Normals = [DVec3; 2];
 
 impl<'a> Bends<'a> {
-    /// On the paper's own strip the squared lengths come to 2^-20 of the meridians' lengths.
-    pub(super) fn new(rails: &Rails<'a>, paper: &[Pair]) -> Self {
+    /// `tie`: see [`tie_break`].
+    pub(super) fn new(rails: &Rails<'a>, tie: f64) -> Self {
         let &Rails { a, b, sides, .. } = rails;
-        let squared = |&[i, j]: &Pair| a[i as usize].distance_squared(b[j as usize]);
-        let (sum, of_squares) =
-            paper.iter().map(squared).fold((0.0, 0.0), |(sum, of_squares), s| (sum + s.sqrt(), of_squares + s));
-        let tie = if of_squares > 0.0 { 0.5f64.powi(20) * sum / of_squares } else { 0.0 };
         Bends { a, b, sides, tie }
     }
 
@@ -57,4 +53,13 @@ impl<'a> Bends<'a> {
         };
         tie + edge * (1.0 - p.dot(side))
     }
+}
+
+/// A weight for the meridians' squared lengths, as on flat ground all strips are alike, and round-off would choose: on the paper's own
+/// strip they come to 2^-20 of the meridians' lengths.
+pub(super) fn tie_break(rails: &Rails<'_>, paper: &[Pair]) -> f64 {
+    let squared = |&[i, j]: &Pair| rails.a[i as usize].distance_squared(rails.b[j as usize]);
+    let (lengths, squares) =
+        paper.iter().map(squared).fold((0.0, 0.0), |(lengths, squares), s| (lengths + s.sqrt(), squares + s));
+    if squares > 0.0 { 0.5f64.powi(20) * lengths / squares } else { 0.0 }
 }

@@ -11,7 +11,7 @@
 //! | `simple` | by arc length, and greedily |
 //! | `metric`, `bend` | what paths cost: area, lengths; bends |
 //! | `lattice` | the cheapest path, where a step's cost depends on nothing else |
-//! | `proper` | the cheapest path with bends, or where the plain one would use a meridian twice |
+//! | `states` | the cheapest path with bends, or where the plain one would use a meridian twice |
 //! | `band`, `coarse` | a part of a large lattice, found coarse to fine |
 
 mod band;
@@ -20,8 +20,8 @@ mod coarse;
 pub mod index_rule;
 mod lattice;
 mod metric;
-mod proper;
 mod simple;
+mod states;
 #[cfg(test)]
 mod tests;
 
@@ -29,11 +29,11 @@ use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use band::Band;
-use bend::Bends;
+use bend::{Bends, tie_break};
 use glam::DVec3;
 use index_rule::index_meridians;
 use metric::Metric;
-use proper::{Cost, cheapest_proper, is_proper};
+use states::{Cost, cheapest, is_proper};
 
 /// One meridian: the places on rim A and on rim B.
 pub type Pair = [u32; 2];
@@ -133,7 +133,7 @@ fn additive(rails: &Rails<'_>, metric: Metric, search: Search, job: &Job<'_>) ->
     let find = |rails: &Rails<'_>, band: &Band| match lattice::cheapest(rails, metric, band, job)? {
         // The best of all paths is usually proper, and then the best of the proper ones.
         Some(path) if !is_proper(rails, &path) => {
-            Ok(cheapest_proper(rails, &Cost::Steps(metric), band, job)?.map(|(_, path)| path))
+            Ok(cheapest(rails, &Cost::Steps(metric), band, true, job)?.map(|(_, path)| path))
         }
         found => Ok(found),
     };
@@ -144,9 +144,14 @@ fn additive(rails: &Rails<'_>, metric: Metric, search: Search, job: &Job<'_>) ->
 /// The path of the least bends.
 fn smooth(rails: &Rails<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
     let cost = std::cell::Cell::new(f64::INFINITY);
+    let tie = tie_break(rails, paper);
     let find = |rails: &Rails<'_>, band: &Band| {
-        let bends = Bends::new(rails, paper);
-        let found = cheapest_proper(rails, &Cost::Bends(&bends), band, job)?;
+        let bends = Bends::new(rails, tie);
+        // As with the others: the best of all paths is usually proper.
+        let found = match cheapest(rails, &Cost::Bends(&bends), band, false, job)? {
+            Some((_, path)) if !is_proper(rails, &path) => cheapest(rails, &Cost::Bends(&bends), band, true, job)?,
+            found => found,
+        };
         Ok(found.map(|(least, path)| {
             cost.set(least);
             path

@@ -53,7 +53,8 @@ fn bends(rails: &Rails<'_>, path: &[Pair]) -> f64 {
         let third = if i2 > i { a(i) } else { b(j) };
         let normal = (third - a(i2)).cross(b(j2) - a(i2)).normalize_or_zero();
         if let Some([along_a, along_b]) = rails.sides {
-            let (edge, side) = if i2 > i { (a(i2) - a(i), along_a[i as usize]) } else { (b(j2) - b(j), along_b[j as usize]) };
+            let (edge, side) =
+                if i2 > i { (a(i2) - a(i), along_a[i as usize]) } else { (b(j2) - b(j), along_b[j as usize]) };
             sum += edge.length() * (1.0 - normal.dot(side));
         }
         normals.push(normal);
@@ -104,7 +105,10 @@ fn check(rails: &Rails<'_>) {
             None => assert_eq!(least, f64::INFINITY, "{choice:?}"),
             Some(chosen) => {
                 assert!(is_good(rails, &chosen.pairs), "{choice:?} {:?}", chosen.pairs);
-                assert_eq!((chosen.pairs[0], chosen.pairs.last()), ([0, 0], Some(&[a.len() as u32 - 1, b.len() as u32 - 1])));
+                assert_eq!(
+                    (chosen.pairs[0], chosen.pairs.last()),
+                    ([0, 0], Some(&[a.len() as u32 - 1, b.len() as u32 - 1]))
+                );
                 let cost = measure(&chosen.pairs);
                 let round_off = 1e-12 * (1.0 + least.abs());
                 assert!(cost >= least - round_off && !(cost > least + slack + round_off), "{choice:?} {cost} {least}");

@@ -8,7 +8,7 @@
 //! **Bends.** The cost of a bend lies between two triangles, so a third bit says on which rim the last step was. Of a closed strip the
 //! first triangle meets the last one: the search is made for either kind of first step.
 //!
-//! The search keeps the cheapest way to each node in each of the eight states, and is exact.
+//! The search keeps the cheapest way to each node in each state, and is exact.
 
 use super::band::Band;
 use super::bend::{Bends, Normals};
@@ -49,14 +49,14 @@ pub(super) enum Cost<'a> {
 type Costs = [f64; STATES];
 const NEVER: Costs = [f64::INFINITY; STATES];
 
-/// The state after a step into (i, j).
-fn advance(rails: &Rails<'_>, state: usize, by: By, i: usize, j: usize, bends: bool) -> usize {
+/// The bits that a step into (i, j) sets; `LAST_B` is forgotten with each step.
+fn advance(rails: &Rails<'_>, by: By, i: usize, j: usize, bends: bool) -> usize {
     let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
     let (i_before, j_before) = (i - usize::from(by != By::B), j - usize::from(by != By::A));
     let within_b = by != By::B && j_before < m && j > 0;
     let within_a = by != By::A && i_before < n && i > 0;
     let last = if bends && by == By::B { LAST_B } else { 0 };
-    state & (WITHIN_A | WITHIN_B) | usize::from(within_b) * WITHIN_B | usize::from(within_a) * WITHIN_A | last
+    usize::from(within_b) * WITHIN_B | usize::from(within_a) * WITHIN_A | last
 }
 
 /// True if no meridian of the path is used twice. A path between open rims has none.
@@ -64,25 +64,39 @@ pub(super) fn is_proper(rails: &Rails<'_>, path: &[Pair]) -> bool {
     let mut state = 0;
     for step in path.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
-        let by = if i == i2 { By::B } else if j == j2 { By::A } else { By::Both };
-        state = advance(rails, state, by, i2 as usize, j2 as usize, false);
+        let by = if i == i2 {
+            By::B
+        } else if j == j2 {
+            By::A
+        } else {
+            By::Both
+        };
+        state |= advance(rails, by, i2 as usize, j2 as usize, false);
     }
     !rails.closed || state == WITHIN_A | WITHIN_B
 }
 
-/// The cheapest proper path within `band`, and its cost; `None` if there is none.
+/// The cheapest path within `band`, and its cost; `None` if there is none. `proper`: only such as use no meridian of closed rims twice.
 ///
-/// Time: the number of nodes in the band, for each of the eight states, twice for bends. Extra memory: 8 bytes a node.
-pub(super) fn cheapest_proper(
+/// Time: the number of nodes in the band, for each of the states that there are (four for proper paths, twice as many for bends), twice
+/// for bends between closed rims. Extra memory: 8 bytes a node.
+pub(super) fn cheapest(
     rails: &Rails<'_>,
     cost: &Cost<'_>,
     band: &Band,
+    proper: bool,
     job: &Job<'_>,
 ) -> Result<Option<(f64, Vec<Pair>)>> {
+    let proper = proper && rails.closed;
+    let bends = matches!(cost, Cost::Bends(_));
+    let exists = |state: &usize| (proper || state & 3 == 0) && (bends || state & LAST_B == 0);
+    let states: Vec<usize> = (0..STATES).filter(exists).collect();
     let (n, m) = (band.last_row(), band.last_column());
     let mut search = Search {
         rails,
         cost,
+        states: &states,
+        kept: if proper { STATES - 1 } else { LAST_B },
         band,
         line: Line::new(rails.b)?,
         steps: Steps::new(m + 1)?,
@@ -98,8 +112,7 @@ pub(super) fn cheapest_proper(
     for (k, &first) in firsts.iter().enumerate() {
         let part = job.part(k as f64 / firsts.len() as f64, (k + 1) as f64 / firsts.len() as f64);
         search.run(first, &part)?;
-        let wanted = |state: &usize| !rails.closed || state & 3 == WITHIN_A | WITHIN_B;
-        for state in (0..STATES).filter(wanted) {
+        for &state in states.iter().filter(|&state| !proper || state & 3 == WITHIN_A | WITHIN_B) {
             let mut total = search.row[m][state];
             if let (Cost::Bends(bends), Some(first)) = (cost, first) {
                 let last = bends.normals(n, m)[usize::from(state & LAST_B > 0)];
@@ -117,6 +130,9 @@ pub(super) fn cheapest_proper(
 struct Search<'a> {
     rails: &'a Rails<'a>,
     cost: &'a Cost<'a>,
+    /// The states that there are, and their bits.
+    states: &'a [usize],
+    kept: usize,
     band: &'a Band,
     line: Line,
     steps: Steps,
@@ -181,9 +197,10 @@ impl Search<'_> {
                         old.map(|p| along + if is_first { 0.0 } else { bends.across(i, j, p, normal) })
                     }
                 };
-                for (state, &cost) in costs.iter().enumerate() {
-                    let total = cost + steps[usize::from(state & LAST_B > 0)];
-                    let to = advance(self.rails, state, by, i, j, matches!(self.cost, Cost::Bends(_)));
+                let reached = advance(self.rails, by, i, j, matches!(self.cost, Cost::Bends(_)));
+                for &state in self.states {
+                    let total = costs[state] + steps[usize::from(state & LAST_B > 0)];
+                    let to = (state & !LAST_B | reached) & self.kept;
                     if total < here[to] {
                         here[to] = total;
                         how[to] = (state + STATES * kind) as u8;

@@ -1,0 +1,11 @@
+//! Which triangles cut each other: exact predicates over a tree of boxes.
+//!
+//! * `predicates`: two triangles, decided exactly by the signs of determinants (Shewchuk's adaptive arithmetic).
+//! * `box_tree`: the boxes that overlap a box.
+//! * [`pairs`]: all pairs of new triangles with each other and with old ones.
+
+mod box_tree;
+mod pairs;
+mod predicates;
+
+pub(crate) use pairs::{Soup, cutting_pairs};

@@ -1,0 +1,71 @@
+//! All pairs of triangles that cut each other, of which at least one is new.
+
+use super::box_tree::{Box3, BoxTree};
+use super::predicates::cut;
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use crate::par;
+use glam::DVec3;
+
+/// Triangles that one thread looks at at a time.
+const CHUNK: usize = 1 << 12;
+
+/// New and old triangles over common points, which are in a unit that keeps products in range.
+pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
+    /// The position of a vertex.
+    pub(crate) at: P,
+    /// The new triangles.
+    pub(crate) new: &'a [[u32; 3]],
+    /// The old ones that are to be looked at.
+    pub(crate) old: &'a [[u32; 3]],
+}
+
+/// The pairs (new, other) of triangles that cut each other, in ascending order; old triangle k is `other` = number of new ones + k. Of
+/// two new ones the smaller comes first. See [`cut`] for what counts.
+///
+/// O((n + o) log n + pairs of boxes that overlap) for n new and o old triangles; extra memory about 100 bytes a new triangle.
+pub(crate) fn cutting_pairs(soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+    if soup.new.is_empty() {
+        return Ok(Vec::new());
+    }
+    job.step(0.0, "looking for intersections")?;
+    let around = |t: &[u32; 3]| Box3::of(t.map(&soup.at));
+    let boxes = alloc::collect(soup.new.iter().map(around))?;
+    let tree = BoxTree::new(&boxes)?;
+    let n = soup.new.len();
+    let look = |range: std::ops::Range<usize>| -> Result<Vec<[u32; 2]>> {
+        let mut found = Vec::new();
+        let mut near = Vec::new();
+        for k in range {
+            let (triangle, query) =
+                if k < n { (soup.new[k], boxes[k]) } else { (soup.old[k - n], around(&soup.old[k - n])) };
+            if !tree.whole().overlaps(&query) {
+                continue;
+            }
+            near.clear();
+            let mut failed = Ok(());
+            tree.overlapping(&query, &mut |i| {
+                if k >= n || (i as usize) < k {
+                    failed = failed.and_then(|()| alloc::push(&mut near, i));
+                }
+            });
+            failed?;
+            for &i in &near {
+                if cut(soup.new[i as usize], triangle, &soup.at) {
+                    alloc::push(&mut found, [i, k as u32])?;
+                }
+            }
+        }
+        Ok(found)
+    };
+    let mut pairs = Vec::new();
+    for part in par::chunks(job.threads(), n + soup.old.len(), CHUNK, look) {
+        let part = part?;
+        alloc::reserve(&mut pairs, part.len())?;
+        pairs.extend(part);
+    }
+    pairs.sort_unstable();
+    job.step(1.0, "looking for intersections")?;
+    Ok(pairs)
+}

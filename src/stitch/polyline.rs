@@ -1,0 +1,26 @@
+//! Points at equal arc lengths along a polyline.
+
+use crate::alloc;
+use crate::error::Result;
+use glam::DVec3;
+
+/// `count` points at equal arc lengths; of an open polyline both ends are among them. The polyline has at least one point.
+pub(super) fn samples(points: &[DVec3], closed: bool, count: usize) -> Result<Vec<DVec3>> {
+    let n = points.len();
+    let edges = if closed { n } else { n - 1 };
+    let edge = |i: usize| points[i].distance(points[(i + 1) % n]);
+    let length: f64 = (0..edges).map(edge).sum();
+    let parts = if closed { count } else { count - 1 } as f64;
+    let mut samples = alloc::filled(points[0], count)?;
+    let (mut i, mut start) = (0, 0.0);
+    for (k, sample) in samples.iter_mut().enumerate() {
+        let at = length * k as f64 / parts;
+        while i + 1 < edges && start + edge(i) < at {
+            start += edge(i);
+            i += 1;
+        }
+        let t = if edge(i) > 0.0 { ((at - start) / edge(i)).clamp(0.0, 1.0) } else { 0.0 };
+        *sample = points[i].lerp(points[(i + 1) % n], t);
+    }
+    Ok(samples)
+}

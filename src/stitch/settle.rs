@@ -1,0 +1,278 @@
+//! The strip among its neighbours: rows faired so that it meets both pieces smoothly, and faces that cut others.
+//!
+//! **Fairing.** The new vertices move to where the sum of squared Laplacians, over them and the rims, is least (a thin plate; see
+//! [`fair`](crate::fair)); the rims and the old vertices round them stay. The ends of an open strip stay on their
+//! meridians.
+//!
+//! **Back-off.** Where the faired strip cuts itself or a piece, its vertices go back towards their straight meridians, halfway
+//! each time, those near by a little less, until nothing cuts or nothing is left to take back.
+
+use super::request::{Fairing, Intersections, Options};
+use super::strip::Strip;
+use crate::alloc;
+use crate::error::Result;
+use crate::fair::{Weights, thin_plate};
+use crate::intersect::{Soup, cutting_pairs};
+use crate::job::Job;
+use crate::mesh::Mesh;
+use glam::DVec3;
+
+/// The fairing is taken back at most so often.
+const ROUNDS: u32 = 12;
+
+/// Below this the fairing of a vertex is given up.
+const FAINT: f64 = 0.1;
+
+/// How many edges away from a cut the fairing is taken back a little.
+const REACH: u32 = 4;
+
+/// What came of it.
+pub(super) struct Settled {
+    /// See [`Stitch::intersections`](super::Stitch::intersections).
+    pub(super) intersections: Option<Vec<[u32; 2]>>,
+    pub(super) back_offs: u32,
+}
+
+/// Fairs the strip's rows and looks for faces that cut each other, as the options say. `whole` has the pieces without the strip, and
+/// the rims' vertices are numbered as there.
+pub(super) fn settle(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Options, job: &Job<'_>) -> Result<Settled> {
+    let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
+    let looks = match options.intersections {
+        Intersections::Auto => faired,
+        Intersections::Ignore => false,
+        Intersections::Report => true,
+    };
+    let rims = strip.a.vertices.len() + strip.b.vertices.len();
+    let straight = alloc::copied(&strip.grid.points[rims..])?;
+    let mut scene = Scene::new(whole, strip, unit, alloc::copied(&straight)?)?;
+    if faired {
+        scene.fair(&job.part(0.0, 0.4))?;
+    }
+    let mut settled = Settled { intersections: None, back_offs: 0 };
+    if looks {
+        let look = job.part(0.4, 1.0);
+        let old = scene.near(&straight)?;
+        let mut found = scene.cuts(&old, &look)?;
+        let plate = alloc::copied(&scene.points)?;
+        let mut share = alloc::filled(1.0, plate.len())?;
+        while faired && settled.back_offs < ROUNDS && scene.take_back(&found, &mut share)? {
+            for (k, point) in scene.points.iter_mut().enumerate() {
+                *point = straight[k].lerp(plate[k], share[k]);
+            }
+            settled.back_offs += 1;
+            found = scene.cuts(&old, &look)?;
+        }
+        settled.intersections = Some(scene.faces(&old, &found)?);
+    }
+    let points = scene.points;
+    strip.grid.points.truncate(rims);
+    strip.grid.points.extend(points);
+    Ok(settled)
+}
+
+/// Triangles, and the faces that they are part of.
+#[derive(Default)]
+struct Triangles {
+    corners: Vec<[u32; 3]>,
+    faces: Vec<u32>,
+}
+
+/// The strip and what is round it, in the numbers of the result: old vertices and faces, then new ones.
+struct Scene<'a> {
+    whole: &'a Mesh,
+    unit: f64,
+    /// The number of old vertices.
+    base: u32,
+    /// Its faces' corners, face after face.
+    strip: Vec<u32>,
+    offsets: &'a [u32],
+    /// The rims' vertices, one bit each.
+    rim: Bits,
+    /// The vertices at the ends of an open strip, in ascending order; they stay on their meridians.
+    ends: Vec<u32>,
+    /// The positions of the new vertices.
+    points: Vec<DVec3>,
+}
+
+impl<'a> Scene<'a> {
+    fn new(whole: &'a Mesh, strip: &'a Strip, unit: f64, points: Vec<DVec3>) -> Result<Self> {
+        let base = whole.positions.len() as u32;
+        let (a, b) = (&strip.a.vertices, &strip.b.vertices);
+        let (n, rims) = (a.len(), a.len() + b.len());
+        let name = |&k: &u32| match k as usize {
+            k if k < n => a[k],
+            k if k < rims => b[k - n],
+            k => base + (k - rims) as u32,
+        };
+        let mut rim = Bits::new(whole.positions.len())?;
+        a.iter().chain(b).for_each(|&v| rim.set(v));
+        let mut ends = Vec::new();
+        if !strip.a.closed {
+            let columns = strip.meridians.len();
+            for row in strip.grid.matrix.chunks(columns) {
+                for k in [row[0], row[columns - 1]] {
+                    alloc::push(&mut ends, name(&k))?;
+                }
+            }
+            ends.sort_unstable();
+        }
+        let corners = alloc::collect(strip.faces.corners.iter().map(name))?;
+        Ok(Scene { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
+    }
+
+    fn at(&self, v: u32) -> DVec3 {
+        match v.checked_sub(self.base) {
+            Some(k) => self.points[k as usize],
+            None => self.whole.positions.get(v) / self.unit,
+        }
+    }
+
+    /// Adds a face's triangles: a quad split by its shorter diagonal, any other polygon as a fan from its first corner.
+    fn split(&self, face: &[u32], number: u32, into: &mut Triangles) -> Result<()> {
+        let squared = |p: usize, q: usize| self.at(face[p]).distance_squared(self.at(face[q]));
+        let first = usize::from(face.len() == 4 && squared(0, 2) > squared(1, 3));
+        let corner = |k: usize| face[(first + k) % face.len()];
+        for k in 1..face.len() - 1 {
+            alloc::push(&mut into.corners, [corner(0), corner(k), corner(k + 1)])?;
+            alloc::push(&mut into.faces, number)?;
+        }
+        Ok(())
+    }
+
+    /// The strip's triangles.
+    fn strip_triangles(&self) -> Result<Triangles> {
+        let mut triangles = Triangles::default();
+        for (face, number) in self.offsets.windows(2).zip(self.whole.face_count() as u32..) {
+            self.split(&self.strip[face[0] as usize..face[1] as usize], number, &mut triangles)?;
+        }
+        Ok(triangles)
+    }
+
+    /// The old faces that `wanted` takes, as triangles.
+    fn old_triangles(&self, wanted: impl Fn(&[u32]) -> bool) -> Result<Triangles> {
+        let mut triangles = Triangles::default();
+        for (face, number) in self.whole.faces().zip(0..) {
+            if wanted(face) {
+                self.split(face, number, &mut triangles)?;
+            }
+        }
+        Ok(triangles)
+    }
+
+    /// Moves the new vertices to where a thin plate would have them.
+    fn fair(&mut self, job: &Job<'_>) -> Result<()> {
+        let mut triangles = self.strip_triangles()?.corners;
+        let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.has(v)))?.corners;
+        alloc::reserve(&mut triangles, round.len())?;
+        triangles.extend(round);
+        // The patch's own numbers.
+        let mut vertices = alloc::collect(triangles.as_flattened().iter().copied())?;
+        vertices.sort_unstable();
+        vertices.dedup();
+        let number = |v: u32| vertices.binary_search(&v).unwrap_or(0) as u32;
+        triangles.iter_mut().for_each(|t| *t = t.map(number));
+        let mut points = alloc::collect(vertices.iter().map(|&v| self.at(v)))?;
+        let is_end = |v: u32| self.ends.binary_search(&v).is_ok();
+        let free = alloc::collect(vertices.iter().map(|&v| v >= self.base && !is_end(v)))?;
+        let on_rim = |v: u32| v < self.base && self.rim.has(v);
+        let centres = alloc::collect(vertices.iter().map(|&v| (v >= self.base || on_rim(v)) && !is_end(v)))?;
+        thin_plate(&mut points, &triangles, &free, &centres, Weights::Uniform, job)?;
+        for (&v, &p) in vertices.iter().zip(&points) {
+            if v >= self.base {
+                self.points[(v - self.base) as usize] = p;
+            }
+        }
+        Ok(())
+    }
+
+    /// The old triangles that reach into the box round the strip, faired or `straight`.
+    fn near(&self, straight: &[DVec3]) -> Result<Triangles> {
+        let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
+        let new = self.points.iter().chain(straight).copied();
+        let [low, high] = bounds(rims.chain(new));
+        self.old_triangles(|face| {
+            let [from, to] = bounds(face.iter().map(|&v| self.at(v)));
+            from.cmple(high).all() && low.cmple(to).all()
+        })
+    }
+
+    /// The pairs of triangles that cut each other, and the strip's triangles that they are counted by.
+    fn cuts(&self, old: &Triangles, job: &Job<'_>) -> Result<Cuts> {
+        let strip = self.strip_triangles()?;
+        let soup = Soup { at: |v| self.at(v), new: &strip.corners, old: &old.corners };
+        Ok(Cuts { pairs: cutting_pairs(&soup, job)?, strip })
+    }
+
+    /// Lessens the share of the plate at the new vertices of faces that cut, and a little at those near by; false if there are
+    /// none where anything is left to take back.
+    fn take_back(&self, found: &Cuts, share: &mut [f64]) -> Result<bool> {
+        const FAR: u32 = REACH;
+        let mut distance = alloc::filled(FAR, share.len())?;
+        let index = |v: u32| v.checked_sub(self.base).map(|k| k as usize);
+        let cutting = found.pairs.as_flattened().iter().filter_map(|&k| found.strip.corners.get(k as usize));
+        for k in cutting.flatten().filter_map(|&v| index(v)) {
+            distance[k] = 0;
+        }
+        if !distance.iter().zip(&*share).any(|(&d, &s)| d == 0 && s > 0.0) {
+            return Ok(false);
+        }
+        for _ in 1..REACH {
+            for triangle in &found.strip.corners {
+                let least = triangle.iter().filter_map(|&v| index(v)).map(|k| distance[k]).min().unwrap_or(FAR);
+                for k in triangle.iter().filter_map(|&v| index(v)) {
+                    distance[k] = distance[k].min(least + 1);
+                }
+            }
+        }
+        for (s, d) in share.iter_mut().zip(distance) {
+            *s *= 1.0 - 0.5 * f64::from(FAR - d) / f64::from(FAR);
+            if *s < FAINT {
+                *s = 0.0;
+            }
+        }
+        Ok(true)
+    }
+
+    /// The faces of cutting triangles, the strip's first, the larger one first if both are the strip's; each pair once.
+    fn faces(&self, old: &Triangles, found: &Cuts) -> Result<Vec<[u32; 2]>> {
+        let face = |k: u32| match (k as usize).checked_sub(found.strip.faces.len()) {
+            Some(k) => old.faces[k],
+            None => found.strip.faces[k as usize],
+        };
+        let mut faces = alloc::collect(found.pairs.iter().map(|&[p, q]| {
+            let (f, g) = (face(p), face(q));
+            [f.max(g), f.min(g)]
+        }))?;
+        // The two triangles of a quad may fold onto each other.
+        faces.sort_unstable();
+        faces.dedup();
+        Ok(faces)
+    }
+}
+
+struct Cuts {
+    /// Numbers below the strip's count of triangles are of the strip, the others of the old ones.
+    pairs: Vec<[u32; 2]>,
+    strip: Triangles,
+}
+
+fn bounds(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
+    points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| [low.min(p), high.max(p)])
+}
+
+/// A set of vertices.
+struct Bits(Vec<u64>);
+
+impl Bits {
+    fn new(count: usize) -> Result<Self> {
+        Ok(Bits(alloc::filled(0, count.div_ceil(64))?))
+    }
+
+    fn set(&mut self, v: u32) {
+        self.0[v as usize / 64] |= 1 << (v % 64);
+    }
+
+    fn has(&self, v: u32) -> bool {
+        self.0[v as usize / 64] >> (v % 64) & 1 == 1
+    }
+}

@@ -1,0 +1,110 @@
+//! Between two rims: the first meridian, the others, the rows, the faces.
+
+use super::grid::{FaceList, Grid};
+use super::meridian::{Chosen, Pair, Rails, forbidden_nodes, meridians};
+use super::request::{Cells, Options, Rows};
+use super::rim::{Bridges, Rim};
+use super::start::{Start, by_rotation, closest_pair};
+use crate::error::{Error, Result};
+use crate::job::Job;
+
+/// A second start is taken if it is better by more than this part.
+const BETTER: f64 = 1.0 / (1 << 20) as f64;
+
+/// A strip that is not yet part of a mesh.
+pub(super) struct Strip {
+    /// The rims, side by side from the first meridian on.
+    pub(super) a: Rim,
+    pub(super) b: Rim,
+    pub(super) meridians: Vec<Pair>,
+    pub(super) grid: Grid,
+    pub(super) faces: FaceList,
+}
+
+impl Strip {
+    /// Hangs a strip on two rims that run side by side, rim A with its surface on the left, rim B on the right. `mean_side`: the mean
+    /// side of the faces round it, in the rims' unit; asked for if the rows depend on it.
+    ///
+    /// # Errors
+    /// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub(super) fn between(
+        mut a: Rim,
+        mut b: Rim,
+        bridges: &Bridges,
+        options: &Options,
+        mean_side: impl Fn() -> f64,
+        job: &Job<'_>,
+    ) -> Result<Strip> {
+        let meridians = if a.closed {
+            best_start(&mut a, &mut b, bridges, options, job)?
+        } else if options.twist != 0 {
+            return Err(Error::OptionOutOfRange { option: "twist", value: options.twist as f64 });
+        } else {
+            from_here(&a, &b, bridges, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
+        };
+        let rows = match options.rows {
+            Rows::None => 0,
+            Rows::Count(count) => count,
+            Rows::MeanEdge => {
+                let lengths = meridians.iter().map(|&[i, j]| a.at(i).distance(b.at(j)));
+                let mean_meridian = lengths.sum::<f64>() / meridians.len() as f64;
+                // As many as the strip can hold at most, even if the sides have no length.
+                ((mean_meridian / mean_side()).round() - 1.0).clamp(0.0, f64::from(u32::MAX)) as u32
+            }
+        };
+        let grid = Grid::new(&a, &b, &meridians, rows)?;
+        let faces = grid.faces(&a, &b, bridges, options.cells == Cells::Quads)?;
+        Ok(Strip { a, b, meridians, grid, faces })
+    }
+}
+
+/// Turns the rims so that both begin at the best first meridian, and finds the others.
+fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, job: &Job<'_>) -> Result<Vec<Pair>> {
+    let none = Error::NoStrip { vertex: a.vertices[0] };
+    let count = b.vertices.len();
+    let (i, j) = closest_pair(a, b, bridges, &job.part(0.0, 0.2))?.ok_or(none)?;
+    let j = ((j as i64 + options.twist.rem_euclid(count as i64)).rem_euclid(count as i64)) as usize;
+    let second = match options.start {
+        Start::Auto if options.twist == 0 => by_rotation(a, b, bridges)?.filter(|&other| other != (i, j)),
+        _ => None,
+    };
+    a.start_at(i);
+    b.start_at(j);
+    let first = from_here(a, b, bridges, options, &job.part(0.2, 0.6))?;
+    let Some((i2, j2)) = second else {
+        return first.map(|chosen| chosen.pairs).ok_or(none);
+    };
+    let turns = [(i2 + a.vertices.len() - i) % a.vertices.len(), (j2 + count - j) % count];
+    a.start_at(turns[0]);
+    b.start_at(turns[1]);
+    let other = from_here(a, b, bridges, options, &job.part(0.6, 1.0))?;
+    match (first, other) {
+        (None, other) => other.map(|chosen| chosen.pairs).ok_or(none),
+        (Some(first), Some(other)) if other.cost < first.cost * (1.0 - BETTER) => Ok(other.pairs),
+        (Some(first), _) => {
+            a.start_at(a.vertices.len() - turns[0]);
+            b.start_at(count - turns[1]);
+            Ok(first.pairs)
+        }
+    }
+}
+
+/// The meridians from the first one on.
+pub(super) fn from_here(
+    a: &Rim,
+    b: &Rim,
+    bridges: &Bridges,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Option<Chosen>> {
+    let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
+    // With interior rows no meridian is an edge of its own.
+    let forbidden = match options.rows {
+        Rows::None => forbidden_nodes(bridges.nodes(a, b)?.into_iter(), n, m, a.closed)?,
+        _ => Vec::new(),
+    };
+    let (line_a, line_b) = (a.line()?, b.line()?);
+    let sides = Some([a.normals.as_slice(), b.normals.as_slice()]);
+    let rails = Rails { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides };
+    meridians(&rails, options.meridians, options.search, job)
+}
