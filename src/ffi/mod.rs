@@ -8,7 +8,7 @@
 //! | [`context`] | threads, progress, cancel, log, message, report |
 //! | [`version`] | what is loaded |
 //! | [`mesh`] | the mesh view, in and out |
-//! | [`boundary`], [`winged`], [`check`], [`facing`], [`stitch`] | one file for each module of the core |
+//! | [`boundary`], [`winged`], [`check`], [`facing`], [`stitch`], [`weld`], [`orient`] | one file for each module of the core |
 //!
 //! This is the only part of the crate with unsafe code.
 
@@ -24,7 +24,9 @@ pub mod facing;
 mod guard;
 mod input;
 pub mod mesh;
+pub mod orient;
 pub mod status;
 pub mod stitch;
 pub mod version;
+pub mod weld;
 pub mod winged;

@@ -4,8 +4,8 @@
 
 use super::grid::FaceList;
 use crate::alloc;
-use crate::error::{Error, Result};
-use crate::mesh::{MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Scalar};
+use crate::error::Result;
+use crate::mesh::{Mesh, MeshView, concat};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -27,46 +27,18 @@ impl Combination {
     /// Room for all of `pieces`, `extra` vertices and the strip's faces.
     ///
     /// # Errors
-    /// [`Error::TooLarge`], [`Error::MixedScalars`], [`Error::OutOfMemory`].
+    /// Those of [`concat::empty`].
     pub(super) fn new(pieces: &[&MeshView<'_>], extra: usize, strip: &FaceList) -> Result<Self> {
-        let scalar = pieces[0].positions().scalar();
-        if scalar == Scalar::F32 && pieces.iter().any(|p| p.positions().scalar() == Scalar::F64) {
-            return Err(Error::MixedScalars);
-        }
-        let total = |count: fn(&MeshView<'_>) -> usize| pieces.iter().map(|p| count(p)).sum::<usize>();
-        let vertices = total(|p| p.positions().len()) + extra;
-        let corners = total(|p| p.faces().half_edge_count()) + strip.corners.len();
-        for (what, count) in [("vertices", vertices as u64), ("half-edges", corners as u64)] {
-            if count > MAX_ELEMENTS {
-                return Err(Error::TooLarge { what, count, limit: MAX_ELEMENTS });
-            }
-        }
-        let mut face_offsets = alloc::with_capacity(total(|p| p.faces().len()) + strip.offsets.len())?;
-        face_offsets.push(0);
-        Ok(Combination {
-            mesh: Mesh {
-                positions: PositionBuffer::with_capacity(scalar, vertices)?,
-                face_offsets,
-                face_corners: alloc::with_capacity(corners)?,
-            },
-        })
+        let room = [extra, strip.offsets.len(), strip.corners.len()];
+        Ok(Combination { mesh: concat::empty(pieces.iter().copied(), room)? })
     }
 
     /// Appends a piece; the faces that `turn` names are turned over, each from its own first corner.
-    pub(super) fn append(&mut self, piece: &MeshView<'_>, mut turn: impl FnMut(usize) -> bool) -> Result<IndexMap> {
-        let (first_vertex, first_face) = (self.mesh.positions.len() as u32, self.mesh.face_count() as u32);
-        self.mesh.positions.append(piece.positions())?;
-        for f in 0..piece.faces().len() {
-            let start = self.mesh.face_corners.len();
-            self.mesh.face_corners.extend(piece.face(f).map(|v| v + first_vertex));
-            if turn(f) {
-                self.mesh.face_corners[start + 1..].reverse();
-            }
-            self.mesh.face_offsets.push(self.mesh.face_corners.len() as u32);
-        }
+    pub(super) fn append(&mut self, piece: &MeshView<'_>, turn: impl FnMut(usize) -> bool) -> Result<IndexMap> {
+        let place = concat::append(&mut self.mesh, piece, turn)?;
         Ok(IndexMap {
-            vertices: alloc::collect((0..piece.positions().len()).map(|v| v as u32 + first_vertex))?,
-            faces: alloc::collect((0..piece.faces().len()).map(|f| f as u32 + first_face))?,
+            vertices: alloc::collect((0..piece.positions().len()).map(|v| v as u32 + place.first_vertex))?,
+            faces: alloc::collect((0..piece.faces().len()).map(|f| f as u32 + place.first_face))?,
         })
     }
 
