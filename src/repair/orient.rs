@@ -79,7 +79,7 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
     };
     let (mut components, mut inverted_components, mut one_sided) = (0, 0, Vec::new());
     for f in 0..count as u32 {
-        if f as usize % STEP == 0 {
+        if (f as usize).is_multiple_of(STEP) {
             job.step(0.5 + 0.4 * f64::from(f) / count as f64, "orienting faces")?;
         }
         if search.seen[f as usize] {
