@@ -119,7 +119,7 @@ void check_shape(const Soup &soup, std::size_t vertices, std::size_t faces, long
     CHECK(verdict.boundary == boundary);
 }
 
-/// Sets of faces that hang together across edges, as CGAL's own mesh has them; and the number of its boundary edges.
+/// Used vertices, boundary edges, and sets of faces that hang together across edges.
 struct Sewn {
     std::size_t vertices = 0, border = 0, components = 0;
 };
@@ -292,7 +292,7 @@ TEST_CASE("CGAL's own cases of stitching") {
     const std::string pairs = *folder + "/pairs/";
     // A seam in one sheet; the other sheet stays.
     const Soup mask = read_soup(pairs + "mask_cone.off");
-    check_shape(repaired(mask), 1200, 2332, 2 - 0 - 0 + 0, {34, 30});
+    check_shape(repaired(mask), 1200, 2332, 2, {34, 30});
     check_shape(repaired(read_soup(pairs + "quads_to_stitch.off")), 15, 8, 1, {12});
 
     // A border edge without length faces a vertex: what would collapse the face there is left and listed, unless it may collapse.
@@ -316,38 +316,74 @@ TEST_CASE("CGAL's own cases of stitching") {
 }
 
 TEST_CASE("every oriented mesh: borders are sewn as CGAL's stitch_borders does") {
-    std::size_t compared = 0, better = 0;
+    std::size_t compared = 0;
     for (const DataFile &file : data_files()) {
-        if (!file.manifold || file.flipped_edges > 0 || file.name == "meshes/boeing.off") {
+        // CGAL takes oriented sheets only, and sews nothing of two sheets on top of each other.
+        if (!file.manifold || file.flipped_edges > 0 || file.name == "pairs/non_manifold2.off") {
             continue;
         }
         CAPTURE(file.name);
         const Soup soup = read_soup(file.path);
-        const Sewn theirs = stitched_by_cgal(soup), ours = sewn_by_us(soup);
-        std::cout << file.name << " " << theirs.vertices << " " << theirs.border << " " << theirs.components << " / "
-                  << ours.vertices << " " << ours.border << " " << ours.components << "\n";
+        const Sewn ours = sewn_by_us(soup);
+        if (file.name == "meshes/boeing.off") {
+            // Sheets against each other stay two for CGAL, so that it leaves more.
+            CHECK(ours.border < stitched_by_cgal(soup).border);
+            continue;
+        }
+        const Sewn theirs = stitched_by_cgal(soup);
         CHECK(ours.vertices == theirs.vertices);
         CHECK(ours.border == theirs.border);
         CHECK(ours.components == theirs.components);
         ++compared;
     }
-    std::cout << compared << " compared, " << better << "\n";
+    std::cout << compared << " meshes sewn as by CGAL\n";
 }
 
-TEST_CASE("every closed or open mesh in single faces, turned by chance, comes back") {
+TEST_CASE("every mesh in single faces, turned by chance, comes back") {
     for (const DataFile &file : data_files()) {
-        if (!file.manifold || file.vertices > 20000) {
+        // A face that collapses, and two sheets in one place, have nothing to come back to.
+        if (file.name == "pairs/deg_border.off" || file.name == "pairs/non_manifold2.off") {
             continue;
         }
         CAPTURE(file.name);
         const Soup soup = read_soup(file.path), pieces = shattered(soup, 3, true);
+        const gusset::Weld weld(pieces.view()), whole(soup.view());
+        const gusset::Orient orient(weld.mesh());
+        const gusset::Check check(orient.mesh());
+        CHECK(check.is_manifold());
+        CHECK(orient.mesh().face_count() == soup.face_count());
+        CHECK(2 * orient.turned_faces() <= soup.face_count());
+        if (file.non_manifold_edges > 0) {
+            // Where three or more faces meet, each keeps a border of its own.
+            CHECK(weld.left_edges().size() >= 3 * file.non_manifold_edges);
+            continue;
+        }
+        CHECK(check.is_oriented());
+        CHECK(weld.left_edges().empty());
+        const auto now = check.report(), then = gusset::Check(whole.mesh()).report();
+        CHECK(now.boundary_edges.count == then.boundary_edges.count);
+        CHECK(now.edge_count == then.edge_count);
+        CHECK(now.component_count == then.component_count);
+        // Where surfaces touch in a point (pig.stl) they come apart; else nothing is different.
+        if (file.manifold) {
+            const Verdict verdict = judge(orient.mesh(), false);
+            CHECK(verdict.is_mesh);
+            CHECK(verdict.euler == then.euler);
+            CHECK(now.vertex_count == then.vertex_count - then.unused_vertices.count);
+        }
+    }
+}
+
+TEST_CASE("every mesh as a triangle soup: as many vertices as points, as CGAL counts them") {
+    for (const DataFile &file : data_files()) {
+        CAPTURE(file.name);
+        const Soup pieces = shattered(read_soup(file.path), 5, false);
         gusset::WeldOptions options;
         options.vertices = gusset::WeldVertices::all;
-        const gusset::Weld weld(pieces.view(), options);
-        // As many vertices as there are different points.
+        options.collapse = true;
         auto [points, faces] = cgal_soup(pieces.view());
         PMP::merge_duplicate_points_in_polygon_soup(points, faces);
-        CHECK(weld.mesh().vertex_count() == points.size());
+        CHECK(gusset::Weld(pieces.view(), options).mesh().vertex_count() == points.size());
     }
 }
 
