@@ -113,6 +113,18 @@ fn inside_out_is_turned_only_if_asked_and_closed() {
     // Neither has a sheet doubled.
     let flat = Soup::flat(3, &[&[0, 1, 2], &[0, 2, 1]]);
     assert_eq!(oriented(&flat, &OUTWARDS).turned_faces, 0);
+    // A bent one too, whatever round-off makes of its volume: the lower side starts each face elsewhere.
+    let mut bent = cap(9, 3, 0.3, 1.0);
+    for face in bent.clone().faces() {
+        let mut below: Vec<u32> = face.iter().rev().copied().collect();
+        below.rotate_left(1);
+        bent.face(&below.iter().map(|&v| if v > 18 { v } else { v + 28 }).collect::<Vec<_>>());
+    }
+    // Vertices 19 to 27 are the rim, which both sides share.
+    bent.points.extend_from_within(0..19);
+    for soup in [bent.turned(), bent] {
+        assert_eq!(oriented(&soup, &OUTWARDS).turned_faces, 0);
+    }
     let flat = Soup::flat(3, &[&[0, 1, 2], &[0, 1, 2]]);
     assert_eq!(oriented(&flat, &OUTWARDS).turned, [false, true]);
 }

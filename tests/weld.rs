@@ -385,11 +385,73 @@ fn collapse_closes_what_short_edges_leave() {
         assert!(counts.values().all(|&(a, b)| a + b <= 2));
         assert_eq!(counts.values().filter(|&&(a, b)| a + b == 1).count(), 4);
     }
+    // What a face that is dropped leaves behind is no edge sewn.
+    let sliver = Soup::new(vec![[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0]], &[&[0, 1, 2]]);
+    let done = welded(&sliver, &Options { collapse: true, ..ALL });
+    assert_eq!((done.dropped_faces, done.sewn_edges, done.mesh.face_count()), (1, 0, 0));
+    // Nor are two edges that shrink to one point.
+    let at = |s: f64| [[0.0; 3], [0.0; 3], [s, 0.0, 0.0], [s, s, 0.0]];
+    let quads = Soup::new([at(1.0), at(-1.0)].concat(), &[&[0, 1, 2, 3], &[4, 5, 6, 7]]);
+    let done = welded(&quads, &Options { collapse: true, ..ALL });
+    assert_eq!((done.dropped_faces, done.sewn_edges, done.left_edges.len()), (0, 0, 0));
+    assert_eq!(done.mesh.face_corners, [0, 1, 2, 0, 3, 4]);
     // A polygon loses successive corners only.
     let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]];
     let soup = Soup::new(points, &[&[0, 1, 2, 3, 4, 5]]);
     let done = welded(&soup, &Options { collapse: true, ..ALL });
     assert_eq!(done.mesh.face_corners, [0, 1, 2, 3]);
+}
+
+#[test]
+fn an_edge_of_three_faces_does_not_keep_its_ends_from_others() {
+    // Three triangles on the edge 0-1, and a fan of four that continues one of them with vertices of its own.
+    let angle = |k: u32| [f64::cos(f64::from(k)), f64::sin(f64::from(k)), 0.0];
+    let below = |k: u32| [f64::from(k), f64::from(k * k), -1.0];
+    let mut points = vec![[0.0; 3], [0.0, 0.0, 1.0], angle(0), angle(1), angle(2), [0.0; 3], angle(1)];
+    points.extend((0..4).map(below));
+    let faces: [[u32; 3]; 7] = [[0, 1, 2], [0, 1, 3], [0, 1, 4], [5, 6, 7], [5, 7, 8], [5, 8, 9], [5, 9, 10]];
+    let soup = Soup::new(points, &faces.each_ref().map(|face| &face[..]));
+    let done = welded(&soup, &Options::default());
+    assert_eq!((done.sewn_edges, &done.vertex_map[5..]), (1, &[0, 3, 5, 6, 7, 8][..]));
+}
+
+#[test]
+fn short_edges_are_sewn_by_their_neighbours() {
+    // Two sheets with an edge far shorter than the tolerance on their common border, listed first in both.
+    let points = vec![
+        [1.0, 0.0, 0.0],
+        [1.001, 0.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [0.0, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [1.001, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [1.0, -1.0, 0.0],
+        [0.0, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+    ];
+    let faces: [[u32; 3]; 6] = [[0, 1, 2], [5, 6, 7], [3, 0, 2], [1, 4, 2], [6, 8, 7], [9, 5, 7]];
+    let soup = Soup::new(points, &faces.each_ref().map(|face| &face[..]));
+    let done = welded(&soup, &Options { tolerance: Some(0.1), ..Options::default() });
+    assert_eq!((done.sewn_edges, done.vertex_map.as_slice()), (3, &[0, 1, 2, 3, 4, 1, 0, 5, 3, 4][..]));
+    assert!(done.left_edges.is_empty());
+}
+
+#[test]
+fn the_nearest_corner_of_a_face_is_claimed() {
+    let points = vec![[0.0; 3], [5.0, 0.0, 0.0], [5.0, 5.0, 0.0], [0.3, 0.0, 0.0], [0.1, 0.0, 0.0], [0.0, -5.0, 0.0]];
+    let soup = Soup::new(points, &[&[0, 1, 2], &[3, 4, 5]]);
+    let done = welded(&soup, &Options { tolerance: Some(0.5), ..ALL });
+    assert_eq!((done.vertex_map[3], done.vertex_map[4]), (3, 0));
+    assert_eq!(done.left_vertices, [0, 3]);
+}
+
+#[test]
+fn zero_has_no_sign() {
+    let points =
+        vec![[0.0, 1.0, 0.0], [-0.0, 2.0, 0.0], [3.0, 0.0, 0.0], [-0.0, 1.0, -0.0], [0.0, 2.0, 0.0], [-3.0, 0.0, 0.0]];
+    let soup = Soup::new(points, &[&[0, 1, 2], &[3, 4, 5]]);
+    assert_eq!(welded(&soup, &ALL).vertex_map, [0, 1, 2, 0, 1, 3]);
 }
 
 #[test]

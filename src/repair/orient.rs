@@ -138,8 +138,6 @@ impl Search<'_> {
         while let Some(&f) = self.found.get(next) {
             next += 1;
             let proper = |&h: &u32| !self.topology.is_ignored(h);
-            // A side without length is no gap, but a face without sides is no part of a closed surface.
-            self.closed &= faces.range(f as usize).any(|h| proper(&(h as u32)));
             for h in faces.range(f as usize).map(|h| h as u32).filter(proper) {
                 let Across::Mate(mate) = self.topology.across(h) else {
                     self.closed = false;

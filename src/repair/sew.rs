@@ -138,6 +138,15 @@ impl Sewing<'_> {
         far.map(move |(_, corner)| self.label[faces.corner(corner) as usize])
     }
 
+    /// True if the face of corner `h` has a corner in a set.
+    fn face_meets(&self, h: u32, label: u32) -> bool {
+        let range = self.mesh.faces().range(self.mesh.faces().face_of(h) as usize);
+        if range.len() <= self.degree[label as usize] as usize {
+            return self.face(h).any(|other| other == label);
+        }
+        self.corners(label).any(|corner| range.contains(&(corner as usize)))
+    }
+
     /// The sets at the corners of the face of corner `h`.
     fn face(&self, h: u32) -> impl Iterator<Item = u32> {
         self.mesh.face(self.mesh.faces().face_of(h) as usize).map(|v| self.label[v as usize])
@@ -148,7 +157,7 @@ impl Sewing<'_> {
         seam.0.iter().filter(|&[a, b]| a != b).all(|&[a, b]| {
             let [small, large] = if self.degree[a as usize] <= self.degree[b as usize] { [a, b] } else { [b, a] };
             self.corners(small).all(|h| {
-                (self.collapse || self.face(h).all(|label| label != large))
+                (self.collapse || !self.face_meets(h, large))
                     && self.neighbours(h).all(|far| seam.name(far) == a || !self.crowds(seam, a, seam.name(far)))
             })
         })
