@@ -4,7 +4,7 @@ mod common;
 
 use common::{Soup, edge_counts, euler, faces_of, sheet, torus};
 use gusset::check::check;
-use gusset::mesh::{Faces, Mesh, MeshView, NONE, Positions, concatenate};
+use gusset::mesh::{Faces, Mesh, MeshView, NONE, Positions};
 use gusset::repair::orient::{self, orient};
 use gusset::repair::weld::{Options, Vertices, Weld, weld};
 use gusset::{Error, Job};
@@ -141,7 +141,7 @@ proptest! {
         let points: Vec<_> = cells.iter().map(|&(x, y, z)| [f64::from(x), f64::from(y), f64::from(z)]).collect();
         let index = |i: usize| (i % points.len()) as u32;
         let faces: Vec<_> = corners.iter().map(|&(a, b, c)| [index(a), index(b), index(c)]).collect();
-        let list: Vec<&[u32]> = faces.iter().map(|face| face.as_slice()).collect();
+        let list: Vec<&[u32]> = faces.iter().map(<[u32; 3]>::as_slice).collect();
         let soup = Soup::new(points, &list);
         let done = welded(&soup, &Options::default());
         let map = |v: u32| done.vertex_map[v as usize];
@@ -205,7 +205,7 @@ proptest! {
     ) {
         let points: Vec<_> = cells.iter().map(|&(x, y, z)| [f64::from(x), f64::from(y), f64::from(z)]).collect();
         let faces: Vec<_> = (0..points.len() as u32 / 3).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
-        let list: Vec<&[u32]> = faces.iter().map(|face| face.as_slice()).collect();
+        let list: Vec<&[u32]> = faces.iter().map(<[u32; 3]>::as_slice).collect();
         let soup = Soup::new(points, &list);
         let used = 3 * faces.len();
         let options = Options { tolerance: Some(tolerance), collapse: true, ..ALL };
@@ -325,19 +325,10 @@ fn sheets_on_top_of_each_other_are_sewn_only_as_far_as_edges_inside_stay_two() {
 fn a_line_within_the_tolerance_does_not_chain() {
     let points = (0..12).map(|i| [f64::from(i), 0.0, 0.0]).chain([[0.0, 50.0, 0.0], [0.0, 0.0, 50.0]]).collect();
     let faces: Vec<[u32; 3]> = (0..12).map(|i| [i, 12, 13]).collect();
-    let soup = Soup::new(points, &faces.each_ref_slices());
+    let list: Vec<&[u32]> = faces.iter().map(<[u32; 3]>::as_slice).collect();
+    let soup = Soup::new(points, &list);
     let done = welded(&soup, &Options { tolerance: Some(1.5), ..ALL });
     assert_eq!(done.vertex_map, [0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 7]);
-}
-
-trait Slices {
-    fn each_ref_slices(&self) -> Vec<&[u32]>;
-}
-
-impl Slices for Vec<[u32; 3]> {
-    fn each_ref_slices(&self) -> Vec<&[u32]> {
-        self.iter().map(|face| face.as_slice()).collect()
-    }
 }
 
 #[test]
@@ -495,23 +486,4 @@ impl gusset::Progress for Deaf {
         assert!((0.0..=1.0).contains(&fraction));
         std::ops::ControlFlow::Continue(())
     }
-}
-
-#[test]
-fn pieces_side_by_side() {
-    let (a, b) = (torus(4, 3), sheet(2, 1));
-    let (whole, places) = concatenate(&[a.view(), b.view(), a.view()]).unwrap();
-    assert_eq!(whole.positions.len(), 12 + 6 + 12);
-    assert_eq!(places.iter().map(|p| (p.first_vertex, p.first_face)).collect::<Vec<_>>(), [(0, 0), (12, 12), (18, 14)]);
-    let both = a.and(&b).and(&a);
-    assert_eq!((&whole.face_corners, &whole.face_offsets), (&both.corners, &both.offsets));
-    assert!((0..30).all(|v| whole.positions.get(v).to_array() == both.points[v as usize]));
-
-    let single = [[0.0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.1, 1.0, 0.0]];
-    let triangle = Faces::triangles(&[[0, 1, 2]]).unwrap();
-    let single = MeshView::new(Positions::from(&single[..]), triangle, &Job::default()).unwrap();
-    assert_eq!(concatenate(&[single, b.view()]).unwrap_err(), Error::MixedScalars);
-    let (mixed, _) = concatenate(&[b.view(), single]).unwrap();
-    assert_eq!(mixed.positions.get(8).x, f64::from(0.1f32));
-    assert_eq!(concatenate(&[]).unwrap_err(), Error::EmptyMesh { what: "faces" });
 }

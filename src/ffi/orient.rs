@@ -85,9 +85,10 @@ impl gusset_orient_options {
 
 /// Turns faces over until faces that share an edge of two faces run it in opposite directions.
 ///
-/// In each component as few faces as possible are turned; where both sides are as many, its smallest face stays. Edges of three or more faces
-/// connect nothing. A component that cannot be oriented, such as a Moebius strip, stays as it is and is listed. A turned
-/// face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions, order of faces.
+/// In each component as few faces as possible are turned; where both sides are as many, its smallest face stays. Edges of three
+/// or more faces connect nothing. A component that cannot be oriented, such as a Moebius strip, stays as it is and is listed. A
+/// turned face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions, order of
+/// faces.
 ///
 /// options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure.
 /// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a

@@ -112,17 +112,19 @@ impl gusset_weld_options {
 /// Makes one vertex of vertices that lie together.
 ///
 /// By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one edge, and
-/// so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would collapse a face or make an
-/// edge of three or more faces: the surface stays a manifold. What is left is listed. Vertices that lie together without an edge to sew
-/// stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together become one whatever comes of the edges.
+/// so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would collapse a face or
+/// make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie together without an edge to
+/// sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together become one whatever comes of the
+/// edges.
 ///
 /// Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones within
 /// the tolerance of it, nearest first, so that nothing chains.
 ///
-/// The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left, and its position keeps
-/// its bits; the vertices left are in their old order. options: NULL for the defaults. weld: receives the result, for
-/// gusset_weld_destroy; NULL on failure. If every face is dropped, the result has none and is no valid input.
+/// The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left, and its
+/// position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none and is no
+/// valid input.
 ///
+/// options: NULL for the defaults. weld: receives the result, for gusset_weld_destroy; NULL on failure.
 /// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the tolerance), OUT_OF_MEMORY, CANCELLED. O(H log H) for H
 /// half-edges, if no vertex has very many and few corners of one face lie together; linear extra memory.
 #[unsafe(no_mangle)]

@@ -159,8 +159,8 @@ impl Search<'_> {
 
 /// Whether a closed set of faces, turned as `turned` says, has a negative volume; `None` if it is 0 up to rounding.
 ///
-/// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r, with coordinates from a vertex of the set in a power-of-two
-/// unit of its size.
+/// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r, with coordinates from a vertex of the set
+/// in a power-of-two unit of its size.
 fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool]) -> Option<bool> {
     let point = |v: u32| mesh.positions().get(v);
     let corners = || found.iter().flat_map(|&f| mesh.face(f as usize));

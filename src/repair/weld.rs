@@ -1,9 +1,13 @@
 //! Welding: one vertex instead of several that lie together.
 //!
-//! Borders are **sewn**: of the vertices on the boundary, those become one that end the same edge once free edges that lie on one
-//! another are made one, as [`sew`](super::sew) has it; the surface stays a manifold. Or **all** vertices that lie together
-//! become one, as triangle soups need it, whatever comes of the edges. Which vertices lie together says [`cluster`](super::cluster).
-//! The faces' orientation plays no part: sheets may be inside out against each other.
+//! Borders are **sewn**: free edges that lie on one another become one edge, two by two, and with them their ends. Where more
+//! lie together none is preferred, and a pair is left where sewing it would make one of two corners of a face or put more than two
+//! faces to an edge: a manifold stays one. Or **all** vertices that lie together become one, as triangle soups need it, whatever
+//! comes of the edges. The faces' orientation plays no part: sheets may be inside out against each other.
+//!
+//! Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones within
+//! the tolerance of it, nearest first. So nothing chains, and groups of vertices that are narrower than the tolerance and farther
+//! apart than it are found whatever the numbers of the vertices are.
 
 use super::cluster::Clusters;
 use super::corners::Corners;
@@ -53,8 +57,8 @@ pub struct Weld {
     pub sewn_edges: u32,
     /// Faces dropped.
     pub dropped_faces: u32,
-    /// Half-edges of free edges that lie on another edge that did not become one with them alone: where three or more lie
-    /// together, or where sewing would have done harm. Among the vertices of [`Vertices::All`] some may be one edge by now, of three or more faces.
+    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
+    /// together there, or sewing would have done harm. With [`Vertices::All`] they may be one edge of three or more faces by now.
     pub left_edges: Vec<u32>,
     /// Vertices that lie together with another and are not one with it.
     pub left_vertices: Vec<u32>,
