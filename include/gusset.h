@@ -164,6 +164,17 @@
 #define GUSSET_U64 1
 
 /**
+ * Closed components face as most of their faces did.
+ */
+#define GUSSET_OUTWARD_KEEP 0
+
+/**
+ * Closed components face outwards, each by its own volume: of shells inside one another each one encloses what is within it.
+ * One whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
+ */
+#define GUSSET_OUTWARD_CLOSED 1
+
+/**
  * The strip of triangles of least area through the first meridian.
  */
 #define GUSSET_MERIDIANS_MIN_AREA 0
@@ -328,7 +339,8 @@
 #define GUSSET_CELLS_QUADS 1
 
 /**
- * The tolerance is what round-off of the coordinates can do.
+ * No tolerance is given: facing vertices are found with what round-off of the coordinates can do; vertices are welded if their
+ * positions are equal.
  */
 #define GUSSET_TOLERANCE_AUTO 0
 
@@ -336,6 +348,36 @@
  * The tolerance is the one given.
  */
 #define GUSSET_TOLERANCE_GIVEN 1
+
+/**
+ * The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
+ */
+#define GUSSET_WELD_BOUNDARY 0
+
+/**
+ * All vertices that faces use are welded, as triangle soups need it.
+ */
+#define GUSSET_WELD_ALL 1
+
+/**
+ * Corners of one face stay apart.
+ */
+#define GUSSET_COLLAPSE_NEVER 0
+
+/**
+ * Corners of one face may become one; a face that keeps fewer than three different vertices is dropped.
+ */
+#define GUSSET_COLLAPSE_ALLOW 1
+
+/**
+ * Vertices that no face uses stay.
+ */
+#define GUSSET_UNUSED_KEEP 0
+
+/**
+ * Vertices that no face of the result uses are left out.
+ */
+#define GUSSET_UNUSED_REMOVE 1
 
 /**
  * Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables take them backwards.
@@ -525,6 +567,11 @@ typedef struct gusset_context gusset_context;
 typedef struct gusset_facing gusset_facing;
 
 /**
+ * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_orient gusset_orient;
+
+/**
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
  */
 typedef struct gusset_stitch gusset_stitch;
@@ -533,6 +580,11 @@ typedef struct gusset_stitch gusset_stitch;
  * A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_strip gusset_strip;
+
+/**
+ * A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_weld gusset_weld;
 
 /**
  * The winged-edge tables of a mesh. Opaque and immutable; it keeps nothing of the mesh.
@@ -877,6 +929,66 @@ typedef struct gusset_facing_view {
 } gusset_facing_view;
 
 /**
+ * How to orient; all zero is the default.
+ */
+typedef struct gusset_orient_options {
+    /**
+     * sizeof(gusset_orient_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_OUTWARD_...
+     */
+    uint32_t outward;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_orient_options;
+
+/**
+ * What was turned, and what could not be oriented. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_orient_parts {
+    /**
+     * sizeof(gusset_orient_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Per face, 1 if it was turned over, else 0.
+     */
+    const uint8_t *turned;
+    /**
+     * The number of faces.
+     */
+    size_t face_count;
+    /**
+     * The smallest face of each component that cannot be oriented, ascending. Such components stay as they are.
+     */
+    struct gusset_indices one_sided_faces;
+    /**
+     * For each of them, a half-edge of it at which two faces disagree when others agree.
+     */
+    struct gusset_indices one_sided_half_edges;
+    /**
+     * The number of faces turned over.
+     */
+    uint32_t turned_faces;
+    /**
+     * Components: faces that hang together across edges of two faces. A degenerate face is one of its own.
+     */
+    uint32_t component_count;
+    /**
+     * Closed components that face outwards now and, with GUSSET_OUTWARD_KEEP, would not.
+     */
+    uint32_t inverted_components;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_orient_parts;
+
+/**
  * How to stitch; all zero is the default.
  */
 typedef struct gusset_stitch_options {
@@ -1127,6 +1239,80 @@ typedef struct gusset_strip_parts {
      */
     struct gusset_indices triangles;
 } gusset_strip_parts;
+
+/**
+ * How to weld; all zero is the default.
+ */
+typedef struct gusset_weld_options {
+    /**
+     * sizeof(gusset_weld_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Which vertices: GUSSET_WELD_...
+     */
+    uint32_t vertices;
+    /**
+     * GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0 equals 0. GUSSET_TOLERANCE_GIVEN: if
+     * they are not farther apart than the tolerance.
+     */
+    uint32_t tolerance_mode;
+    /**
+     * In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
+     */
+    double tolerance;
+    /**
+     * GUSSET_COLLAPSE_...
+     */
+    uint32_t collapse;
+    /**
+     * GUSSET_UNUSED_...
+     */
+    uint32_t unused;
+} gusset_weld_options;
+
+/**
+ * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is destroyed.
+ */
+typedef struct gusset_weld_parts {
+    /**
+     * sizeof(gusset_weld_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
+     */
+    struct gusset_indices vertex_map;
+    /**
+     * Per old face, its index in the result; UINT32_MAX if it was dropped.
+     */
+    struct gusset_indices face_map;
+    /**
+     * Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
+     * together there, or sewing would have collapsed a face or made an edge of three or more faces.
+     */
+    struct gusset_indices left_edges;
+    /**
+     * Vertices that lie together with another and are not one with it.
+     */
+    struct gusset_indices left_vertices;
+    /**
+     * Vertices that became one with a smaller one.
+     */
+    uint32_t welded_vertices;
+    /**
+     * Edges of two faces that were two free edges.
+     */
+    uint32_t sewn_edges;
+    /**
+     * Faces that were dropped.
+     */
+    uint32_t dropped_faces;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_weld_parts;
 
 /**
  * How tables are made; all zero is the default.
@@ -1462,6 +1648,47 @@ gusset_status gusset_meridians_index(uint32_t n,
                                      size_t *written);
 
 /**
+ * Turns faces over until faces that share an edge of two faces run it in opposite directions.
+ *
+ * In each component as few faces as possible are turned; where both sides are as many, its smallest face stays. Edges of three
+ * or more faces connect nothing. A component that cannot be oriented, such as a Moebius strip, stays as it is and is listed. A
+ * turned face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions, order of
+ * faces.
+ *
+ * options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure.
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
+ * vertex; linear extra memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_orient_create(const struct gusset_context *context,
+                                   const struct gusset_mesh_view *mesh,
+                                   const struct gusset_orient_options *options,
+                                   struct gusset_orient **orient);
+
+/**
+ * Destroys what gusset_orient_create made; NULL is allowed.
+ */
+GUSSET_API void gusset_orient_destroy(struct gusset_orient *orient);
+
+/**
+ * Lends the oriented mesh, valid until the handle is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_orient_mesh(const struct gusset_orient *orient,
+                                 struct gusset_mesh_view *view);
+
+/**
+ * Lends the flags, lists and counts. Errors and validity as for gusset_orient_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_orient_view(const struct gusset_orient *orient,
+                                 struct gusset_orient_parts *parts);
+
+/**
  * What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.
  */
 GUSSET_API const char *gusset_status_text(int32_t status);
@@ -1585,6 +1812,55 @@ GUSSET_API const char *gusset_version(void);
  */
 GUSSET_API
 uint32_t gusset_abi(void);
+
+/**
+ * Makes one vertex of vertices that lie together.
+ *
+ * By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one edge, and
+ * so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would collapse a face or
+ * make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie together without an edge to
+ * sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together become one whatever comes of the
+ * edges.
+ *
+ * Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones within
+ * the tolerance of it, nearest first, so that nothing chains.
+ *
+ * The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left, and its
+ * position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none and is no
+ * valid input.
+ *
+ * options: NULL for the defaults. weld: receives the result, for gusset_weld_destroy; NULL on failure.
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the tolerance), OUT_OF_MEMORY, CANCELLED. O(H log H) for H
+ * half-edges, if no vertex has very many and few corners of one face lie together; linear extra memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_weld_create(const struct gusset_context *context,
+                                 const struct gusset_mesh_view *mesh,
+                                 const struct gusset_weld_options *options,
+                                 struct gusset_weld **weld);
+
+/**
+ * Destroys a weld; NULL is allowed.
+ */
+GUSSET_API void gusset_weld_destroy(struct gusset_weld *weld);
+
+/**
+ * Lends the welded mesh, valid until the weld is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_weld_mesh(const struct gusset_weld *weld,
+                               struct gusset_mesh_view *view);
+
+/**
+ * Lends the maps, lists and counts. Errors and validity as for gusset_weld_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_weld_view(const struct gusset_weld *weld,
+                               struct gusset_weld_parts *parts);
 
 /**
  * Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.

@@ -29,6 +29,7 @@
 //! | [`boundary`] | free boundary loops |
 //! | [`winged`] | winged-edge tables, and loops on them |
 //! | [`check`] | everything wrong or unusual in a mesh |
+//! | [`repair`] | vertices that lie together made one, orientation made consistent |
 //! | [`stitch`] | a strip of new faces between two loops |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |
@@ -51,6 +52,7 @@ mod intersect;
 pub mod job;
 pub mod mesh;
 mod par;
+pub mod repair;
 pub mod stitch;
 pub mod winged;
 

@@ -8,7 +8,7 @@
 //! | [`context`] | threads, progress, cancel, log, message, report |
 //! | [`version`] | what is loaded |
 //! | [`mesh`] | the mesh view, in and out |
-//! | [`boundary`], [`winged`], [`check`], [`facing`], [`strip`], [`stitch`] | one file for each module of the core |
+//! | [`boundary`], [`winged`], [`check`], [`facing`], [`strip`], [`stitch`], [`weld`], [`orient`] | one file for each module of the core |
 //! | [`stitch_options`] | how to stitch |
 //!
 //! This is the only part of the crate with unsafe code.
@@ -25,9 +25,11 @@ pub mod facing;
 mod guard;
 mod input;
 pub mod mesh;
+pub mod orient;
 pub mod status;
 pub mod stitch;
 pub mod stitch_options;
 pub mod strip;
 pub mod version;
+pub mod weld;
 pub mod winged;

@@ -87,7 +87,8 @@ pub const GUSSET_CELLS_TRIANGLES: u32 = 0;
 /// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
 pub const GUSSET_CELLS_QUADS: u32 = 1;
 
-/// The tolerance is what round-off of the coordinates can do.
+/// No tolerance is given: facing vertices are found with what round-off of the coordinates can do; vertices are welded if their
+/// positions are equal.
 pub const GUSSET_TOLERANCE_AUTO: u32 = 0;
 /// The tolerance is the one given.
 pub const GUSSET_TOLERANCE_GIVEN: u32 = 1;

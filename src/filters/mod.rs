@@ -13,7 +13,9 @@ pub mod data;
 pub mod param;
 
 mod boundary_loops;
+mod orient;
 mod stitch;
+mod weld;
 
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -53,7 +55,7 @@ pub struct Filter {
 pub type Suggest = fn(&[Input<'_>], &mut [f64]);
 
 /// All filters.
-pub static FILTERS: &[Filter] = &[boundary_loops::FILTER, stitch::FILTER];
+pub static FILTERS: &[Filter] = &[boundary_loops::FILTER, stitch::FILTER, weld::FILTER, orient::FILTER];
 
 impl Filter {
     /// The filter of this id.

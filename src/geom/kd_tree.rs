@@ -1,10 +1,11 @@
-//! Nearest point of a set: a balanced k-d tree without pointers.
+//! Nearest point of a set, and all points within a distance: a balanced k-d tree without pointers.
 //!
 //! The points' indices are permuted so that the middle element of every range splits it by the range's widest axis, and
 //! the two halves are trees in turn. Building takes O(n log n), a query O(log n) for points that are not all equidistant.
 
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::scale::common_unit;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -81,6 +82,58 @@ impl<'a> KdTree<'a> {
     }
 }
 
+impl KdTree<'_> {
+    /// Calls `visit` with (squared distance in units of the reach, index) of every point within `reach` of the query, in no
+    /// particular order. O(log n) for each point found.
+    pub(crate) fn within(&self, query: DVec3, reach: Reach, visit: &mut impl FnMut(f64, u32)) {
+        self.gather(0..self.order.len(), query, reach, visit);
+    }
+
+    fn gather(&self, range: Range<usize>, query: DVec3, reach: Reach, visit: &mut impl FnMut(f64, u32)) {
+        let mut look = |index: u32| {
+            let squared = reach.squared(self.points[index as usize] - query);
+            if squared <= reach.limit {
+                visit(squared, index);
+            }
+        };
+        if range.len() <= LEAF {
+            self.order[range].iter().for_each(|&index| look(index));
+            return;
+        }
+        let middle = usize::midpoint(range.start, range.end);
+        look(self.order[middle]);
+        let axis = self.axis[middle] as usize;
+        let offset = self.points[self.order[middle] as usize][axis] - query[axis];
+        let near = reach.squared(DVec3::new(offset, 0.0, 0.0)) <= reach.limit;
+        if near || offset >= 0.0 {
+            self.gather(range.start..middle, query, reach, visit);
+        }
+        if near || offset <= 0.0 {
+            self.gather(middle + 1..range.end, query, reach, visit);
+        }
+    }
+}
+
+/// A distance, held so that its square neither overflows nor vanishes: in a power-of-two unit of its own size.
+#[derive(Clone, Copy)]
+pub(crate) struct Reach {
+    unit: f64,
+    limit: f64,
+}
+
+impl Reach {
+    /// `distance` is finite and positive.
+    pub(crate) fn new(distance: f64) -> Self {
+        let unit = common_unit(&[DVec3::splat(distance)]);
+        Reach { unit, limit: (distance / unit) * (distance / unit) }
+    }
+
+    /// The squared length of a difference of points; infinite if it is that much longer.
+    fn squared(self, difference: DVec3) -> f64 {
+        (difference / self.unit).length_squared()
+    }
+}
+
 fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
     if order.len() <= LEAF {
         return;
@@ -125,6 +178,16 @@ mod tests {
                 .min_by(|a, b| a.partial_cmp(b).unwrap());
             let tree = KdTree::new(&points).unwrap();
             prop_assert_eq!(tree.nearest(query, f64::INFINITY, accept), expected);
+            for (reach, unit) in [(0.5, 1.0), (1.0, 2f64.powi(-980)), (1.5, 2f64.powi(900)), (3.0, 1.0)] {
+                let scaled: Vec<DVec3> = points.iter().map(|&p| p * unit).collect();
+                let mut found = Vec::new();
+                let tree = KdTree::new(&scaled).unwrap();
+                tree.within(query * unit, Reach::new(reach * unit), &mut |_, i| found.push(i));
+                found.sort_unstable();
+                // On a lattice, in a power of two: nothing is rounded.
+                let close = |&i: &u32| points[i as usize].distance(query) <= reach;
+                prop_assert_eq!(found, (0..points.len() as u32).filter(close).collect::<Vec<_>>());
+            }
         }
     }
 }

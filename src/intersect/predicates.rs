@@ -87,7 +87,8 @@ pub(super) fn cut(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
     let (p, q) = (v.map(&at), w.map(&at));
     // Most pairs that are near each other lie apart by the plane of one of them.
     let apart = |t: [DVec3; 3], from: [u32; 3], others: [u32; 3]| {
-        let side = |k: usize| if from.contains(&others[k]) { None } else { Some(volume(t[0], t[1], t[2], at(others[k]))) };
+        let side =
+            |k: usize| if from.contains(&others[k]) { None } else { Some(volume(t[0], t[1], t[2], at(others[k]))) };
         let mut sides = (0..3).filter_map(side);
         let first = sides.next().unwrap_or(0.0);
         first != 0.0 && sides.all(|s| same_side(s, first))

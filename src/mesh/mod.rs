@@ -3,17 +3,20 @@
 //! * [`MeshView`] borrows positions and faces as they lie in the host's memory (any stride, any alignment, `f32` or `f64`,
 //!   polygons of any degree) and holds them to the rules once, so that the algorithms need not.
 //! * [`Mesh`] owns its arrays; it is what the algorithms return.
+//! * [`concatenate`] puts many meshes side by side in one.
 //! * [`Topology`] says which half-edges share an edge.
 //!
 //! **Half-edges** are numbered by corners: half-edge `h` starts at the vertex that corner `h` of the corner array names and
 //! runs to the vertex of the next corner of the same face.
 
 mod components;
+pub(crate) mod concat;
 mod owned;
 mod topology;
 mod view;
 
 pub(crate) use components::Sets;
+pub use concat::{Piece, concatenate};
 pub use owned::{Mesh, PositionBuffer};
 pub(crate) use topology::Across;
 pub use topology::{Defect, Topology};

@@ -61,6 +61,14 @@ impl PositionBuffer {
         })
     }
 
+    /// Positions `vertices` of `from`, bit for bit.
+    pub(crate) fn gather(from: &Positions<'_>, vertices: &[u32]) -> Result<PositionBuffer> {
+        Ok(match from.scalar() {
+            Scalar::F32 => PositionBuffer::F32(gather_bits(from, vertices)?),
+            Scalar::F64 => PositionBuffer::F64(gather_bits(from, vertices)?),
+        })
+    }
+
     /// The number of positions.
     pub fn len(&self) -> usize {
         self.view().len()
@@ -92,6 +100,10 @@ fn append_bits<T: bytemuck::Pod>(out: &mut Vec<T>, from: &Positions<'_>) -> Resu
         None => out.extend((0..from.len()).map(|v| bytemuck::pod_read_unaligned::<T>(from.bits(v)))),
     }
     Ok(())
+}
+
+fn gather_bits<T: bytemuck::Pod>(from: &Positions<'_>, vertices: &[u32]) -> Result<Vec<T>> {
+    alloc::collect(vertices.iter().map(|&v| bytemuck::pod_read_unaligned(from.bits(v as usize))))
 }
 
 /// An owned polygon mesh.

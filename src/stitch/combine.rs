@@ -1,12 +1,11 @@
-//! One mesh of both pieces and the strip.
+//! One mesh of the pieces and the strip.
 //!
 //! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B, then the strip. Positions keep their bits.
 
-use super::grid::FaceList;
+use super::strip::Strip;
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::mesh::{MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Scalar};
-use glam::DVec3;
+use crate::mesh::{MAX_ELEMENTS, Mesh, MeshView, concat};
 use std::ops::Range;
 
 /// Old indices to new ones.
@@ -18,88 +17,59 @@ pub struct IndexMap {
     pub faces: Vec<u32>,
 }
 
-/// A mesh under construction.
-pub(super) struct Combination {
-    pub(super) mesh: Mesh,
+/// Appends a piece; the faces that `turn` names are turned over, each from its own first corner.
+pub(super) fn append_piece(
+    whole: &mut Mesh,
+    piece: &MeshView<'_>,
+    turn: impl FnMut(usize) -> bool,
+) -> Result<IndexMap> {
+    let place = concat::append(whole, piece, turn)?;
+    Ok(IndexMap {
+        vertices: alloc::collect((0..piece.positions().len()).map(|v| v as u32 + place.first_vertex))?,
+        faces: alloc::collect((0..piece.faces().len()).map(|f| f as u32 + place.first_face))?,
+    })
 }
 
-impl Combination {
-    /// Room for all of `pieces`.
-    ///
-    /// # Errors
-    /// [`Error::TooLarge`], [`Error::MixedScalars`], [`Error::OutOfMemory`].
-    pub(super) fn new(pieces: &[&MeshView<'_>]) -> Result<Self> {
-        let scalar = pieces[0].positions().scalar();
-        if scalar == Scalar::F32 && pieces.iter().any(|p| p.positions().scalar() == Scalar::F64) {
-            return Err(Error::MixedScalars);
-        }
-        let total = |count: fn(&MeshView<'_>) -> usize| pieces.iter().map(|p| count(p)).sum::<usize>();
-        let vertices = total(|p| p.positions().len());
-        let corners = total(|p| p.faces().half_edge_count());
-        check_counts(vertices, corners)?;
-        let mut face_offsets = alloc::with_capacity(total(|p| p.faces().len()) + 1)?;
-        face_offsets.push(0);
-        Ok(Combination {
-            mesh: Mesh {
-                positions: PositionBuffer::with_capacity(scalar, vertices)?,
-                face_offsets,
-                face_corners: alloc::with_capacity(corners)?,
-            },
-        })
-    }
-
-    /// Appends a piece; the faces that `turn` names are turned over, each from its own first corner.
-    pub(super) fn append(&mut self, piece: &MeshView<'_>, mut turn: impl FnMut(usize) -> bool) -> Result<IndexMap> {
-        let (first_vertex, first_face) = (self.mesh.positions.len() as u32, self.mesh.face_count() as u32);
-        self.mesh.positions.append(piece.positions())?;
-        for f in 0..piece.faces().len() {
-            let start = self.mesh.face_corners.len();
-            self.mesh.face_corners.extend(piece.face(f).map(|v| v + first_vertex));
-            if turn(f) {
-                self.mesh.face_corners[start + 1..].reverse();
-            }
-            self.mesh.face_offsets.push(self.mesh.face_corners.len() as u32);
-        }
-        Ok(IndexMap {
-            vertices: alloc::collect((0..piece.positions().len()).map(|v| v as u32 + first_vertex))?,
-            faces: alloc::collect((0..piece.faces().len()).map(|f| f as u32 + first_face))?,
-        })
-    }
-
-    /// Appends new vertices; returns their indices.
-    pub(super) fn append_vertices(&mut self, points: impl Iterator<Item = DVec3>) -> Result<Range<u32>> {
-        let first = self.mesh.positions.len() as u32;
-        self.mesh.positions.extend(points)?;
-        Ok(first..self.mesh.positions.len() as u32)
-    }
-
-    /// Appends a strip, whose vertex v is `names[v]` here; returns its faces.
-    ///
-    /// # Errors
-    /// [`Error::TooLarge`], [`Error::OutOfMemory`].
-    pub(super) fn append_strip(&mut self, faces: &FaceList, names: &[u32]) -> Result<Range<u32>> {
-        check_counts(self.mesh.positions.len(), self.mesh.face_corners.len() + faces.corners.len())?;
-        alloc::reserve(&mut self.mesh.face_corners, faces.corners.len())?;
-        alloc::reserve(&mut self.mesh.face_offsets, faces.offsets.len())?;
-        let first = self.mesh.face_count() as u32;
-        for face in faces.iter() {
-            self.mesh.face_corners.extend(face.iter().map(|&v| names[v as usize]));
-            self.mesh.face_offsets.push(self.mesh.face_corners.len() as u32);
-        }
-        Ok(first..self.mesh.face_count() as u32)
-    }
+/// Where a strip went.
+pub(crate) struct Hung {
+    /// Of each of the strip's own vertices, the one of the whole: both rims, then the new ones.
+    pub(crate) names: Vec<u32>,
+    /// The new vertices.
+    pub(crate) vertices: Range<u32>,
+    /// The strip's faces.
+    pub(crate) faces: Range<u32>,
 }
 
-fn check_counts(vertices: usize, corners: usize) -> Result<()> {
+/// Appends a strip whose rims' vertices are numbered as in the whole; its points are multiplied by `unit`.
+///
+/// # Errors
+/// [`Error::TooLarge`], [`Error::OutOfMemory`].
+pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result<Hung> {
+    let (faces, new) = (&strip.faces, &strip.grid.points[strip.rim_count()..]);
+    let (vertices, corners) = (whole.positions.len() + new.len(), whole.face_corners.len() + faces.corners.len());
     for (what, count) in [("vertices", vertices as u64), ("half-edges", corners as u64)] {
         if count > MAX_ELEMENTS {
             return Err(Error::TooLarge { what, count, limit: MAX_ELEMENTS });
         }
     }
-    Ok(())
+    let first_vertex = whole.positions.len() as u32;
+    let mut names = alloc::with_capacity(strip.grid.points.len())?;
+    names.extend(strip.a.vertices.iter().chain(&strip.b.vertices));
+    names.extend(first_vertex..vertices as u32);
+    whole.positions.extend(new.iter().map(|&p| p * unit))?;
+
+    alloc::reserve(&mut whole.face_corners, faces.corners.len())?;
+    alloc::reserve(&mut whole.face_offsets, faces.offsets.len())?;
+    let first_face = whole.face_count() as u32;
+    for face in faces.iter() {
+        whole.face_corners.extend(face.iter().map(|&v| names[v as usize]));
+        whole.face_offsets.push(whole.face_corners.len() as u32);
+    }
+    Ok(Hung { names, vertices: first_vertex..vertices as u32, faces: first_face..whole.face_count() as u32 })
 }
 
 /// The strip as a mesh of its own; its vertex v is `names[v]` of the whole.
-pub(super) fn strip_alone(whole: &Mesh, faces: FaceList, names: &[u32]) -> Result<Mesh> {
+pub(super) fn strip_alone(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<Mesh> {
+    let faces = strip.faces;
     Ok(Mesh { positions: whole.positions.select(names)?, face_offsets: faces.offsets, face_corners: faces.corners })
 }

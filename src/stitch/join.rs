@@ -1,6 +1,6 @@
 //! The whole of stitching: from two loops to one mesh.
 
-use super::combine::{Combination, IndexMap};
+use super::combine::{IndexMap, append_piece, append_strip, strip_alone};
 use super::extent::arcs;
 use super::facing::check_tolerance;
 use super::pairing::{nearest_pair, usable_rims};
@@ -15,7 +15,7 @@ use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result, Side};
 use crate::geom::scale::{common_unit, distance};
 use crate::job::Job;
-use crate::mesh::{Mesh, MeshView, Sets};
+use crate::mesh::{Mesh, MeshView, Sets, concat};
 
 /// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of new faces.
 ///
@@ -55,7 +55,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     // Both pieces in one mesh. What is turned over is the component that rim B is on, and nothing else.
     let mut pieces = vec![request.a];
     pieces.extend(request.b);
-    let mut whole = Combination::new(&pieces)?;
+    let mut whole = concat::empty(pieces.iter().copied(), [0; 3])?;
     let mesh_b = request.b.unwrap_or(request.a);
     let mut components = if turn { Some(Sets::of_vertices(mesh_b)?) } else { None };
     let root = components.as_mut().map(|sets| sets.root(b.vertices[0]));
@@ -64,8 +64,8 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         components.as_mut().is_some_and(|sets| of_face(sets) == root)
     };
     let maps = match request.b {
-        Some(second) => [whole.append(request.a, |_| false)?, whole.append(second, is_turned)?],
-        None => [whole.append(request.a, is_turned)?, IndexMap::default()],
+        Some(second) => [append_piece(&mut whole, request.a, |_| false)?, append_piece(&mut whole, second, is_turned)?],
+        None => [append_piece(&mut whole, request.a, is_turned)?, IndexMap::default()],
     };
     let map_b = if request.b.is_some() { &maps[1] } else { &maps[0] };
     a.vertices.iter_mut().for_each(|v| *v = maps[0].vertices[*v as usize]);
@@ -76,35 +76,32 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         b.turn();
     }
     b.reverse();
-    let mean_side = || mean_side(&whole.mesh) / unit;
+    let mean_side = || mean_side(&whole) / unit;
     let mut strip = Strip::between(a, b, &bridges, options, mean_side, &job.part(0.4, 0.6))?;
-    let settled = settle(&whole.mesh, &mut strip, unit, options, &job.part(0.6, 0.75))?;
+    let settled = settle(&whole, &mut strip, unit, options, &job.part(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
-    let Strip { a, b, meridians, grid, faces } = strip;
+    let hung = append_strip(&mut whole, &strip, unit)?;
 
-    // The strip's own numbers to the result's.
-    let (n, m) = (a.vertices.len(), b.vertices.len());
-    let mut names = alloc::with_capacity(grid.points.len())?;
-    names.extend(a.vertices.iter().chain(&b.vertices));
-    names.extend(whole.append_vertices(grid.points[n + m..].iter().map(|&p| p * unit))?);
-    let strip_faces = whole.append_strip(&faces, &names)?;
-    let mesh = whole.mesh;
-    let strip = super::combine::strip_alone(&mesh, faces, &names)?;
-    let quality = Quality::of(&mesh, &strip, &job.part(0.75, 1.0))?;
-
-    let name = |v: u32| names[v as usize];
+    let name = |v: u32| hung.names[v as usize];
+    let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
+    let parents = alloc::collect(strip.grid.parents().map(|pair| pair.map(name)))?;
+    let weights = alloc::collect(strip.grid.new.iter().map(|&(_, t)| t))?;
+    let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
+    let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
+    let strip = strip_alone(&whole, strip, &hung.names)?;
+    let quality = Quality::of(&whole, &strip, &job.part(0.75, 1.0))?;
     Ok(Stitch {
-        rims: [alloc::copied(&names[..n])?, alloc::copied(&names[n..n + m])?],
-        closed: a.closed,
-        matrix: alloc::collect(grid.matrix.iter().map(|&v| name(v)))?,
-        rows: (grid.matrix.len() / meridians.len()) as u32 - 2,
-        parents: alloc::collect(grid.parents().map(|pair| pair.map(name)))?,
-        weights: alloc::collect(grid.new.iter().map(|&(_, t)| t))?,
-        mesh,
+        rims,
+        closed,
+        rows: (matrix.len() / meridians.len()) as u32 - 2,
+        matrix,
+        parents,
+        weights,
+        mesh: whole,
         strip,
         maps,
         intersections: settled.intersections,
-        strip_faces,
+        strip_faces: hung.faces,
         meridians,
         back_offs: settled.back_offs,
         turned: turn,

@@ -12,13 +12,13 @@ use crate::job::Job;
 const BETTER: f64 = 1.0 / (1 << 20) as f64;
 
 /// A strip that is not yet part of a mesh.
-pub(super) struct Strip {
+pub(crate) struct Strip {
     /// The rims, side by side from the first meridian on.
-    pub(super) a: Rim,
-    pub(super) b: Rim,
-    pub(super) meridians: Vec<Pair>,
-    pub(super) grid: Grid,
-    pub(super) faces: FaceList,
+    pub(crate) a: Rim,
+    pub(crate) b: Rim,
+    pub(crate) meridians: Vec<Pair>,
+    pub(crate) grid: Grid,
+    pub(crate) faces: FaceList,
 }
 
 impl Strip {
@@ -27,7 +27,7 @@ impl Strip {
     ///
     /// # Errors
     /// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub(super) fn between(
+    pub(crate) fn between(
         mut a: Rim,
         mut b: Rim,
         bridges: &Bridges,
@@ -55,6 +55,11 @@ impl Strip {
         let grid = Grid::new(&a, &b, &meridians, rows)?;
         let faces = grid.faces(&a, &b, bridges, options.cells == Cells::Quads)?;
         Ok(Strip { a, b, meridians, grid, faces })
+    }
+
+    /// The number of the rims' vertices, which are the strip's first.
+    pub(crate) fn rim_count(&self) -> usize {
+        self.a.vertices.len() + self.b.vertices.len()
     }
 }
 
@@ -90,7 +95,7 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
 }
 
 /// The meridians from the first one on.
-pub(super) fn from_here(
+pub(crate) fn from_here(
     a: &Rim,
     b: &Rim,
     bridges: &Bridges,

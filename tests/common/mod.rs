@@ -2,7 +2,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
 use gusset::Job;
-use gusset::mesh::{Faces, MeshView, Positions};
+use gusset::mesh::{Faces, Mesh, MeshView, Positions};
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::TAU;
 
@@ -103,6 +103,20 @@ pub fn cap(n: u32, rings: u32, rim: f64, sign: f64) -> Soup {
     soup
 }
 
+/// A torus round the z axis of n x m quads, faces outwards.
+pub fn torus(n: u32, m: u32) -> Soup {
+    let mut soup = Soup { offsets: vec![0], ..Soup::default() };
+    for i in 0..n {
+        for j in 0..m {
+            let (s, t) = (TAU * f64::from(i) / f64::from(n), TAU * f64::from(j) / f64::from(m));
+            soup.points.push([(2.0 + t.cos()) * s.cos(), (2.0 + t.cos()) * s.sin(), t.sin()]);
+            let (a, b) = ((i + 1) % n, (j + 1) % m);
+            soup.face(&[i * m + j, a * m + j, a * m + b, i * m + b]);
+        }
+    }
+    soup
+}
+
 /// How often each edge is run from its smaller to its larger vertex, and back: counted by hashing, unlike the library.
 pub fn edge_counts<'a>(faces: impl Iterator<Item = &'a [u32]>) -> HashMap<(u32, u32), (u32, u32)> {
     let mut edges = HashMap::new();
@@ -114,6 +128,11 @@ pub fn edge_counts<'a>(faces: impl Iterator<Item = &'a [u32]>) -> HashMap<(u32, 
         }
     }
     edges
+}
+
+/// The faces of a result.
+pub fn faces_of(mesh: &Mesh) -> impl Iterator<Item = &[u32]> + Clone {
+    mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize])
 }
 
 /// Vertices (used ones) - edges + faces.

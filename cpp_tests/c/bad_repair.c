@@ -1,0 +1,155 @@
+/* What a host can get wrong with welding and orienting, and what they give if it does not. */
+#include "check.h"
+#include <math.h>
+
+static gusset_context *context;
+
+/* Two triangles with a side in common and vertices of their own, one seen from below. */
+static double points[6][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, -0.0}, {1, 1, 0}};
+static const uint32_t corners[6] = {0, 1, 2, 3, 4, 5};
+
+static gusset_mesh_view triangles(void) {
+    gusset_mesh_view view = pyramid(pyramid_up);
+    view.positions = points;
+    view.vertex_count = 6;
+    view.face_corners = corners;
+    view.face_count = 2;
+    return view;
+}
+
+static void weld(void) {
+    const gusset_mesh_view mesh = triangles();
+    gusset_mesh_view view, bad = mesh;
+    gusset_weld_options options = {0};
+    gusset_weld_parts parts;
+    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    gusset_weld *weld = (gusset_weld *)misaligned();
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_create(context, NULL, NULL, &weld));
+    CHECK(weld == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_create(context, &mesh, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_create(misaligned(), &mesh, NULL, &weld));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_create(context, misaligned(), NULL, &weld));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_create(context, &mesh, misaligned(), &weld));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_create(context, &mesh, NULL, misaligned()));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_weld_create(context, &mesh, &options, &weld));
+    options.struct_size = sizeof options, options.vertices = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_weld_create(context, &mesh, &options, &weld));
+    options.vertices = 1, options.tolerance_mode = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_weld_create(context, &mesh, &options, &weld));
+    options.tolerance_mode = 0, options.collapse = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_weld_create(context, &mesh, &options, &weld));
+    options.collapse = 0, options.unused = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_weld_create(context, &mesh, &options, &weld));
+    options.unused = 0, options.tolerance_mode = 1, options.tolerance = -1e-300;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_weld_create(context, &mesh, &options, &weld));
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.value == -1e-300);
+    options.tolerance = INFINITY;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_weld_create(context, &mesh, &options, &weld));
+    options.tolerance = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_weld_create(context, &mesh, &options, &weld));
+    CHECK(weld == NULL);
+    points[4][1] = NAN;
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_weld_create(context, &mesh, NULL, &weld));
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.element == GUSSET_ELEMENT_VERTEX && report.index == 4 && weld == NULL);
+    points[4][1] = 1.0;
+    bad.vertex_count = 5;
+    EXPECT(GUSSET_ERROR_INDEX_OUT_OF_RANGE, gusset_weld_create(context, &bad, NULL, &weld));
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_weld_create(context, &mesh, NULL, &weld));
+    gusset_context_reset(context);
+
+    /* A tolerance that is not read may be anything. */
+    options.tolerance_mode = 0;
+    EXPECT(GUSSET_OK, gusset_weld_create(context, &mesh, &options, &weld));
+    memset(&parts, 0xff, sizeof parts), parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_view(NULL, &parts));
+    CHECK(parts.vertex_map.data == NULL && parts.sewn_edges == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_view(weld, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_view(misaligned(), &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_view(weld, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_mesh(weld, NULL));
+    memset(&view, 0xff, sizeof view), view.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_weld_mesh(weld, &view));
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_mesh(NULL, &view));
+    EXPECT(GUSSET_OK, gusset_weld_mesh(weld, &view));
+    EXPECT(GUSSET_OK, gusset_weld_view(weld, &parts));
+    CHECK(view.vertex_count == 4 && view.face_count == 2 && view.scalar == GUSSET_F64);
+    CHECK(parts.vertex_map.count == 6 && parts.vertex_map.data[4] == 2 && parts.vertex_map.data[5] == 3);
+    CHECK(parts.face_map.count == 2 && parts.welded_vertices == 2 && parts.sewn_edges == 1);
+    CHECK(parts.left_edges.data == NULL && parts.left_vertices.count == 0 && parts.dropped_faces == 0);
+    gusset_weld_destroy(weld);
+    gusset_weld_destroy(NULL);
+    /* Everything in one point: no face is left. */
+    options.tolerance_mode = 1, options.tolerance = 10.0, options.collapse = 1, options.unused = 1;
+    EXPECT(GUSSET_OK, gusset_weld_create(NULL, &mesh, &options, &weld));
+    EXPECT(GUSSET_OK, gusset_weld_mesh(weld, &view));
+    EXPECT(GUSSET_OK, gusset_weld_view(weld, &parts));
+    CHECK(view.vertex_count == 0 && view.face_count == 0 && parts.dropped_faces == 2);
+    CHECK(parts.vertex_map.data[0] == UINT32_MAX && parts.face_map.data[1] == UINT32_MAX);
+    gusset_weld_destroy(weld);
+}
+
+static void orient(void) {
+    /* Both triangles on the same vertices, run the same way along the common side. */
+    static const uint32_t shared[6] = {0, 1, 2, 1, 2, 5};
+    gusset_mesh_view mesh = triangles(), view;
+    gusset_orient_options options = {0};
+    gusset_orient_parts parts;
+    gusset_orient *orient = (gusset_orient *)misaligned();
+
+    mesh.face_corners = shared;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_create(context, NULL, NULL, &orient));
+    CHECK(orient == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_create(context, &mesh, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_create(misaligned(), &mesh, NULL, &orient));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_create(context, misaligned(), NULL, &orient));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_create(context, &mesh, misaligned(), &orient));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_create(context, &mesh, NULL, misaligned()));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_orient_create(context, &mesh, &options, &orient));
+    options.struct_size = sizeof options, options.outward = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_orient_create(context, &mesh, &options, &orient));
+    options.outward = 1, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_orient_create(context, &mesh, &options, &orient));
+    options.reserved = 0;
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_orient_create(context, &mesh, &options, &orient));
+    gusset_context_reset(context);
+    CHECK(orient == NULL);
+
+    EXPECT(GUSSET_OK, gusset_orient_create(context, &mesh, &options, &orient));
+    memset(&parts, 0xff, sizeof parts), parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_view(NULL, &parts));
+    CHECK(parts.turned == NULL && parts.face_count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_view(orient, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_view(misaligned(), &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_view(orient, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_mesh(orient, NULL));
+    memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_mesh(NULL, &view));
+    CHECK(view.positions == NULL);
+    EXPECT(GUSSET_OK, gusset_orient_mesh(orient, &view));
+    EXPECT(GUSSET_OK, gusset_orient_view(orient, &parts));
+    /* The second face is turned: as many on either side, and the first one stays. It keeps its first corner. */
+    CHECK(parts.face_count == 2 && parts.turned[0] == 0 && parts.turned[1] == 1 && parts.turned_faces == 1);
+    CHECK(((const uint32_t *)view.face_corners)[3] == 1 && ((const uint32_t *)view.face_corners)[4] == 5);
+    CHECK(parts.component_count == 1 && parts.inverted_components == 0);
+    CHECK(parts.one_sided_faces.count == 0 && parts.one_sided_half_edges.data == NULL);
+    gusset_orient_destroy(orient);
+    gusset_orient_destroy(NULL);
+}
+
+int main(void) {
+    const gusset_mesh_view other = pyramid(pyramid_down);
+    if (gusset_context_create(&context) != GUSSET_OK) {
+        return 1;
+    }
+    CHECK(other.vertex_count == 5);
+    weld();
+    orient();
+    gusset_context_destroy(context);
+    return failures != 0;
+}

@@ -1,0 +1,163 @@
+//! Which vertices lie together.
+//!
+//! In ascending order, each vertex that is still unclaimed becomes a representative and claims the unclaimed ones that lie at its
+//! position, or within the tolerance of it: nearest first, of equally near ones the smallest. Whatever is claimed lies within the
+//! tolerance of its representative, so nothing chains. Vertices that come in groups narrower than the tolerance, with more than the
+//! tolerance from group to group, are clustered group by group whatever their numbers are.
+//!
+//! Equal positions are found by sorting, near ones in a k-d tree: O(n log n), as representatives lie apart and a point is
+//! within reach of few. Where corners of one face are kept apart, those that lie together each have a turn.
+
+use super::corners::Corners;
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::kd_tree::{KdTree, Reach};
+use crate::job::Job;
+use crate::mesh::{MeshView, NONE};
+use glam::DVec3;
+
+/// Vertices by representatives.
+pub(super) struct Clusters {
+    /// Per vertex of the mesh, its representative: the smallest vertex of its cluster; itself if it takes no part.
+    pub(super) of: Vec<u32>,
+    /// Vertices that lie together and were kept apart, as they are corners of one face; unordered.
+    pub(super) kept_apart: Vec<u32>,
+}
+
+/// Claims between two progress reports.
+const STEP: usize = 1 << 14;
+
+impl Clusters {
+    /// Clusters `members`, which are ascending and have finite positions. `tolerance`: `None` for equal positions, else positive.
+    /// With `corners`, no cluster gets two corners of one face.
+    pub(super) fn find(
+        mesh: &MeshView<'_>,
+        members: &[u32],
+        tolerance: Option<f64>,
+        corners: Option<&Corners>,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let points = alloc::collect(members.iter().map(|&v| mesh.positions().get(v)))?;
+        let near = Near::new(&points, tolerance)?;
+        let mut guard = Guard::new(mesh, corners)?;
+        let mut found =
+            Clusters { of: alloc::collect((0..mesh.positions().len()).map(|v| v as u32))?, kept_apart: Vec::new() };
+        let mut claimed = alloc::filled(false, members.len())?;
+        let mut candidates = Vec::new();
+        for (i, &representative) in members.iter().enumerate() {
+            if i % STEP == 0 {
+                job.step(i as f64 / members.len() as f64, "clustering vertices")?;
+            }
+            if claimed[i] {
+                continue;
+            }
+            claimed[i] = true;
+            candidates.clear();
+            near.candidates(&points, i, &mut candidates)?;
+            guard.admits(representative, representative);
+            for &(_, j) in &candidates {
+                let (j, v) = (j as usize, members[j as usize]);
+                if claimed[j] {
+                    continue;
+                }
+                if guard.admits(representative, v) {
+                    claimed[j] = true;
+                    found.of[v as usize] = representative;
+                } else {
+                    alloc::reserve(&mut found.kept_apart, 2)?;
+                    found.kept_apart.extend([representative, v]);
+                }
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Who lies near whom.
+enum Near<'a> {
+    /// Places in the order of their positions, and for each place where its group begins in that order.
+    Equal {
+        order: Vec<u32>,
+        begin: Vec<u32>,
+    },
+    Within {
+        tree: KdTree<'a>,
+        reach: Reach,
+    },
+}
+
+impl<'a> Near<'a> {
+    fn new(points: &'a [DVec3], tolerance: Option<f64>) -> Result<Self> {
+        if let Some(tolerance) = tolerance {
+            return Ok(Near::Within { tree: KdTree::new(points)?, reach: Reach::new(tolerance) });
+        }
+        // -0 becomes 0, so that the order of bits is the order of numbers.
+        let key = |&i: &u32| points[i as usize] + DVec3::ZERO;
+        let compare = |i: &u32, j: &u32| {
+            let (p, q) = (key(i), key(j));
+            p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z)).then(i.cmp(j))
+        };
+        let mut order = alloc::collect((0..points.len()).map(|i| i as u32))?;
+        order.sort_unstable_by(compare);
+        let mut begin = alloc::filled(0u32, points.len())?;
+        let mut group = 0;
+        for (k, &i) in order.iter().enumerate() {
+            if points[i as usize] != points[order[group] as usize] {
+                group = k;
+            }
+            begin[i as usize] = group as u32;
+        }
+        Ok(Near::Equal { order, begin })
+    }
+
+    /// Appends the places that lie with place `i`, itself too, as (squared distance, place), nearest first.
+    fn candidates(&self, points: &[DVec3], i: usize, out: &mut Vec<(f64, u32)>) -> Result<()> {
+        match self {
+            Near::Equal { order, begin } => {
+                let group = order[begin[i] as usize..].iter().take_while(|&&j| points[j as usize] == points[i]);
+                for &j in group {
+                    alloc::push(out, (0.0, j))?;
+                }
+            }
+            Near::Within { tree, reach } => {
+                let mut outcome = Ok(());
+                tree.within(points[i], *reach, &mut |squared, j| {
+                    if outcome.is_ok() {
+                        outcome = alloc::push(out, (squared, j));
+                    }
+                });
+                outcome?;
+                out.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Keeps corners of one face apart.
+struct Guard<'a> {
+    mesh: &'a MeshView<'a>,
+    corners: Option<&'a Corners>,
+    /// Per face, the representative that last got a corner of it.
+    owner: Vec<u32>,
+}
+
+impl<'a> Guard<'a> {
+    fn new(mesh: &'a MeshView<'a>, corners: Option<&'a Corners>) -> Result<Self> {
+        let faces = if corners.is_some() { mesh.faces().len() } else { 0 };
+        Ok(Guard { mesh, corners, owner: alloc::filled(NONE, faces)? })
+    }
+
+    /// True if no face has both `v` and a vertex admitted to the same representative before; `v` is then admitted.
+    fn admits(&mut self, representative: u32, v: u32) -> bool {
+        let Some(corners) = self.corners else { return true };
+        let face = |&h: &u32| self.mesh.faces().face_of(h) as usize;
+        if corners.at(v).iter().any(|h| self.owner[face(h)] == representative) {
+            return false;
+        }
+        for h in corners.at(v) {
+            self.owner[face(h)] = representative;
+        }
+        true
+    }
+}

@@ -1,0 +1,229 @@
+//! Welding: one vertex instead of several that lie together.
+//!
+//! Borders are **sewn**: free edges that lie on one another become one edge, two by two, and with them their ends. Where more
+//! lie together none is preferred, and a pair is left where sewing it would make one of two corners of a face or put more than two
+//! faces to an edge: a manifold stays one. Or **all** vertices that lie together become one, as triangle soups need it, whatever
+//! comes of the edges. The faces' orientation plays no part: sheets may be inside out against each other.
+//!
+//! Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones within
+//! the tolerance of it, nearest first. So nothing chains, and groups of vertices that are narrower than the tolerance and farther
+//! apart than it are found whatever the numbers of the vertices are.
+
+use super::cluster::Clusters;
+use super::corners::Corners;
+use super::sew::{ends, is_free, sew, unordered};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology};
+
+/// Which vertices are welded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Vertices {
+    /// The ends of free edges: borders that lie on one another are sewn, edge to edge.
+    #[default]
+    Boundary,
+    /// All vertices that faces use.
+    All,
+}
+
+/// How to weld.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// Which vertices.
+    pub vertices: Vertices,
+    /// How far apart vertices that lie together may be, finite and at least 0; `None` and 0: not at all, where -0 equals 0.
+    pub tolerance: Option<f64>,
+    /// Corners of one face may become one: successive ones are then one corner, and a face of fewer than three different
+    /// vertices is dropped. Otherwise corners of one face stay apart.
+    pub collapse: bool,
+    /// Vertices that no face of the result uses are left out.
+    pub remove_unused: bool,
+}
+
+/// A welded mesh, and what became of the old one. Indices are those of the old mesh; lists are ascending.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Weld {
+    /// The old faces in their order, each from its own first corner, and the vertices that are left in theirs. Of vertices made one
+    /// the smallest is left, and its position keeps its bits.
+    pub mesh: Mesh,
+    /// Per old vertex, the new one; [`NONE`] if it was left out as unused.
+    pub vertex_map: Vec<u32>,
+    /// Per old face, the new one; [`NONE`] if it was dropped.
+    pub face_map: Vec<u32>,
+    /// Vertices that became one with a smaller one.
+    pub welded_vertices: u32,
+    /// Edges with two faces that were two free edges.
+    pub sewn_edges: u32,
+    /// Faces dropped.
+    pub dropped_faces: u32,
+    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
+    /// together there, or sewing would have done harm. With [`Vertices::All`] they may be one edge of three or more faces by now.
+    pub left_edges: Vec<u32>,
+    /// Vertices that lie together with another and are not one with it.
+    pub left_vertices: Vec<u32>,
+}
+
+/// Welds a mesh. O(n log n) for meshes of bounded degree; linear extra memory.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite, [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Weld> {
+    let tolerance = match options.tolerance {
+        Some(value) if !(0.0..f64::INFINITY).contains(&value) => {
+            return Err(Error::OptionOutOfRange { option: "tolerance", value });
+        }
+        given => given.filter(|&t| t > 0.0),
+    };
+    let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
+    let sewing = options.vertices == Vertices::Boundary;
+    let members = members(mesh, &topology, sewing)?;
+    let corners = if sewing || options.collapse { None } else { Some(Corners::of(mesh)?) };
+    let mut clusters = Clusters::find(mesh, &members, tolerance, corners.as_ref(), &job.part(0.2, 0.6))?;
+    let representative = match sewing {
+        true => sew(mesh, &topology, &clusters.of, options.collapse, &job.part(0.6, 0.9))?,
+        false => alloc::copied(&clusters.of)?,
+    };
+    job.step(0.9, "welding")?;
+    let mut welded = rebuilt(mesh, &representative, options)?;
+    welded.count_edges(mesh, &topology, &clusters.of, &representative, sewing)?;
+    clusters.enter_split(&members, &representative)?;
+    welded.left_vertices = clusters.kept_apart;
+    job.step(1.0, "welding")?;
+    Ok(welded)
+}
+
+/// The vertices that may be welded, ascending.
+fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<Vec<u32>> {
+    let mut marked = alloc::filled(false, mesh.positions().len())?;
+    for h in 0..mesh.faces().half_edge_count() as u32 {
+        if !boundary {
+            marked[mesh.faces().corner(h) as usize] = true;
+        } else if is_free(topology, h) {
+            ends(mesh, h).into_iter().for_each(|v| marked[v as usize] = true);
+        }
+    }
+    let mut members = alloc::with_capacity(marked.iter().filter(|&&m| m).count())?;
+    members.extend((0u32..).zip(&marked).filter(|&(_, &m)| m).map(|(v, _)| v));
+    Ok(members)
+}
+
+impl Clusters {
+    /// Adds the members of clusters that did not become one vertex to those kept apart, and brings these in order.
+    fn enter_split(&mut self, members: &[u32], representative: &[u32]) -> Result<()> {
+        let mut split = alloc::filled(false, self.of.len())?;
+        for &v in members {
+            let cluster = self.of[v as usize] as usize;
+            split[cluster] |= representative[v as usize] != representative[cluster];
+        }
+        for &v in members.iter().filter(|&&v| split[self.of[v as usize] as usize]) {
+            alloc::push(&mut self.kept_apart, v)?;
+        }
+        self.kept_apart.sort_unstable();
+        self.kept_apart.dedup();
+        Ok(())
+    }
+}
+
+/// The mesh with each vertex replaced by its representative, and the maps.
+fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options) -> Result<Weld> {
+    let faces = mesh.faces();
+    let mut face_map = alloc::with_capacity(faces.len())?;
+    let mut face_offsets = alloc::with_capacity(faces.len() + 1)?;
+    let mut face_corners: Vec<u32> = alloc::with_capacity(faces.half_edge_count())?;
+    face_offsets.push(0);
+    for f in 0..faces.len() {
+        let start = face_corners.len();
+        face_corners.extend(mesh.face(f).map(|v| representative[v as usize]));
+        if options.collapse && !close_gaps(&mut face_corners, start) {
+            face_corners.truncate(start);
+            face_map.push(NONE);
+            continue;
+        }
+        face_map.push(face_offsets.len() as u32 - 1);
+        face_offsets.push(face_corners.len() as u32);
+    }
+
+    let mut stays = alloc::filled(!options.remove_unused, representative.len())?;
+    face_corners.iter().for_each(|&v| stays[v as usize] = true);
+    let mut kept = Vec::new();
+    let mut vertex_map = alloc::filled(NONE, representative.len())?;
+    // A representative comes before those that it stands for.
+    for (v, &r) in representative.iter().enumerate() {
+        if r as usize != v {
+            vertex_map[v] = vertex_map[r as usize];
+        } else if stays[v] {
+            vertex_map[v] = kept.len() as u32;
+            alloc::push(&mut kept, r)?;
+        }
+    }
+    face_corners.iter_mut().for_each(|v| *v = vertex_map[*v as usize]);
+    let positions = PositionBuffer::gather(mesh.positions(), &kept)?;
+    Ok(Weld {
+        welded_vertices: representative.iter().enumerate().filter(|&(v, &r)| r as usize != v).count() as u32,
+        dropped_faces: (faces.len() + 1 - face_offsets.len()) as u32,
+        mesh: Mesh { positions, face_offsets, face_corners },
+        vertex_map,
+        face_map,
+        sewn_edges: 0,
+        left_edges: Vec::new(),
+        left_vertices: Vec::new(),
+    })
+}
+
+/// Makes one corner of successive equal ones, of the face from corner `start` on; false if fewer than three different
+/// vertices are left.
+fn close_gaps(corners: &mut Vec<u32>, start: usize) -> bool {
+    let mut end = start;
+    for k in start..corners.len() {
+        if end == start || corners[k] != corners[end - 1] {
+            corners[end] = corners[k];
+            end += 1;
+        }
+    }
+    while end > start + 1 && corners[end - 1] == corners[start] {
+        end -= 1;
+    }
+    corners.truncate(end);
+    let face = &corners[start..];
+    face.iter().any(|&v| v != face[0] && v != face[1])
+}
+
+impl Weld {
+    /// Counts the edges sewn, and lists the free ones that lie on another and are not.
+    fn count_edges(
+        &mut self,
+        mesh: &MeshView<'_>,
+        topology: &Topology,
+        clusters: &[u32],
+        representative: &[u32],
+        free_only: bool,
+    ) -> Result<()> {
+        // Sewing leaves edges with two faces alone; other welding does not.
+        let taken = |h: &u32| {
+            let kept = self.face_map[mesh.faces().face_of(*h) as usize] != NONE;
+            kept && if free_only { is_free(topology, *h) } else { !topology.is_ignored(*h) }
+        };
+        let mut edges = Vec::new();
+        for h in (0..mesh.faces().half_edge_count() as u32).filter(taken) {
+            let [now, place] = [representative, clusters].map(|of| ends(mesh, h).map(|v| of[v as usize]));
+            if now[0] != now[1] {
+                alloc::push(&mut edges, (unordered(place), unordered(now), h))?;
+            }
+        }
+        edges.sort_unstable();
+        for together in edges.chunk_by(|a, b| a.0 == b.0) {
+            for edge in together.chunk_by(|a, b| a.1 == b.1) {
+                let free = |&&(_, _, h): &&(u64, u64, u32)| is_free(topology, h);
+                if edge.len() == 2 && edge.iter().all(|e| free(&e)) {
+                    self.sewn_edges += 1;
+                } else if together.len() > 1 {
+                    alloc::reserve(&mut self.left_edges, edge.len())?;
+                    self.left_edges.extend(edge.iter().filter(free).map(|&(_, _, h)| h));
+                }
+            }
+        }
+        self.left_edges.sort_unstable();
+        Ok(())
+    }
+}
