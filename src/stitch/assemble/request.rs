@@ -1,0 +1,138 @@
+//! What a caller asks for, and the account that comes back.
+
+use crate::mesh::{Mesh, NONE};
+use crate::stitch::{self, IndexMap};
+use crate::{fill, repair};
+use std::ops::Range;
+
+/// How wide a gap may be that is still closed by a strip: the mean distance from the vertices of each loop to the nearest of
+/// the other.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum MaxGap {
+    /// Half the mean radius of the smaller loop: the mean distance of its vertices from their centre.
+    #[default]
+    Auto,
+    /// This, in the unit of the positions, finite and at least 0; 0 leaves all gaps open.
+    Given(f64),
+}
+
+/// Names loops of the input: the one through a vertex of a piece, or all with a vertex of the piece.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Selector {
+    /// The piece.
+    pub piece: u32,
+    /// Its vertex, or [`NONE`].
+    pub vertex: u32,
+}
+
+impl Selector {
+    /// All loops with a vertex of `piece`.
+    pub fn piece(piece: u32) -> Self {
+        Selector { piece, vertex: NONE }
+    }
+}
+
+/// How to assemble.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options<'a> {
+    /// How coincident borders are sewn; `None`: not at all.
+    pub weld: Option<repair::weld::Options>,
+    /// The pieces keep their orientation as it is.
+    pub keep_orientation: bool,
+    /// Which gaps are closed.
+    pub max_gap: MaxGap,
+    /// Only whole loops are joined, no parts of them.
+    pub whole_loops_only: bool,
+    /// Loops of one component may be joined too. Otherwise only pairs that are given are.
+    pub within_components: bool,
+    /// Pairs to be joined however wide the gap is; each selector names one loop by a vertex.
+    pub pairs: &'a [[Selector; 2]],
+    /// Pairs that are not to be joined.
+    pub excluded: &'a [[Selector; 2]],
+    /// The strips: meridians, search, start, rows, cells, fairing and intersections; the other fields are not read.
+    pub strip: stitch::Options,
+    /// How holes that are left are filled; `None`: not at all.
+    pub fill: Option<fill::Options>,
+}
+
+/// What became of two loops, or runs of loops, that face each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// A strip joins them.
+    Joined,
+    /// Joining them would make a one-sided surface with what is joined already.
+    OrientationConflict,
+    /// They pass the same vertex.
+    ShareVertex,
+    /// Every strip would repeat an edge that the mesh already has.
+    NoStrip,
+}
+
+/// Two loops, or runs of loops, that face each other. Indices are those of the result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// The vertices of each side in order; if joined, side by side from the first meridian on.
+    pub sides: [Vec<u32>; 2],
+    /// Both are whole loops.
+    pub whole: bool,
+    /// The mean distance from the vertices of one side to the nearest of the other; the larger of the two means.
+    pub gap: f64,
+    /// What became of them.
+    pub outcome: Outcome,
+    /// The strip's new vertices and its faces.
+    pub vertices: Range<u32>,
+    /// See above.
+    pub faces: Range<u32>,
+    /// Pairs of faces that cut each other; see [`Stitch::intersections`](stitch::Stitch::intersections).
+    pub intersections: Option<Vec<[u32; 2]>>,
+}
+
+/// Why a loop, or part of one, was left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// No other loop is near enough, or not along enough of both.
+    FacesNothing,
+    /// It is open, or the faces along it disagree in orientation or are not manifold there.
+    NotSimple,
+    /// It has fewer than three vertices.
+    TooShort,
+    /// It faces another loop, but no strip could be made: see the joints that failed.
+    NotJoined,
+}
+
+/// A loop of the welded pieces that no strip hangs on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeftLoop {
+    /// Its vertices in the result, in order.
+    pub vertices: Vec<u32>,
+    /// Why it was left.
+    pub reason: Reason,
+}
+
+/// The assembled mesh and its account.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assembly {
+    /// Vertices: those of the pieces that are left after welding, in order; then those of the strips; then those of the patches. Faces in
+    /// the same way.
+    pub mesh: Mesh,
+    /// For each piece, its old indices to new ones; [`NONE`] for what welding dropped.
+    pub maps: Vec<IndexMap>,
+    /// Per face of the pieces in the result, whether it was turned over.
+    pub turned: Vec<bool>,
+    /// Vertices that became one with another, and edges sewn.
+    pub welded_vertices: u32,
+    /// See above.
+    pub sewn_edges: u32,
+    /// Components that cannot be oriented: a face of each.
+    pub one_sided: Vec<u32>,
+    /// The pairs that face each other, nearest first, pairs that were given before all others.
+    pub joints: Vec<Joint>,
+    /// The loops that no strip hangs on.
+    pub left: Vec<LeftLoop>,
+    /// The holes that were looked at in the end.
+    pub holes: Vec<fill::Hole>,
+    /// Boundary loops of the result.
+    pub loops_left: u32,
+    /// Edges of the result with three or more faces.
+    pub non_manifold_edges: u32,
+}
