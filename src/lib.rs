@@ -30,6 +30,7 @@
 //! | [`winged`] | winged-edge tables, and loops on them |
 //! | [`check`] | everything wrong or unusual in a mesh |
 //! | [`stitch`] | a strip of new faces between two loops |
+//! | [`fill`] | holes closed by new faces |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |
 //! | [`error`] | what can go wrong, each cause with the element it is about |
@@ -42,9 +43,9 @@ mod alloc;
 pub mod boundary;
 pub mod check;
 pub mod error;
-#[allow(dead_code, unused_imports)]
 mod fair;
 pub mod ffi;
+pub mod fill;
 pub mod filters;
 mod geom;
 pub mod job;

@@ -19,8 +19,8 @@ pub struct IndexMap {
 }
 
 /// A mesh under construction.
-pub(super) struct Combination {
-    pub(super) mesh: Mesh,
+pub(crate) struct Combination {
+    pub(crate) mesh: Mesh,
 }
 
 impl Combination {
@@ -28,7 +28,7 @@ impl Combination {
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::MixedScalars`], [`Error::OutOfMemory`].
-    pub(super) fn new(pieces: &[&MeshView<'_>], extra: usize, strip: &FaceList) -> Result<Self> {
+    pub(crate) fn new(pieces: &[&MeshView<'_>], extra: usize, strip: &FaceList) -> Result<Self> {
         let scalar = pieces[0].positions().scalar();
         if scalar == Scalar::F32 && pieces.iter().any(|p| p.positions().scalar() == Scalar::F64) {
             return Err(Error::MixedScalars);
@@ -53,7 +53,7 @@ impl Combination {
     }
 
     /// Appends a piece; the faces that `turn` names are turned over, each from its own first corner.
-    pub(super) fn append(&mut self, piece: &MeshView<'_>, mut turn: impl FnMut(usize) -> bool) -> Result<IndexMap> {
+    pub(crate) fn append(&mut self, piece: &MeshView<'_>, mut turn: impl FnMut(usize) -> bool) -> Result<IndexMap> {
         let (first_vertex, first_face) = (self.mesh.positions.len() as u32, self.mesh.face_count() as u32);
         self.mesh.positions.append(piece.positions())?;
         for f in 0..piece.faces().len() {
@@ -71,10 +71,18 @@ impl Combination {
     }
 
     /// Appends new vertices; returns their indices.
-    pub(super) fn append_vertices(&mut self, points: impl Iterator<Item = DVec3>) -> Result<Range<u32>> {
+    pub(crate) fn append_vertices(&mut self, points: impl Iterator<Item = DVec3>) -> Result<Range<u32>> {
         let first = self.mesh.positions.len() as u32;
         self.mesh.positions.extend(points)?;
         Ok(first..self.mesh.positions.len() as u32)
+    }
+
+    /// Appends faces over the vertices that are here already.
+    pub(crate) fn append_faces(&mut self, faces: &FaceList) {
+        for face in faces.iter() {
+            self.mesh.face_corners.extend_from_slice(face);
+            self.mesh.face_offsets.push(self.mesh.face_corners.len() as u32);
+        }
     }
 
     /// Appends the strip, whose vertex v is `names[v]` here; returns its faces.
@@ -91,4 +99,18 @@ impl Combination {
 /// The strip as a mesh of its own; its vertex v is `names[v]` of the whole.
 pub(super) fn strip_alone(whole: &Mesh, faces: FaceList, names: &[u32]) -> Result<Mesh> {
     Ok(Mesh { positions: whole.positions.select(names)?, face_offsets: faces.offsets, face_corners: faces.corners })
+}
+
+/// The faces of a mesh from `first` on as a mesh of their own, with the vertices that they use in ascending order.
+pub(crate) fn part_alone(whole: &Mesh, first: usize) -> Result<Mesh> {
+    let start = whole.face_offsets[first];
+    let corners = &whole.face_corners[start as usize..];
+    let mut names = alloc::copied(corners)?;
+    names.sort_unstable();
+    names.dedup();
+    Ok(Mesh {
+        positions: whole.positions.select(&names)?,
+        face_offsets: alloc::collect(whole.face_offsets[first..].iter().map(|offset| offset - start))?,
+        face_corners: alloc::collect(corners.iter().map(|v| names.partition_point(|name| name < v) as u32))?,
+    })
 }

@@ -35,6 +35,10 @@ mod rim;
 mod sense;
 mod start;
 
+pub(crate) use combine::{Combination, part_alone};
+pub(crate) use grid::FaceList;
+pub(crate) use rim::FreeEdges;
+
 pub use combine::IndexMap;
 pub use extent::Extent;
 pub use join::stitch;
