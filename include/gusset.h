@@ -144,6 +144,81 @@
 #define GUSSET_MESH_ORIENTABLE 8
 
 /**
+ * The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
+ */
+#define GUSSET_WEIGHT_BEND_THEN_AREA 0
+
+/**
+ * The least area, exactly.
+ */
+#define GUSSET_WEIGHT_AREA 1
+
+/**
+ * No new vertices.
+ */
+#define GUSSET_REFINE_NONE 0
+
+/**
+ * New vertices as dense as those round the hole.
+ */
+#define GUSSET_REFINE_RIM_DENSITY 1
+
+/**
+ * New vertices stay on the triangles of the first triangulation.
+ */
+#define GUSSET_FAIR_NONE 0
+
+/**
+ * They go to where a thin plate clamped to the surface round the hole would bend least.
+ */
+#define GUSSET_FAIR_THIN_PLATE 1
+
+/**
+ * Filled.
+ */
+#define GUSSET_HOLE_FILLED 0
+
+/**
+ * Left: it is the longest loop, and keep_longest says so.
+ */
+#define GUSSET_HOLE_LONGEST 1
+
+/**
+ * Left: it exceeds max_edges, max_length or max_diameter.
+ */
+#define GUSSET_HOLE_TOO_LARGE 2
+
+/**
+ * Left: an open chain.
+ */
+#define GUSSET_HOLE_OPEN 3
+
+/**
+ * Left: it runs along an edge with three or more faces.
+ */
+#define GUSSET_HOLE_NON_MANIFOLD 4
+
+/**
+ * Left: the faces along it disagree in orientation.
+ */
+#define GUSSET_HOLE_NOT_ORIENTED 5
+
+/**
+ * Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
+ */
+#define GUSSET_HOLE_NOT_SIMPLE 6
+
+/**
+ * Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
+ */
+#define GUSSET_HOLE_NOT_FREE 7
+
+/**
+ * Left: every triangulation would repeat an edge that the mesh already has.
+ */
+#define GUSSET_HOLE_NO_TRIANGULATION 8
+
+/**
  * Coordinates are 32-bit floats.
  */
 #define GUSSET_F32 1
@@ -442,6 +517,11 @@ typedef struct gusset_context gusset_context;
  * Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_facing gusset_facing;
+
+/**
+ * A mesh with holes filled. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_fill gusset_fill;
 
 /**
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
@@ -791,6 +871,153 @@ typedef struct gusset_facing_view {
 } gusset_facing_view;
 
 /**
+ * How holes are filled; all zero is the default: triangles without new vertices, in every hole.
+ */
+typedef struct gusset_fill_options {
+    /**
+     * sizeof(gusset_fill_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_WEIGHT_...
+     */
+    uint32_t weight;
+    /**
+     * GUSSET_REFINE_...
+     */
+    uint32_t refine;
+    /**
+     * GUSSET_FAIR_..., read if new vertices are asked for.
+     */
+    uint32_t fair;
+    /**
+     * 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all loops are asked for. 0 or 1.
+     */
+    uint32_t keep_longest;
+    /**
+     * About how many new vertices a hole gets at the most; where more would be needed the triangles are larger. 0 is 50,000.
+     */
+    uint32_t max_new_vertices;
+    /**
+     * Loops of more edges are left alone. 0 is no limit.
+     */
+    uint32_t max_edges;
+    /**
+     * Longer loops are left alone, in the unit of the positions, at least 0. 0 is no limit.
+     */
+    double max_length;
+    /**
+     * Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
+     */
+    double max_diameter;
+} gusset_fill_options;
+
+/**
+ * The account of one loop.
+ */
+typedef struct gusset_hole {
+    /**
+     * Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given loop that is not simple, free or
+     * oriented, as given.
+     */
+    size_t rim_first;
+    /**
+     * How many they are.
+     */
+    size_t rim_count;
+    /**
+     * Its first face in the result.
+     */
+    size_t face_first;
+    /**
+     * How many faces it has.
+     */
+    size_t face_count;
+    /**
+     * Its first new vertex in the result.
+     */
+    size_t vertex_first;
+    /**
+     * How many new vertices it has.
+     */
+    size_t vertex_count;
+    /**
+     * GUSSET_HOLE_...
+     */
+    uint32_t status;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_hole;
+
+/**
+ * The accounts of all loops. Pointers are valid until the fill is destroyed.
+ */
+typedef struct gusset_fill_parts {
+    /**
+     * sizeof(gusset_fill_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_loop numbers them. NULL if
+     * there are none.
+     */
+    const struct gusset_hole *holes;
+    /**
+     * How many.
+     */
+    size_t hole_count;
+    /**
+     * The vertices of all rims.
+     */
+    struct gusset_indices rims;
+} gusset_fill_parts;
+
+/**
+ * Measures of a strip, or of filled holes, and of the whole result's connectivity.
+ */
+typedef struct gusset_quality {
+    /**
+     * sizeof(gusset_quality), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The smallest angle of the new triangles, in radians; 0 if one is degenerate.
+     */
+    double min_angle;
+    /**
+     * The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
+     * triangle, infinite for a degenerate one.
+     */
+    double max_aspect;
+    /**
+     * The longest edge of the new faces, in the unit of the positions.
+     */
+    double max_edge;
+    /**
+     * Their area, in the square of that unit.
+     */
+    double area;
+    /**
+     * New triangles without area.
+     */
+    uint32_t degenerate_faces;
+    /**
+     * Boundary loops of the result; 0 if no edge has exactly one face.
+     */
+    uint32_t loops_left;
+    /**
+     * Edges of the result with three or more faces.
+     */
+    uint32_t non_manifold_edges;
+    /**
+     * Edges of the result whose two faces disagree in orientation.
+     */
+    uint32_t orientation_conflicts;
+} gusset_quality;
+
+/**
  * How to stitch; all zero is the default.
  */
 typedef struct gusset_stitch_options {
@@ -918,49 +1145,6 @@ typedef struct gusset_stitch_parts {
      */
     uint32_t reserved;
 } gusset_stitch_parts;
-
-/**
- * Measures of a strip, and of the whole result's connectivity.
- */
-typedef struct gusset_quality {
-    /**
-     * sizeof(gusset_quality), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The smallest angle of the strip's triangles, in radians; 0 if one is degenerate.
-     */
-    double min_angle;
-    /**
-     * The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
-     * triangle, infinite for a degenerate one.
-     */
-    double max_aspect;
-    /**
-     * The longest edge of the strip, in the unit of the positions.
-     */
-    double max_edge;
-    /**
-     * The strip's area, in the square of that unit.
-     */
-    double area;
-    /**
-     * Triangles of the strip without area.
-     */
-    uint32_t degenerate_faces;
-    /**
-     * Boundary loops of the result; 0 if no edge has exactly one face.
-     */
-    uint32_t loops_left;
-    /**
-     * Edges of the result with three or more faces.
-     */
-    uint32_t non_manifold_edges;
-    /**
-     * Edges of the result whose two faces disagree in orientation.
-     */
-    uint32_t orientation_conflicts;
-} gusset_quality;
 
 /**
  * How tables are made; all zero is the default.
@@ -1294,6 +1478,63 @@ gusset_status gusset_meridians_index(uint32_t n,
                                      uint32_t *j,
                                      size_t capacity,
                                      size_t *written);
+
+/**
+ * Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round them.
+ *
+ * loops: the vertices of each loop in order, in either direction, each consecutive pair (and the last with the first) an edge
+ * with exactly one face; loop_count of them. NULL with 0: all loops that the mesh has. options: NULL for the defaults. fill:
+ * receives the result, for gusset_fill_destroy; NULL on failure. Loops that cannot be filled are left, which is no error: the
+ * account of each says why.
+ *
+ * The result has the old vertices with their bits and indices, then the new ones; the old faces, then the new triangles, hole by
+ * hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not cross itself;
+ * whether a patch meets other parts of the surface is not looked at.
+ *
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 1,000 vertices:
+ * O(n^3) time and 32 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
+ * memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole.
+ * Source: Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_create(const struct gusset_context *context,
+                                 const struct gusset_mesh_view *mesh,
+                                 const struct gusset_indices *loops,
+                                 size_t loop_count,
+                                 const struct gusset_fill_options *options,
+                                 struct gusset_fill **fill);
+
+/**
+ * Destroys a fill; NULL is allowed.
+ */
+GUSSET_API void gusset_fill_destroy(struct gusset_fill *fill);
+
+/**
+ * Lends the result, valid until the fill is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_mesh(const struct gusset_fill *fill,
+                               struct gusset_mesh_view *view);
+
+/**
+ * Lends the accounts of the loops. Errors and validity as for gusset_fill_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_view(const struct gusset_fill *fill,
+                               struct gusset_fill_parts *parts);
+
+/**
+ * Measures of the new faces and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+ * thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_quality(const struct gusset_fill *fill,
+                                  struct gusset_quality *quality);
 
 /**
  * What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.

@@ -8,7 +8,7 @@
 //! | [`context`] | threads, progress, cancel, log, message, report |
 //! | [`version`] | what is loaded |
 //! | [`mesh`] | the mesh view, in and out |
-//! | [`boundary`], [`winged`], [`check`], [`facing`], [`stitch`] | one file for each module of the core |
+//! | [`boundary`], [`winged`], [`check`], [`facing`], [`stitch`], [`fill`] | one file for each module of the core |
 //!
 //! This is the only part of the crate with unsafe code.
 
@@ -21,6 +21,7 @@ pub mod boundary;
 pub mod check;
 pub mod context;
 pub mod facing;
+pub mod fill;
 mod guard;
 mod input;
 pub mod mesh;

@@ -13,6 +13,7 @@ pub mod data;
 pub mod param;
 
 mod boundary_loops;
+mod fill_holes;
 mod stitch;
 
 use crate::error::{Error, Result};
@@ -53,7 +54,7 @@ pub struct Filter {
 pub type Suggest = fn(&[Input<'_>], &mut [f64]);
 
 /// All filters.
-pub static FILTERS: &[Filter] = &[boundary_loops::FILTER, stitch::FILTER];
+pub static FILTERS: &[Filter] = &[boundary_loops::FILTER, stitch::FILTER, fill_holes::FILTER];
 
 impl Filter {
     /// The filter of this id.
