@@ -8,6 +8,7 @@
 #define GUSSET_HPP
 
 #include <gusset/base.hpp>
+#include <gusset/fill.hpp>
 #include <gusset/repair.hpp>
 
 namespace gusset {

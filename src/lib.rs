@@ -31,6 +31,7 @@
 //! | [`check`] | everything wrong or unusual in a mesh |
 //! | [`repair`] | vertices that lie together made one, orientation made consistent |
 //! | [`stitch`] | a strip of new faces between two loops |
+//! | [`fill`] | holes closed by new faces |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |
 //! | [`error`] | what can go wrong, each cause with the element it is about |
@@ -46,6 +47,7 @@ pub mod error;
 mod fair;
 #[allow(dead_code, unused_imports)]
 pub mod ffi;
+pub mod fill;
 pub mod filters;
 mod geom;
 mod intersect;

@@ -10,7 +10,7 @@ use gusset::{Error, Job};
 use std::collections::HashSet;
 
 /// Ids are stable for ever: an entry may be added here, none changed or taken away.
-const IDS: &[&str] = &["boundary_loops", "stitch", "weld", "orient"];
+const IDS: &[&str] = &["boundary_loops", "stitch", "weld", "orient", "fill_holes"];
 
 /// Two caps that face each other askew: the inputs of any filter that takes meshes.
 fn pieces() -> [Soup; 2] {
@@ -142,4 +142,22 @@ fn stitch_closes_a_sphere_by_loops_found_and_by_loops_given() {
     let both = soups[0].and(&soups[1]);
     let within = filter.run(&[Input::Mesh(both.view())], &[], &Job::default()).unwrap();
     assert_eq!(within[0], found[0]);
+}
+
+#[test]
+fn fill_holes_closes_what_it_may() {
+    let filter = Filter::find("fill_holes").unwrap();
+    let soups = pieces();
+    let both = soups[0].and(&soups[1]);
+    // Refined and fair; then the second rim is too long, or is the longest.
+    for (values, filled) in
+        [(&[2.0][..], 2), (&[0.0, 1.0, 10.0], 1), (&[1.0, 0.0, 0.0, 6.05], 1), (&[0.0, 0.0, 0.0, 0.0, 1.0], 1)]
+    {
+        let outputs = filter.run(&[Input::Mesh(both.view())], values, &Job::default()).unwrap();
+        let [Output::Mesh(mesh), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
+        assert!(text.starts_with(&format!("filled {filled} of 2 loops")), "{values:?}: {text}");
+        let faces = mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize]);
+        let open = common::edge_counts(faces).values().filter(|&&n| n != (1, 1)).count();
+        assert_eq!(open == 0, filled == 2, "{values:?}");
+    }
 }

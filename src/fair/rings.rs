@@ -6,6 +6,7 @@ use glam::DVec3;
 
 /// The discrete Laplacian L x(v) = s(v) sum over neighbours w of weight(v, w) (x(w) - x(v)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "strips and holes each use their own")]
 pub(crate) enum Weights {
     /// Every neighbour weighs the same. The result depends on the connectivity alone, and vertices spread evenly.
     Uniform,

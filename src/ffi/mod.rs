@@ -8,7 +8,8 @@
 //! | [`context`] | threads, progress, cancel, log, message, report |
 //! | [`version`] | what is loaded |
 //! | [`mesh`] | the mesh view, in and out |
-//! | [`boundary`], [`winged`], [`check`], [`facing`], [`strip`], [`stitch`], [`weld`], [`orient`] | one file for each module of the core |
+//! | [`boundary`], [`winged`], [`check`], [`facing`], [`strip`], [`stitch`] | one file for each module of the core |
+//! | [`weld`], [`orient`], [`fill`] | the same |
 //! | [`stitch_options`] | how to stitch |
 //!
 //! This is the only part of the crate with unsafe code.
@@ -22,6 +23,7 @@ pub mod boundary;
 pub mod check;
 pub mod context;
 pub mod facing;
+pub mod fill;
 mod guard;
 mod input;
 pub mod mesh;

@@ -6,7 +6,7 @@ use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::gusset_status;
 use super::stitch_options::gusset_stitch_options;
-use crate::stitch::{Request, Stitch, stitch};
+use crate::stitch::{Quality, Request, Stitch, stitch};
 use std::ptr;
 
 /// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
@@ -59,22 +59,22 @@ pub struct gusset_stitch_parts {
     pub reserved: u32,
 }
 
-/// Measures of a strip, and of the whole result's connectivity.
+/// Measures of a strip, or of filled holes, and of the whole result's connectivity.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_quality {
     /// sizeof(gusset_quality), set by the caller.
     pub struct_size: usize,
-    /// The smallest angle of the strip's triangles, in radians; 0 if one is degenerate.
+    /// The smallest angle of the new triangles, in radians; 0 if one is degenerate.
     pub min_angle: f64,
-    /// The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
+    /// The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
     /// triangle, infinite for a degenerate one.
     pub max_aspect: f64,
-    /// The longest edge of the strip, in the unit of the positions.
+    /// The longest edge of the new faces, in the unit of the positions.
     pub max_edge: f64,
-    /// The strip's area, in the square of that unit.
+    /// Their area, in the square of that unit.
     pub area: f64,
-    /// Triangles of the strip without area.
+    /// New triangles without area.
     pub degenerate_faces: u32,
     /// Boundary loops of the result; 0 if no edge has exactly one face.
     pub loops_left: u32,
@@ -94,6 +94,22 @@ unsafe impl Versioned for gusset_quality {
 }
 const _: () =
     assert!(size_of::<usize>() != 8 || (size_of::<gusset_stitch_parts>() == 216 && size_of::<gusset_quality>() == 56));
+
+impl gusset_quality {
+    pub(super) fn of(q: &Quality) -> Self {
+        gusset_quality {
+            struct_size: size_of::<gusset_quality>(),
+            min_angle: q.min_angle,
+            max_aspect: q.max_aspect,
+            max_edge: q.max_edge,
+            area: q.area,
+            degenerate_faces: q.degenerate_faces,
+            loops_left: q.loops_left,
+            non_manifold_edges: q.non_manifold_edges,
+            orientation_conflicts: q.orientation_conflicts,
+        }
+    }
+}
 
 /// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a strip
 /// between the arcs that face each other.
@@ -222,18 +238,7 @@ pub unsafe extern "C" fn gusset_stitch_quality(
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(quality, "quality")?;
-        let q = &input::reference(stitch, "stitch")?.0.quality;
-        out.write(gusset_quality {
-            struct_size: size_of::<gusset_quality>(),
-            min_angle: q.min_angle,
-            max_aspect: q.max_aspect,
-            max_edge: q.max_edge,
-            area: q.area,
-            degenerate_faces: q.degenerate_faces,
-            loops_left: q.loops_left,
-            non_manifold_edges: q.non_manifold_edges,
-            orientation_conflicts: q.orientation_conflicts,
-        });
+        out.write(gusset_quality::of(&input::reference(stitch, "stitch")?.0.quality));
         Ok(())
     })
 }

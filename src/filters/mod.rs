@@ -13,6 +13,7 @@ pub mod data;
 pub mod param;
 
 mod boundary_loops;
+mod fill_holes;
 mod orient;
 mod stitch;
 mod weld;
@@ -55,7 +56,8 @@ pub struct Filter {
 pub type Suggest = fn(&[Input<'_>], &mut [f64]);
 
 /// All filters.
-pub static FILTERS: &[Filter] = &[boundary_loops::FILTER, stitch::FILTER, weld::FILTER, orient::FILTER];
+pub static FILTERS: &[Filter] =
+    &[boundary_loops::FILTER, stitch::FILTER, weld::FILTER, orient::FILTER, fill_holes::FILTER];
 
 impl Filter {
     /// The filter of this id.

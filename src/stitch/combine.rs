@@ -73,3 +73,17 @@ pub(super) fn strip_alone(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<M
     let faces = strip.faces;
     Ok(Mesh { positions: whole.positions.select(names)?, face_offsets: faces.offsets, face_corners: faces.corners })
 }
+
+/// The faces of a mesh from `first` on as a mesh of their own, with the vertices that they use in ascending order.
+pub(crate) fn part_alone(whole: &Mesh, first: usize) -> Result<Mesh> {
+    let start = whole.face_offsets[first];
+    let corners = &whole.face_corners[start as usize..];
+    let mut names = alloc::copied(corners)?;
+    names.sort_unstable();
+    names.dedup();
+    Ok(Mesh {
+        positions: whole.positions.select(&names)?,
+        face_offsets: alloc::collect(whole.face_offsets[first..].iter().map(|offset| offset - start))?,
+        face_corners: alloc::collect(corners.iter().map(|v| names.partition_point(|name| name < v) as u32))?,
+    })
+}

@@ -30,9 +30,9 @@ pub(super) struct Grid {
 }
 
 /// Faces one after another: the corners, and where each face's start.
-pub(super) struct FaceList {
-    pub(super) offsets: Vec<u32>,
-    pub(super) corners: Vec<u32>,
+pub(crate) struct FaceList {
+    pub(crate) offsets: Vec<u32>,
+    pub(crate) corners: Vec<u32>,
 }
 
 impl Grid {
@@ -140,7 +140,7 @@ impl Grid {
 
 impl FaceList {
     /// Room for every face was made at the start.
-    fn push(&mut self, face: &[u32]) {
+    pub(crate) fn push(&mut self, face: &[u32]) {
         self.corners.extend_from_slice(face);
         self.offsets.push(self.corners.len() as u32);
     }

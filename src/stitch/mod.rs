@@ -42,6 +42,10 @@ mod settle;
 mod start;
 mod strip;
 
+pub(crate) use combine::part_alone;
+pub(crate) use grid::FaceList;
+pub(crate) use rim::FreeEdges;
+
 pub use combine::IndexMap;
 pub use extent::Extent;
 pub use join::stitch;

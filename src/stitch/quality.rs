@@ -31,7 +31,7 @@ pub struct Quality {
 }
 
 impl Quality {
-    pub(super) fn of(whole: &Mesh, strip: &Mesh, job: &Job<'_>) -> Result<Self> {
+    pub(crate) fn of(whole: &Mesh, strip: &Mesh, job: &Job<'_>) -> Result<Self> {
         let mut quality = Quality {
             min_angle: FRAC_PI_3,
             max_aspect: 1.0,

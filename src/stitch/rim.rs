@@ -191,10 +191,10 @@ pub(super) fn shared_vertex(a: &Rim, b: &Rim) -> Result<Option<u32>> {
 }
 
 /// The edges with exactly one face, found by their ends in the direction of that face.
-pub(super) struct FreeEdges(Vec<(u32, u32, u32)>);
+pub(crate) struct FreeEdges(Vec<(u32, u32, u32)>);
 
 impl FreeEdges {
-    pub(super) fn of(boundary: &Boundary) -> Result<Self> {
+    pub(crate) fn of(boundary: &Boundary) -> Result<Self> {
         let mut edges = alloc::with_capacity(boundary.edge_count())?;
         for found in boundary.iter() {
             for (i, (&face, &flags)) in found.faces.iter().zip(found.edge_flags).enumerate() {
@@ -208,7 +208,8 @@ impl FreeEdges {
         Ok(FreeEdges(edges))
     }
 
-    fn face_that_runs(&self, u: u32, v: u32) -> Option<u32> {
+    /// The face that runs the free edge from `u` to `v` in this direction.
+    pub(crate) fn face_that_runs(&self, u: u32, v: u32) -> Option<u32> {
         let at = self.0.partition_point(|&(a, b, _)| (a, b) < (u, v));
         self.0.get(at).filter(|&&(a, b, _)| (a, b) == (u, v)).map(|&(_, _, face)| face)
     }

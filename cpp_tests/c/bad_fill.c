@@ -1,0 +1,100 @@
+/* What a host can get wrong with hole filling, and what it gets if it does not. */
+#include "check.h"
+#include <math.h>
+
+static gusset_context *context;
+
+static void options_and_arguments(void) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    gusset_mesh_view bad = mesh;
+    gusset_fill_options options = {0};
+    gusset_fill *fill = (gusset_fill *)misaligned();
+    const uint32_t rim[4] = {1, 2, 3, 4};
+    const gusset_indices loop = {rim, 4};
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_create(context, NULL, NULL, 0, NULL, &fill));
+    CHECK(fill == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_create(context, &mesh, NULL, 0, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_create(context, &mesh, NULL, 1, NULL, &fill));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_fill_create(context, &mesh, &loop, SIZE_MAX, NULL, &fill));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_fill_create(misaligned(), &mesh, NULL, 0, NULL, &fill));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_fill_create(context, misaligned(), NULL, 0, NULL, &fill));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_fill_create(context, &mesh, misaligned(), 1, NULL, &fill));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_fill_create(context, &mesh, NULL, 0, misaligned(), &fill));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_fill_create(context, &mesh, NULL, 0, NULL, misaligned()));
+    bad.scalar = 0;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &bad, NULL, 0, NULL, &fill));
+
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.struct_size = sizeof options, options.weight = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.weight = GUSSET_WEIGHT_AREA, options.refine = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.refine = GUSSET_REFINE_RIM_DENSITY, options.fair = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.fair = GUSSET_FAIR_THIN_PLATE, options.keep_longest = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.keep_longest = 1, options.max_length = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    options.max_length = 0.0, options.max_diameter = -1.0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
+    CHECK(fill == NULL);
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_fill_create(context, &mesh, NULL, 0, NULL, &fill));
+    gusset_context_reset(context);
+    gusset_fill_destroy(NULL);
+}
+
+static void results(void) {
+    const gusset_mesh_view mesh = pyramid(pyramid_up);
+    const uint32_t rim[4] = {4, 3, 2, 1}, wrong[3] = {0, 1, 2}, twice[4] = {1, 2, 1, 3};
+    gusset_indices loops[5];
+    gusset_fill_parts parts = {sizeof parts, NULL, 0, {NULL, 0}};
+    gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0};
+    gusset_quality quality = {sizeof quality, 0, 0, 0, 0, 0, 0, 0, 0};
+    gusset_fill *fill = NULL;
+    char bytes[1 + sizeof rim];
+
+    memcpy(bytes + 1, rim, sizeof rim);
+    loops[0].data = wrong, loops[0].count = 3;
+    loops[1].data = twice, loops[1].count = 4;
+    loops[2].data = NULL, loops[2].count = 0;
+    loops[3].data = (const uint32_t *)(const void *)(bytes + 1), loops[3].count = 4;
+    loops[4].data = rim, loops[4].count = 4;
+    EXPECT(GUSSET_OK, gusset_fill_create(context, &mesh, loops, 5, NULL, &fill));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_view(fill, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_fill_view(misaligned(), &parts));
+    EXPECT(GUSSET_OK, gusset_fill_view(fill, &parts));
+    CHECK(parts.hole_count == 5 && parts.rims.count == 15);
+    CHECK(parts.holes[0].status == GUSSET_HOLE_NOT_FREE && parts.holes[0].face_count == 0);
+    CHECK(parts.holes[1].status == GUSSET_HOLE_NOT_SIMPLE && parts.rims.data[parts.holes[1].rim_first] == 1);
+    CHECK(parts.holes[2].status == GUSSET_HOLE_NOT_SIMPLE && parts.holes[2].rim_count == 0);
+    CHECK(parts.holes[3].status == GUSSET_HOLE_FILLED && parts.holes[3].face_first == 4 &&
+          parts.holes[3].face_count == 2 && parts.holes[3].vertex_count == 0);
+    CHECK(parts.holes[4].status == GUSSET_HOLE_NOT_FREE);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_mesh(NULL, &out));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_mesh(fill, NULL));
+    EXPECT(GUSSET_OK, gusset_fill_mesh(fill, &out));
+    CHECK(out.vertex_count == 5 && out.face_count == 6);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_quality(NULL, &quality));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_quality(fill, NULL));
+    EXPECT(GUSSET_OK, gusset_fill_quality(fill, &quality));
+    CHECK(quality.loops_left == 0 && fabs(quality.area - 2.0) < 1e-12);
+    parts.struct_size = 8, out.struct_size = 8, quality.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_view(fill, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_mesh(fill, &out));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_quality(fill, &quality));
+    gusset_fill_destroy(fill);
+}
+
+int main(void) {
+    const gusset_mesh_view other = pyramid(pyramid_down);
+    if (gusset_context_create(&context) != GUSSET_OK || other.face_count != 4) {
+        return 1;
+    }
+    options_and_arguments();
+    results();
+    gusset_context_destroy(context);
+    return failures != 0;
+}

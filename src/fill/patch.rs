@@ -1,0 +1,134 @@
+//! The plan for one hole: new points and triangles.
+
+use super::clip::clip_ears;
+use super::net::Net;
+use super::refine::{refine, relax};
+use super::request::{Fairing, Options, Refinement};
+use super::triangulate::{Polygon, least_weight};
+use crate::alloc;
+use crate::error::Result;
+use crate::fair::{Weights, thin_plate};
+use crate::geom::scale::common_unit;
+use crate::job::Job;
+use glam::DVec3;
+
+/// Loops of at most this many vertices are triangulated as a whole.
+const WHOLE: usize = 1000;
+/// New vertices of a hole at the most, if the caller says nothing.
+const MOST_VERTICES: u32 = 50_000;
+
+/// A hole and what lies round it, in numbers of its own: the rim's vertices from 0 on, in the direction in which new faces run
+/// along it (the surface is on the right), and then the other old vertices.
+pub(crate) struct Rim {
+    /// How many vertices the rim has.
+    pub(crate) count: usize,
+    /// The rim's points and the other old vertices'.
+    pub(crate) points: Vec<DVec3>,
+    /// The old faces with a vertex on the rim, as triangles.
+    pub(crate) around: Vec<[u32; 3]>,
+    /// The vector area of the old face at the edge from each rim vertex to the next; 0 if it is not known.
+    pub(crate) across: Vec<DVec3>,
+    /// The mean length of the old edges at each rim vertex.
+    pub(crate) scale: Vec<f64>,
+    /// True of the rim vertices that have faces all round once the hole is filled.
+    pub(crate) whole: Vec<bool>,
+}
+
+/// The plan: the rim's vertices keep their numbers in the [`Rim`], and `points` come after them.
+pub(crate) struct Patch {
+    /// The new vertices.
+    pub(crate) points: Vec<DVec3>,
+    /// The new faces.
+    pub(crate) triangles: Vec<[u32; 3]>,
+}
+
+/// Plans how a hole is filled; `None` if every triangulation would have an edge that is `taken`, which is asked of numbers of rim
+/// vertices.
+///
+/// O(n^3) for a rim of n <= 1,000 vertices and 32 n^2 bytes; O(n log n), and linear memory, for longer ones. Refinement and fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
+pub(crate) fn patch(
+    rim: &Rim,
+    options: &Options,
+    taken: &impl Fn(u32, u32) -> bool,
+    job: &Job<'_>,
+) -> Result<Option<Patch>> {
+    let unit = common_unit(&rim.points);
+    let origin = rim.points[0] / unit;
+    let points = alloc::collect(rim.points.iter().map(|&p| p / unit - origin))?;
+    let Some(triangles) = triangulate(rim, &points[..rim.count], options, taken, &job.part(0.0, 0.4))? else {
+        return Ok(None);
+    };
+    let Refinement::RimDensity(limit) = options.refinement else {
+        return Ok(Some(Patch { points: Vec::new(), triangles }));
+    };
+    let limit = if limit == 0 { MOST_VERTICES } else { limit };
+    let mut net = Net::new(alloc::copied(&points[..rim.count])?, triangles)?;
+    let scale = alloc::collect(rim.scale.iter().map(|s| s / unit))?;
+    refine(&mut net, scale, limit, taken, &job.part(0.4, 0.6))?;
+    if options.fairing == Fairing::ThinPlate {
+        fair(rim, &points, &mut net, &job.part(0.6, 1.0))?;
+    }
+    let new = alloc::collect(net.points[rim.count..].iter().map(|&p| (p + origin) * unit))?;
+    Ok(Some(Patch { points: new, triangles: net.triangles }))
+}
+
+fn triangulate(
+    rim: &Rim,
+    points: &[DVec3],
+    options: &Options,
+    taken: &impl Fn(u32, u32) -> bool,
+    job: &Job<'_>,
+) -> Result<Option<Vec<[u32; 3]>>> {
+    let n = points.len();
+    if n > WHOLE {
+        let Some(triangles) = clip_ears(points, taken, job)? else {
+            return Ok(None);
+        };
+        // The shape of the ears is what was left at their turn.
+        let mut net = Net::new(alloc::copied(points)?, triangles)?;
+        relax(&mut net, n, taken);
+        return Ok(Some(net.triangles));
+    }
+    let squared = |i: usize| points[i].distance_squared(points[(i + 1) % n]);
+    // The work starts from the longest side, wherever the caller's loop begins.
+    let mut root = 0;
+    for i in 1..n {
+        if squared(i) > squared(root) {
+            root = i;
+        }
+    }
+    let name = |i: usize| ((root + 1 + i) % n) as u32;
+    let own = alloc::collect((0..n).map(|i| points[name(i) as usize]))?;
+    let across = alloc::collect((0..n).map(|i| unit_vector(rim.across[name(i) as usize])))?;
+    let polygon = Polygon { points: &own, across: &across };
+    let found = least_weight(&polygon, options.weight, |i, k| taken(name(i), name(k)), job)?;
+    Ok(found.map(|mut triangles| {
+        triangles.iter_mut().for_each(|triangle| *triangle = triangle.map(|v| name(v as usize)));
+        triangles
+    }))
+}
+
+/// The direction of a vector of any length; 0 for 0.
+fn unit_vector(v: DVec3) -> DVec3 {
+    (v / common_unit(&[v])).normalize_or_zero()
+}
+
+/// Moves the new vertices of `net`; the rim and the old vertices round it stay.
+fn fair(rim: &Rim, points: &[DVec3], net: &mut Net, job: &Job<'_>) -> Result<()> {
+    let (n, old, new) = (rim.count, points.len(), net.points.len() - rim.count);
+    // The rim, the old vertices, the new ones.
+    let mut all = alloc::with_capacity(old + new)?;
+    all.extend_from_slice(points);
+    all.extend_from_slice(&net.points[n..]);
+    let name = |v: u32| if (v as usize) < n { v } else { v + (old - n) as u32 };
+    let mut triangles = alloc::with_capacity(rim.around.len() + net.triangles.len())?;
+    triangles.extend_from_slice(&rim.around);
+    triangles.extend(net.triangles.iter().map(|triangle| triangle.map(name)));
+    let mut free = alloc::filled(false, old + new)?;
+    free[old..].fill(true);
+    let mut centres = alloc::copied(&free)?;
+    centres[..n].copy_from_slice(&rim.whole);
+    thin_plate(&mut all, &triangles, &free, &centres, Weights::Cotangent, job)?;
+    net.points[n..].copy_from_slice(&all[old..]);
+    Ok(())
+}
