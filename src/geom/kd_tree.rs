@@ -12,12 +12,17 @@ use std::ops::Range;
 /// Ranges of at most this many points are searched one by one.
 const LEAF: usize = 8;
 
+/// Points of several groups.
+const MIXED: u32 = u32::MAX;
+
 /// A set of points that answers nearest-point queries.
 pub(crate) struct KdTree<'a> {
     points: &'a [DVec3],
     order: Vec<u32>,
     /// The splitting axis of the range whose middle is at this place of `order`.
     axis: Vec<u8>,
+    /// The group of all points of the range whose middle is at this place, or [`MIXED`]; empty if there are no groups.
+    group: Vec<u32>,
     /// The box round all points.
     low: DVec3,
     high: DVec3,
@@ -30,6 +35,7 @@ impl<'a> KdTree<'a> {
             points,
             order: alloc::collect((0..points.len()).map(|i| i as u32))?,
             axis: alloc::filled(0, points.len())?,
+            group: Vec::new(),
             low: points.iter().fold(DVec3::INFINITY, |low, &p| low.min(p)),
             high: points.iter().fold(DVec3::NEG_INFINITY, |high, &p| high.max(p)),
         };
@@ -37,25 +43,72 @@ impl<'a> KdTree<'a> {
         Ok(tree)
     }
 
+    /// A tree that also answers [`nearest_elsewhere`](Self::nearest_elsewhere): each point is of one of the `groups`, all below 2^32 - 1.
+    pub(crate) fn grouped(points: &'a [DVec3], groups: &[u32]) -> Result<Self> {
+        let mut tree = Self::new(points)?;
+        let mut group = alloc::filled(MIXED, points.len())?;
+        tree.find_groups(0..points.len(), groups, &mut group);
+        tree.group = group;
+        Ok(tree)
+    }
+
+    /// Enters and returns the group that all of a range is of.
+    fn find_groups(&self, range: Range<usize>, groups: &[u32], out: &mut [u32]) -> u32 {
+        let of = |place: usize| groups[self.order[place] as usize];
+        let middle = usize::midpoint(range.start, range.end);
+        let whole = if range.len() <= LEAF {
+            let first = range.clone().next().map_or(MIXED, of);
+            if range.clone().all(|place| of(place) == first) { first } else { MIXED }
+        } else {
+            let low = self.find_groups(range.start..middle, groups, out);
+            let high = self.find_groups(middle + 1..range.end, groups, out);
+            if low == high && low == of(middle) { low } else { MIXED }
+        };
+        if !range.is_empty() {
+            out[middle] = whole;
+        }
+        whole
+    }
+
+    /// As [`nearest`](Self::nearest), among the points that are of another group than `own`; parts of the tree that are all of it are
+    /// passed over.
+    pub(crate) fn nearest_elsewhere(
+        &self,
+        query: DVec3,
+        limit: f64,
+        own: u32,
+        accept: impl Fn(u32) -> bool,
+    ) -> Option<(f64, u32)> {
+        let mut best = (limit, u32::MAX);
+        let off = (self.low - query).max(query - self.high).max(DVec3::ZERO);
+        self.search(0..self.order.len(), query, off, own, &accept, &mut best);
+        (best.1 != u32::MAX).then_some(best)
+    }
+
     /// The nearest point that `accept`s, as (squared distance, index), among those not farther than `limit` (squared); of
     /// equally near ones the smallest index.
     pub(crate) fn nearest(&self, query: DVec3, limit: f64, accept: impl Fn(u32) -> bool) -> Option<(f64, u32)> {
         let mut best = (limit, u32::MAX);
         let off = (self.low - query).max(query - self.high).max(DVec3::ZERO);
-        self.search(0..self.order.len(), query, off, &accept, &mut best);
+        self.search(0..self.order.len(), query, off, MIXED, &accept, &mut best);
         (best.1 != u32::MAX).then_some(best)
     }
 
     /// Searches a range of `order`. `off` is how far the query lies outside the range's cell along each axis: no point of the
-    /// range is nearer than its length.
+    /// range is nearer than its length. Ranges of group `own` are passed over.
     fn search(
         &self,
         range: Range<usize>,
         query: DVec3,
         off: DVec3,
+        own: u32,
         accept: &impl Fn(u32) -> bool,
         best: &mut (f64, u32),
     ) {
+        let middle = usize::midpoint(range.start, range.end);
+        if own != MIXED && self.group.get(middle) == Some(&own) {
+            return;
+        }
         let mut visit = |index: u32| {
             let candidate = (self.points[index as usize].distance_squared(query), index);
             if candidate < *best && accept(index) {
@@ -66,18 +119,17 @@ impl<'a> KdTree<'a> {
             self.order[range].iter().for_each(|&index| visit(index));
             return;
         }
-        let middle = usize::midpoint(range.start, range.end);
         visit(self.order[middle]);
         let axis = self.axis[middle] as usize;
         let offset = query[axis] - self.points[self.order[middle] as usize][axis];
         let (low, high) = (range.start..middle, middle + 1..range.end);
         let (near, far) = if offset <= 0.0 { (low, high) } else { (high, low) };
-        self.search(near, query, off, accept, best);
+        self.search(near, query, off, own, accept, best);
         let mut beyond = off;
         beyond[axis] = offset.abs().max(off[axis]);
         // Not `<`: an equally near point of smaller index may lie beyond.
         if beyond.length_squared() <= best.0 {
-            self.search(far, query, beyond, accept, best);
+            self.search(far, query, beyond, own, accept, best);
         }
     }
 }
@@ -178,6 +230,17 @@ mod tests {
                 .min_by(|a, b| a.partial_cmp(b).unwrap());
             let tree = KdTree::new(&points).unwrap();
             prop_assert_eq!(tree.nearest(query, f64::INFINITY, accept), expected);
+            // Groups of neighbours, so that whole parts of the tree are of one.
+            let groups: Vec<u32> = points.iter().map(|p| p.x as u32 / 2).collect();
+            let tree = KdTree::grouped(&points, &groups).unwrap();
+            for own in 0..4 {
+                let expected = (0..points.len() as u32)
+                    .filter(|&i| accept(i) && groups[i as usize] != own)
+                    .map(|i| (points[i as usize].distance_squared(query), i))
+                    .min_by(|a, b| a.partial_cmp(b).unwrap());
+                let accept = |i: u32| accept(i) && groups[i as usize] != own;
+                prop_assert_eq!(tree.nearest_elsewhere(query, f64::INFINITY, own, accept), expected);
+            }
             for (reach, unit) in [(0.5, 1.0), (1.0, 2f64.powi(-980)), (1.5, 2f64.powi(900)), (3.0, 1.0)] {
                 let scaled: Vec<DVec3> = points.iter().map(|&p| p * unit).collect();
                 let mut found = Vec::new();

@@ -3,6 +3,7 @@
 use super::view::{Faces, MeshView, Positions, Scalar};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::scale::distance;
 use crate::job::Job;
 use glam::DVec3;
 
@@ -126,6 +127,18 @@ impl Mesh {
     /// The corners of each face.
     pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         self.face_offsets.windows(2).map(|w| &self.face_corners[w[0] as usize..w[1] as usize])
+    }
+
+    /// The mean length of the faces' sides; infinite if none has a length.
+    pub(crate) fn mean_side(&self) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for face in self.faces() {
+            for (k, &u) in face.iter().enumerate() {
+                sum += distance(self.positions.get(u), self.positions.get(face[(k + 1) % face.len()]));
+                count += 1.0;
+            }
+        }
+        if sum > 0.0 { sum / count } else { f64::INFINITY }
     }
 
     /// A validated view; see [`MeshView::new`] for the errors.

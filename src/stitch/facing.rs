@@ -163,7 +163,7 @@ pub(super) fn facing_in_unit(a: &[DVec3], b: &[DVec3], tolerance: f64, run: Run)
 }
 
 /// The runs of values that have a property, round a cycle.
-fn cyclic_runs<T>(values: &[T], has: impl Fn(&T) -> bool) -> Result<Vec<Arc>> {
+pub(super) fn cyclic_runs<T>(values: &[T], has: impl Fn(&T) -> bool) -> Result<Vec<Arc>> {
     let n = values.len();
     // Start behind a gap, so that no run is cut in two.
     let Some(gap) = values.iter().position(|value| !has(value)) else {
@@ -208,7 +208,7 @@ fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2]) -> Result<[Arc; 2]> {
 
 impl Arc {
     /// The places of its vertices on a loop of `n`.
-    pub fn places(self, n: usize) -> impl ExactSizeIterator<Item = usize> {
+    pub fn places(self, n: usize) -> impl ExactSizeIterator<Item = usize> + Clone {
         let range: Range<usize> = 0..self.count;
         range.map(move |k| (self.first + k) % n)
     }

@@ -145,7 +145,7 @@ impl FaceList {
         self.offsets.push(self.corners.len() as u32);
     }
 
-    pub(super) fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         self.offsets.windows(2).map(|w| &self.corners[w[0] as usize..w[1] as usize])
     }
 }

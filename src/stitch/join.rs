@@ -13,9 +13,9 @@ use super::strip::Strip;
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result, Side};
-use crate::geom::scale::{common_unit, distance};
+use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::mesh::{Mesh, MeshView, Sets, concat};
+use crate::mesh::{MeshView, Sets, concat};
 
 /// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of new faces.
 ///
@@ -76,7 +76,7 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         b.turn();
     }
     b.reverse();
-    let mean_side = || mean_side(&whole) / unit;
+    let mean_side = || whole.mean_side() / unit;
     let mut strip = Strip::between(a, b, &bridges, options, mean_side, &job.part(0.4, 0.6))?;
     let settled = settle(&whole, &mut strip, unit, options, &job.part(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
@@ -120,18 +120,6 @@ fn cut_arcs(request: &Request<'_>, options: &Options, a: &mut Rim, b: &mut Rim, 
         b.cut(arc_b)?;
     }
     Ok(())
-}
-
-/// The mean side of a mesh's faces; infinite if no side has a length, so that no number of rows is wanted.
-fn mean_side(mesh: &Mesh) -> f64 {
-    let (mut sum, mut count) = (0.0, 0.0);
-    for face in mesh.faces() {
-        for (k, &u) in face.iter().enumerate() {
-            sum += distance(mesh.positions.get(u), mesh.positions.get(face[(k + 1) % face.len()]));
-            count += 1.0;
-        }
-    }
-    if sum > 0.0 { sum / count } else { f64::INFINITY }
 }
 
 /// Two rims, each with its surface on the left, in a common unit.

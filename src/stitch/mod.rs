@@ -24,7 +24,9 @@
 //! | [`combine`](self) | one mesh of both pieces and the strip, with maps from old to new |
 //! | [`quality`](self) | what the result is worth |
 //! | [`join`](self) | all of these, in order |
+//! | [`assemble`] | many pieces |
 
+pub mod assemble;
 mod combine;
 mod extent;
 pub mod facing;

@@ -68,6 +68,12 @@ impl Extent {
     }
 }
 
+/// The mean distance from the vertices of each rim to the nearest of the other, the larger of the two.
+pub(super) fn mean_gap(a: &Rim, b: &Rim) -> Result<f64> {
+    let there = mean_distance(&b.points, &KdTree::new(&a.points)?);
+    Ok(there.max(mean_distance(&a.points, &KdTree::new(&b.points)?)))
+}
+
 fn mean_distance(from: &[DVec3], to: &KdTree<'_>) -> f64 {
     let nearest = |p: &DVec3| to.nearest(*p, f64::INFINITY, |_| true).map_or(0.0, |(squared, _)| squared.sqrt());
     from.iter().map(nearest).sum::<f64>() / from.len() as f64

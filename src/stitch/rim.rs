@@ -106,6 +106,16 @@ impl Rim {
         })
     }
 
+    /// A copy.
+    pub(super) fn try_clone(&self) -> Result<Rim> {
+        Ok(Rim {
+            vertices: alloc::copied(&self.vertices)?,
+            points: alloc::copied(&self.points)?,
+            normals: alloc::copied(&self.normals)?,
+            ..*self
+        })
+    }
+
     /// The number of its edges.
     pub(super) fn segments(&self) -> u32 {
         self.vertices.len() as u32 - u32::from(!self.closed)
@@ -222,6 +232,11 @@ impl Bridges {
     /// Rims on different meshes have none.
     pub(super) fn none() -> Self {
         Bridges(Vec::new())
+    }
+
+    /// Edges from a vertex of rim A to one of rim B, in ascending order.
+    pub(super) fn of(edges: Vec<(u32, u32)>) -> Self {
+        Bridges(edges)
     }
 
     /// The edges of `mesh` from a vertex of `a` to a vertex of `b`. One pass over the half-edges.

@@ -1,0 +1,236 @@
+//! Which loops face each other across a gap.
+//!
+//! Each vertex of each loop looks for the nearest vertex of another loop. Two loops face each other as wholes if most vertices of
+//! each look at the other. Else runs of neighbouring vertices that look at one loop, and are looked at from there, face each
+//! other: arcs, as at the border of two scans that overlap third ones elsewhere.
+
+use super::request::MaxGap;
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::kd_tree::KdTree;
+use crate::job::Job;
+use crate::mesh::NONE;
+use crate::stitch::facing::{Arc, centre, cyclic_runs};
+use crate::stitch::rim::Rim;
+use glam::DVec3;
+
+/// The part of each loop's vertices that must look at the other one, for the loops to be joined as wholes.
+const MOST: f64 = 0.75;
+
+/// An arc is at least so many vertices long.
+const SHORTEST: usize = 2;
+
+/// Vertices between two progress reports.
+const STEP: usize = 1 << 12;
+
+/// Two loops, by their numbers, or arcs of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Facing {
+    pub(super) rims: [usize; 2],
+    pub(super) arcs: Option<[Arc; 2]>,
+    /// The mean distance from the vertices of one to the nearest of the other, the larger of the two means.
+    pub(super) gap: f64,
+}
+
+/// What a loop is to the search.
+pub(super) struct Candidate {
+    /// Pairs of one component are not looked for unless `within` says so.
+    pub(super) component: u32,
+    /// The mean distance of its vertices from their centre.
+    radius: f64,
+}
+
+impl Candidate {
+    pub(super) fn new(rim: &Rim, component: u32) -> Self {
+        let middle = centre(&rim.points);
+        let radius = rim.points.iter().map(|p| p.distance(middle)).sum::<f64>() / rim.points.len() as f64;
+        Candidate { component, radius }
+    }
+}
+
+/// What is looked for.
+pub(super) struct Search<'a> {
+    pub(super) rims: &'a [Rim],
+    pub(super) candidates: &'a [Candidate],
+    /// Loops that are spoken for.
+    pub(super) taken: &'a [bool],
+    /// Pairs (smaller, larger) that are not wanted, in ascending order.
+    pub(super) excluded: &'a [[u32; 2]],
+    pub(super) within_components: bool,
+    pub(super) arcs: bool,
+    /// In the rims' unit.
+    pub(super) max_gap: MaxGap,
+}
+
+/// What a vertex looks at.
+#[derive(Clone, Copy)]
+struct Look {
+    /// The loop, or [`NONE`].
+    rim: u32,
+    place: u32,
+    distance: f64,
+}
+
+impl Search<'_> {
+    /// The greatest distance between loops `r` and `k`.
+    fn limit(&self, r: usize, k: usize) -> f64 {
+        match self.max_gap {
+            MaxGap::Given(gap) => gap,
+            MaxGap::Auto => 0.5 * self.candidates[r].radius.min(self.candidates[k].radius),
+        }
+    }
+
+    fn may_join(&self, r: usize, k: usize) -> bool {
+        let [r, k] = [r.min(k), r.max(k)];
+        !self.taken[k]
+            && (self.within_components || self.candidates[r].component != self.candidates[k].component)
+            && self.excluded.binary_search(&[r as u32, k as u32]).is_err()
+    }
+
+    /// The pairs, nearest first. No loop is in two pairs of wholes; arcs do not overlap.
+    ///
+    /// O(V log V) for V vertices on loops that have others near them.
+    pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Facing>> {
+        let looks = self.looks(job)?;
+        let mut found = Vec::new();
+        let mut whole = alloc::filled(false, self.rims.len())?;
+        let counts = self.counts(&looks)?;
+        for &([r, k], count, sum) in &counts {
+            let (r, k) = (r as usize, k as usize);
+            if r > k {
+                continue;
+            }
+            let back = counts.binary_search_by_key(&[k as u32, r as u32], |&(pair, ..)| pair);
+            let Ok((back, back_sum)) = back.map(|at| (counts[at].1, counts[at].2)) else {
+                continue;
+            };
+            let most = |count: usize, rim: usize| count as f64 >= MOST * self.rims[rim].vertices.len() as f64;
+            let gap = (sum / count as f64).max(back_sum / back as f64);
+            if most(count, r) && most(back, k) && gap <= self.limit(r, k) {
+                (whole[r], whole[k]) = (true, true);
+                alloc::push(&mut found, Facing { rims: [r, k], arcs: None, gap })?;
+            }
+        }
+        if self.arcs {
+            self.find_arcs(&looks, &whole, &mut found)?;
+        }
+        let first = |found: &Facing| found.arcs.map_or(0, |arcs| arcs[0].first);
+        found.sort_unstable_by(|x, y| x.gap.total_cmp(&y.gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y))));
+        Ok(found)
+    }
+
+    /// What each vertex of each loop looks at, within twice the limit.
+    fn looks(&self, job: &Job<'_>) -> Result<Vec<Vec<Look>>> {
+        let total = self.rims.iter().map(|rim| rim.points.len()).sum();
+        let (mut points, mut owners) = (alloc::with_capacity::<DVec3>(total)?, alloc::with_capacity(total)?);
+        let mut firsts = alloc::with_capacity(self.rims.len())?;
+        for (r, rim) in self.rims.iter().enumerate() {
+            firsts.push(points.len() as u32);
+            points.extend(&rim.points);
+            owners.extend(std::iter::repeat_n(r as u32, rim.points.len()));
+        }
+        // Of one component at a time nothing is looked for: whole parts of the tree are passed over.
+        let groups = alloc::collect(owners.iter().map(|&r| match self.within_components {
+            true => r,
+            false => self.candidates[r as usize].component,
+        }))?;
+        let tree = KdTree::grouped(&points, &groups)?;
+        let mut looks = alloc::with_capacity(self.rims.len())?;
+        let mut done = 0;
+        for (r, rim) in self.rims.iter().enumerate() {
+            let mut of_rim = alloc::with_capacity(rim.points.len())?;
+            let widest = match self.max_gap {
+                MaxGap::Given(gap) => gap,
+                MaxGap::Auto => 0.5 * self.candidates[r].radius,
+            };
+            let own = groups[firsts[r] as usize];
+            for &p in &rim.points {
+                if done % STEP == 0 {
+                    job.step(done as f64 / total as f64, "looking for loops that face each other")?;
+                }
+                done += 1;
+                let limit = 4.0 * widest * widest;
+                let accept = |v: u32| owners[v as usize] as usize != r && self.may_join(r, owners[v as usize] as usize);
+                let seen = if self.taken[r] { None } else { tree.nearest_elsewhere(p, limit, own, accept) };
+                of_rim.push(match seen {
+                    Some((squared, v)) => {
+                        let k = owners[v as usize];
+                        Look { rim: k, place: v - firsts[k as usize], distance: squared.sqrt() }
+                    }
+                    None => Look { rim: NONE, place: NONE, distance: f64::INFINITY },
+                });
+            }
+            looks.push(of_rim);
+        }
+        Ok(looks)
+    }
+
+    /// For each (loop, loop looked at) in ascending order: how many vertices, and the sum of their distances.
+    fn counts(&self, looks: &[Vec<Look>]) -> Result<Vec<([u32; 2], usize, f64)>> {
+        let mut counts = Vec::new();
+        for (r, of_rim) in looks.iter().enumerate() {
+            let mut seen = alloc::collect(of_rim.iter().enumerate().map(|(i, look)| (look.rim, i as u32)))?;
+            seen.retain(|&(k, _)| k != NONE);
+            seen.sort_unstable();
+            for group in seen.chunk_by(|x, y| x.0 == y.0) {
+                let sum = group.iter().map(|&(_, i)| of_rim[i as usize].distance).sum();
+                alloc::push(&mut counts, ([r as u32, group[0].0], group.len(), sum))?;
+            }
+        }
+        Ok(counts)
+    }
+
+    /// Adds the arcs that face each other of loops that are not joined as wholes.
+    fn find_arcs(&self, looks: &[Vec<Look>], whole: &[bool], found: &mut Vec<Facing>) -> Result<()> {
+        let near = |r: usize, look: &Look| {
+            look.rim != NONE && look.distance <= self.limit(r, look.rim as usize) && !whole[r] && !whole[look.rim as usize]
+        };
+        // A vertex sees another loop if that looks back at its loop.
+        let sees = |r: usize, look: &Look| {
+            near(r, look) && {
+                let back = looks[look.rim as usize][look.place as usize];
+                near(look.rim as usize, &back) && back.rim as usize == r
+            }
+        };
+        // (loop, loop it faces, arc), and for each vertex the number of its arc.
+        let mut arcs: Vec<(usize, usize, Arc)> = Vec::new();
+        let mut of_vertex = alloc::with_capacity(looks.len())?;
+        for (r, of_rim) in looks.iter().enumerate() {
+            let mut numbers = alloc::filled(NONE, of_rim.len())?;
+            let mut faced = alloc::collect(of_rim.iter().map(|look| if sees(r, look) { look.rim } else { NONE }))?;
+            faced.sort_unstable();
+            faced.dedup();
+            for &k in faced.iter().filter(|&&k| k != NONE) {
+                for arc in cyclic_runs(of_rim, |look| look.rim == k && sees(r, look))? {
+                    if arc.count >= SHORTEST && arc.count < of_rim.len() {
+                        arc.places(of_rim.len()).for_each(|i| numbers[i] = arcs.len() as u32);
+                        alloc::push(&mut arcs, (r, k as usize, arc))?;
+                    }
+                }
+            }
+            of_vertex.push(numbers);
+        }
+        // Each arc looks at the one that most of its vertices look at; two that look at each other are joined.
+        let partner = |&(r, k, arc): &(usize, usize, Arc)| -> Result<(u32, f64)> {
+            let mut seen = alloc::with_capacity(arc.count)?;
+            let places = arc.places(looks[r].len());
+            seen.extend(places.clone().map(|i| of_vertex[k][looks[r][i].place as usize]));
+            seen.sort_unstable();
+            let groups = seen.chunk_by(|x, y| x == y).filter(|group| group[0] != NONE);
+            let most = groups.rev().max_by_key(|group| group.len()).map_or(NONE, |group| group[0]);
+            Ok((most, places.map(|i| looks[r][i].distance).sum::<f64>() / arc.count as f64))
+        };
+        let mut partners = alloc::with_capacity(arcs.len())?;
+        for arc in &arcs {
+            partners.push(partner(arc)?);
+        }
+        for (x, &(y, gap)) in partners.iter().enumerate() {
+            if y != NONE && x < y as usize && partners[y as usize].0 as usize == x {
+                let (first, second) = (arcs[x], arcs[y as usize]);
+                let gap = gap.max(partners[y as usize].1);
+                alloc::push(found, Facing { rims: [first.0, second.0], arcs: Some([first.2, second.2]), gap })?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,389 @@
+//! The whole of assembly: from pieces to one mesh and its account.
+
+use super::agree::Agreement;
+use super::facing_loops::{Candidate, Facing, Search};
+use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector};
+use crate::alloc;
+use crate::boundary::{self, Boundary, boundary_loops};
+use crate::error::{Error, Result};
+use crate::fill::fill_holes;
+use crate::geom::scale::common_unit;
+use crate::job::Job;
+use crate::mesh::{Defect, Mesh, MeshView, NONE, Sets, concat};
+use crate::repair::{orient, weld};
+use crate::stitch::IndexMap;
+use crate::stitch::combine::append_strip;
+use crate::stitch::pairing::mean_gap;
+use crate::stitch::rim::{Bridges, Rim, is_usable, shared_vertex};
+use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
+use crate::stitch::settle::settle;
+use crate::stitch::strip::Strip;
+
+/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other across
+/// a gap stitched, and holes filled, as the options say.
+///
+/// O(H log d) for the pieces' H half-edges, O(V log V) for the V vertices on loops, the time of each strip as for
+/// [`stitch()`](crate::stitch::stitch()), and where strips are faired or tested for intersections a pass over all faces for each.
+/// Linear extra memory.
+///
+/// # Errors
+/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`], [`Error::OptionOutOfRange`] for a gap or tolerance that is negative or not
+/// finite, and for a pair whose selectors (option `pairs` or `excluded`, with the pair's number) name no loop that can be joined,
+/// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`]. That two loops cannot be joined is no error: see
+/// [`Joint::outcome`].
+pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
+    if let MaxGap::Given(value) = options.max_gap
+        && !(0.0..f64::INFINITY).contains(&value)
+    {
+        return Err(Error::OptionOutOfRange { option: "max_gap", value });
+    }
+    let mut base = Base::new(pieces, options, &job.part(0.0, 0.3))?;
+    let mut loops = Loops::of(&base.mesh, &job.part(0.3, 0.4))?;
+    let mut found = chosen_pairs(&base, &loops, options, &job.part(0.4, 0.5))?;
+    let joined_wholly = alloc::collect(found.iter().map(|facing| facing.arcs.is_none()))?;
+
+    // Components that face each other are made to agree, nearest first.
+    let outcomes = base.make_agree(&mut loops, &mut found, options.keep_orientation)?;
+    let mut joints = alloc::with_capacity(found.len())?;
+    let mut hangs = alloc::filled(false, loops.rims.len())?;
+    let mut tried = alloc::filled(false, loops.rims.len())?;
+    let edges = loops.edges_between(&base.mesh)?;
+    let mean_side = std::cell::OnceCell::new();
+    for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
+        let part = job.part(0.5 + 0.3 * k as f64 / found.len() as f64, 0.5 + 0.3 * (k + 1) as f64 / found.len() as f64);
+        let sides = loops.sides(facing)?;
+        facing.rims.iter().for_each(|&r| tried[r] = true);
+        let shared = shared_vertex(&sides[0], &sides[1])?.is_some();
+        let outcome = if outcome == Outcome::Joined && shared { Outcome::ShareVertex } else { outcome };
+        let whole = joined_wholly[k];
+        let mut joint = Joint {
+            sides: [alloc::copied(&sides[0].vertices)?, alloc::copied(&sides[1].vertices)?],
+            whole,
+            gap: facing.gap * loops.unit,
+            outcome,
+            vertices: 0..0,
+            faces: 0..0,
+            intersections: None,
+        };
+        if outcome == Outcome::Joined {
+            let [a, mut b] = sides;
+            b.reverse();
+            let bridges = edges.between(facing.rims);
+            let mean = || *mean_side.get_or_init(|| base.mesh.mean_side()) / loops.unit;
+            match Strip::between(a, b, &bridges, &options.strip, mean, &part) {
+                Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
+                Err(error) => return Err(error),
+                Ok(mut strip) => {
+                    let settled = settle(&base.mesh, &mut strip, loops.unit, &options.strip, &part)?;
+                    let hung = append_strip(&mut base.mesh, &strip, loops.unit)?;
+                    joint.sides = [strip.a.vertices, strip.b.vertices];
+                    joint.vertices = hung.vertices;
+                    joint.faces = hung.faces;
+                    joint.intersections = settled.intersections;
+                    facing.rims.iter().for_each(|&r| hangs[r] = true);
+                }
+            }
+        }
+        joints.push(joint);
+    }
+    let left = loops.left(&hangs, &tried)?;
+    base.finish(joints, left, options, &job.part(0.8, 1.0))
+}
+
+/// The pieces put together, welded and oriented.
+struct Base {
+    mesh: Mesh,
+    maps: Vec<IndexMap>,
+    /// Per vertex of the mesh, the piece that it comes from first.
+    piece: Vec<u32>,
+    turned: Vec<bool>,
+    welded_vertices: u32,
+    sewn_edges: u32,
+    one_sided: Vec<u32>,
+}
+
+impl Base {
+    fn new(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Self> {
+        let (mut mesh, places) = concat::concatenate(pieces)?;
+        let (vertex_count, face_count) = (mesh.positions.len(), mesh.face_count());
+        let mut vertex_map = alloc::collect((0..vertex_count).map(|v| v as u32))?;
+        let mut face_map = alloc::collect((0..face_count).map(|f| f as u32))?;
+        let (mut welded_vertices, mut sewn_edges) = (0, 0);
+        if let Some(how) = &options.weld {
+            let welded = weld::weld(&mesh.view(&job.part(0.0, 0.1))?, how, &job.part(0.1, 0.5))?;
+            (welded_vertices, sewn_edges) = (welded.welded_vertices, welded.sewn_edges);
+            (mesh, vertex_map, face_map) = (welded.mesh, welded.vertex_map, welded.face_map);
+        }
+        let mut turned = alloc::filled(false, mesh.face_count())?;
+        let mut one_sided = Vec::new();
+        if !options.keep_orientation && mesh.face_count() > 0 {
+            let how = orient::Options::default();
+            let oriented = orient::orient(&mesh.view(&job.part(0.5, 0.6))?, &how, &job.part(0.6, 1.0))?;
+            (mesh, turned) = (oriented.mesh, oriented.turned);
+            one_sided = alloc::collect(oriented.one_sided.iter().map(|component| component.face))?;
+        }
+        let mut piece = alloc::filled(NONE, mesh.positions.len())?;
+        let mut maps = alloc::with_capacity(pieces.len())?;
+        for (k, (view, place)) in pieces.iter().zip(&places).enumerate() {
+            let vertices = &vertex_map[place.first_vertex as usize..][..view.positions().len()];
+            let faces = &face_map[place.first_face as usize..][..view.faces().len()];
+            for &v in vertices.iter().filter(|&&v| v != NONE) {
+                piece[v as usize] = piece[v as usize].min(k as u32);
+            }
+            maps.push(IndexMap { vertices: alloc::copied(vertices)?, faces: alloc::copied(faces)? });
+        }
+        Ok(Base { mesh, maps, piece, turned, welded_vertices, sewn_edges, one_sided })
+    }
+
+    /// Decides which components are turned over, turns them, and says of each pair whether it can be joined.
+    fn make_agree(&mut self, loops: &mut Loops, found: &mut [Facing], keep: bool) -> Result<Vec<Outcome>> {
+        let mut outcomes = alloc::filled(Outcome::Joined, found.len())?;
+        if keep {
+            return Ok(outcomes);
+        }
+        let mut agreement = Agreement::new(self.mesh.positions.len())?;
+        for (facing, outcome) in found.iter().zip(&mut outcomes) {
+            let [i, j] = facing.rims.map(|r| loops.candidates[r].component);
+            let [a, b] = loops.sides(facing)?;
+            let against = match facing.arcs {
+                None => rims_disagree(&a, &b)?,
+                Some(_) => arcs_run_the_same_way(&a.points, &b.points)?,
+            };
+            // Turning is no way out within one component: such loops are taken as they are.
+            if i != j && !agreement.bind(i, j, against) {
+                *outcome = Outcome::OrientationConflict;
+            }
+        }
+        let is_turned = |sets: &mut Sets, v: u32| agreement.root(sets.root(v)).1;
+        for f in 0..self.mesh.face_count() {
+            let [start, end] = [self.mesh.face_offsets[f], self.mesh.face_offsets[f + 1]].map(|at| at as usize);
+            if is_turned(&mut loops.components, self.mesh.face_corners[start]) {
+                self.mesh.face_corners[start + 1..end].reverse();
+                self.turned[f] ^= true;
+            }
+        }
+        for (rim, candidate) in loops.rims.iter_mut().zip(&loops.candidates) {
+            if agreement.root(candidate.component).1 {
+                rim.turn();
+            }
+        }
+        // Places are counted along the loops as they run now.
+        for facing in found {
+            if let Some(arcs) = &mut facing.arcs {
+                for (arc, r) in arcs.iter_mut().zip(facing.rims) {
+                    let (n, component) = (loops.rims[r].vertices.len(), loops.candidates[r].component);
+                    if agreement.root(component).1 {
+                        arc.first = (2 * n - arc.first - arc.count) % n;
+                    }
+                }
+            }
+        }
+        Ok(outcomes)
+    }
+
+    /// Fills holes, and closes the account.
+    fn finish(self, joints: Vec<Joint>, left: Vec<LeftLoop>, options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
+        let mut mesh = self.mesh;
+        let mut holes = Vec::new();
+        if let (Some(how), true) = (&options.fill, mesh.face_count() > 0) {
+            let filled = fill_holes(&mesh.view(&job.part(0.0, 0.1))?, None, how, &job.part(0.1, 0.6))?;
+            (mesh, holes) = (filled.mesh, filled.holes);
+        }
+        let (mut loops_left, mut non_manifold_edges) = (0, 0);
+        if mesh.face_count() > 0 {
+            let view = mesh.view(&job.part(0.6, 0.7))?;
+            let boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.7, 1.0))?;
+            loops_left = boundary.len() as u32;
+            let is_edge = |defect: &&Defect| matches!(defect, Defect::NonManifoldEdge { .. });
+            non_manifold_edges = boundary.defects().iter().filter(is_edge).count() as u32;
+        }
+        Ok(Assembly {
+            mesh,
+            maps: self.maps,
+            turned: self.turned,
+            welded_vertices: self.welded_vertices,
+            sewn_edges: self.sewn_edges,
+            one_sided: self.one_sided,
+            joints,
+            left,
+            holes,
+            loops_left,
+            non_manifold_edges,
+        })
+    }
+}
+
+/// The boundary of the base: loops that can carry a strip, and others.
+struct Loops {
+    rims: Vec<Rim>,
+    candidates: Vec<Candidate>,
+    components: Sets,
+    /// The loops that cannot, with the reason.
+    others: Vec<LeftLoop>,
+    /// What the rims' points are multiplied by.
+    unit: f64,
+}
+
+impl Loops {
+    fn of(mesh: &Mesh, job: &Job<'_>) -> Result<Self> {
+        let mut loops =
+            Loops { rims: Vec::new(), candidates: Vec::new(), components: Sets::new(0)?, others: Vec::new(), unit: 1.0 };
+        if mesh.face_count() == 0 {
+            return Ok(loops);
+        }
+        let view = mesh.view(&job.part(0.0, 0.3))?;
+        let boundary: Boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.3, 1.0))?;
+        loops.components = Sets::of_vertices(&view)?;
+        for found in boundary.iter() {
+            if is_usable(&found) {
+                alloc::push(&mut loops.rims, Rim::found(&view, &found)?)?;
+            } else {
+                let reason = if found.vertices.len() < 3 { Reason::TooShort } else { Reason::NotSimple };
+                alloc::push(&mut loops.others, LeftLoop { vertices: alloc::copied(found.vertices)?, reason })?;
+            }
+        }
+        loops.unit = common_unit(loops.rims.iter().flat_map(|rim| &rim.points));
+        for rim in &mut loops.rims {
+            rim.points.iter_mut().for_each(|p| *p /= loops.unit);
+            let component = loops.components.root(rim.vertices[0]);
+            alloc::push(&mut loops.candidates, Candidate::new(rim, component))?;
+        }
+        Ok(loops)
+    }
+
+    /// The two loops, or arcs of them, each with its surface on the left.
+    fn sides(&self, facing: &Facing) -> Result<[Rim; 2]> {
+        let [r, k] = facing.rims;
+        let (mut a, mut b) = (self.rims[r].try_clone()?, self.rims[k].try_clone()?);
+        if let Some([arc_a, arc_b]) = facing.arcs {
+            a.cut(arc_a)?;
+            b.cut(arc_b)?;
+        }
+        Ok([a, b])
+    }
+
+    /// The edges that the mesh has between different rims.
+    fn edges_between(&self, mesh: &Mesh) -> Result<Edges> {
+        let mut owner = alloc::filled(NONE, mesh.positions.len())?;
+        for (r, rim) in self.rims.iter().enumerate() {
+            rim.vertices.iter().for_each(|&v| owner[v as usize] = r as u32);
+        }
+        let mut edges = Vec::new();
+        for face in mesh.faces() {
+            for (k, &u) in face.iter().enumerate() {
+                let v = face[(k + 1) % face.len()];
+                let (r, s) = (owner[u as usize], owner[v as usize]);
+                if r != s && r != NONE && s != NONE {
+                    alloc::push(&mut edges, ([r, s], (u, v)))?;
+                    alloc::push(&mut edges, ([s, r], (v, u)))?;
+                }
+            }
+        }
+        edges.sort_unstable();
+        edges.dedup();
+        Ok(Edges(edges))
+    }
+
+    /// The loops on which nothing hangs.
+    fn left(self, hangs: &[bool], tried: &[bool]) -> Result<Vec<LeftLoop>> {
+        let mut left = self.others;
+        for (r, rim) in self.rims.into_iter().enumerate() {
+            if !hangs[r] {
+                let reason = if tried[r] { Reason::NotJoined } else { Reason::FacesNothing };
+                alloc::push(&mut left, LeftLoop { vertices: rim.vertices, reason })?;
+            }
+        }
+        left.sort_unstable_by(|x, y| x.vertices.iter().min().cmp(&y.vertices.iter().min()));
+        Ok(left)
+    }
+
+    /// The loops that a selector names.
+    fn named(&self, base: &Base, selector: Selector) -> Result<Vec<usize>> {
+        let mut named = Vec::new();
+        let Some(map) = base.maps.get(selector.piece as usize) else {
+            return Ok(named);
+        };
+        let vertex = map.vertices.get(selector.vertex as usize).copied();
+        let has = |rim: &Rim| match selector.vertex {
+            NONE => rim.vertices.iter().any(|&v| base.piece[v as usize] == selector.piece),
+            _ => vertex.is_some_and(|vertex| rim.vertices.contains(&vertex)),
+        };
+        for (r, rim) in self.rims.iter().enumerate() {
+            if has(rim) {
+                alloc::push(&mut named, r)?;
+            }
+        }
+        Ok(named)
+    }
+}
+
+/// Edges by the rims that they join.
+struct Edges(Vec<([u32; 2], (u32, u32))>);
+
+impl Edges {
+    fn between(&self, rims: [usize; 2]) -> Bridges {
+        let rims = rims.map(|r| r as u32);
+        let from = self.0.partition_point(|&(pair, _)| pair < rims);
+        Bridges::of(self.0[from..].iter().take_while(|&&(pair, _)| pair == rims).map(|&(_, edge)| edge).collect())
+    }
+}
+
+/// The pairs that were given, and after them those that are found.
+fn chosen_pairs(
+    base: &Base,
+    loops: &Loops,
+    options: &Options<'_>,
+    job: &Job<'_>,
+) -> Result<Vec<Facing>> {
+    let mut taken = alloc::filled(false, loops.rims.len())?;
+    let mut found = alloc::with_capacity(options.pairs.len())?;
+    for (k, pair) in options.pairs.iter().enumerate() {
+        let wrong = Error::OptionOutOfRange { option: "pairs", value: k as f64 };
+        let one = |selector: Selector| match loops.named(base, selector)?.as_slice() {
+            &[r] if selector.vertex != NONE => Ok(r),
+            _ => Err(wrong),
+        };
+        let rims = [one(pair[0])?, one(pair[1])?];
+        if rims[0] == rims[1] || taken[rims[0]] || taken[rims[1]] {
+            return Err(wrong);
+        }
+        rims.iter().for_each(|&r| taken[r] = true);
+        found.push(Facing { rims, arcs: None, gap: mean_gap(&loops.rims[rims[0]], &loops.rims[rims[1]])? });
+    }
+    let mut excluded = Vec::new();
+    for (k, pair) in options.excluded.iter().enumerate() {
+        let (first, second) = (loops.named(base, pair[0])?, loops.named(base, pair[1])?);
+        let exists = |selector: &Selector| {
+            let map = base.maps.get(selector.piece as usize);
+            map.is_some_and(|map| selector.vertex == NONE || (selector.vertex as usize) < map.vertices.len())
+        };
+        if !pair.iter().all(exists) {
+            return Err(Error::OptionOutOfRange { option: "excluded", value: k as f64 });
+        }
+        for &r in &first {
+            for &s in &second {
+                alloc::push(&mut excluded, [r.min(s) as u32, r.max(s) as u32])?;
+            }
+        }
+    }
+    excluded.sort_unstable();
+    if options.max_gap != MaxGap::Given(0.0) {
+        let max_gap = match options.max_gap {
+            MaxGap::Given(gap) => MaxGap::Given(gap / loops.unit),
+            MaxGap::Auto => MaxGap::Auto,
+        };
+        let search = Search {
+            rims: &loops.rims,
+            candidates: &loops.candidates,
+            taken: &taken,
+            excluded: &excluded,
+            within_components: options.within_components,
+            arcs: !options.whole_loops_only,
+            max_gap,
+        };
+        let more = search.run(job)?;
+        alloc::reserve(&mut found, more.len())?;
+        found.extend(more);
+    }
+    Ok(found)
+}
