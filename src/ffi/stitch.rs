@@ -178,6 +178,15 @@ const _: () = assert!(
             && size_of::<gusset_quality>() == 56)
 );
 
+/// The tolerance of a mode, if one is given.
+pub(super) fn tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure> {
+    match mode {
+        GUSSET_TOLERANCE_AUTO => Ok(None),
+        GUSSET_TOLERANCE_GIVEN => Ok(Some(given)),
+        other => Err(Failure::unknown("tolerance_mode", other.into())),
+    }
+}
+
 impl gusset_stitch_options {
     fn checked(self) -> Result<Options, Failure> {
         let meridians = match self.meridians {
@@ -216,11 +225,7 @@ impl gusset_stitch_options {
             GUSSET_CELLS_QUADS => Cells::Quads,
             other => return Err(Failure::unknown("cells", other.into())),
         };
-        let tolerance = match self.tolerance_mode {
-            GUSSET_TOLERANCE_AUTO => None,
-            GUSSET_TOLERANCE_GIVEN => Some(self.tolerance),
-            other => return Err(Failure::unknown("tolerance_mode", other.into())),
-        };
+        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
         Ok(Options { meridians, orientation, twist: self.twist, extent, run, tolerance, rows, cells })
     }
 }

@@ -92,13 +92,11 @@ impl<'a> Near<'a> {
             return Ok(Near::Within { tree: KdTree::new(points)?, reach: Reach::new(tolerance) });
         }
         // -0 becomes 0, so that the order of bits is the order of numbers.
-        let key = |&i: &u32| points[i as usize] + DVec3::ZERO;
-        let compare = |i: &u32, j: &u32| {
-            let (p, q) = (key(i), key(j));
+        let mut sorted = alloc::collect(points.iter().enumerate().map(|(i, &p)| (p + DVec3::ZERO, i as u32)))?;
+        sorted.sort_unstable_by(|(p, i), (q, j)| {
             p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z)).then(i.cmp(j))
-        };
-        let mut order = alloc::collect((0..points.len()).map(|i| i as u32))?;
-        order.sort_unstable_by(compare);
+        });
+        let order = alloc::collect(sorted.into_iter().map(|(_, i)| i))?;
         let mut begin = alloc::filled(0u32, points.len())?;
         let mut group = 0;
         for (k, &i) in order.iter().enumerate() {
