@@ -134,27 +134,25 @@ impl<'a> Near<'a> {
 
 /// Keeps corners of one face apart.
 struct Guard<'a> {
-    mesh: &'a MeshView<'a>,
     corners: Option<&'a Corners>,
     /// Per face, the representative that last got a corner of it.
     owner: Vec<u32>,
 }
 
 impl<'a> Guard<'a> {
-    fn new(mesh: &'a MeshView<'a>, corners: Option<&'a Corners>) -> Result<Self> {
+    fn new(mesh: &MeshView<'_>, corners: Option<&'a Corners>) -> Result<Self> {
         let faces = if corners.is_some() { mesh.faces().len() } else { 0 };
-        Ok(Guard { mesh, corners, owner: alloc::filled(NONE, faces)? })
+        Ok(Guard { corners, owner: alloc::filled(NONE, faces)? })
     }
 
     /// True if no face has both `v` and a vertex admitted to the same representative before; `v` is then admitted.
     fn admits(&mut self, representative: u32, v: u32) -> bool {
         let Some(corners) = self.corners else { return true };
-        let face = |&h: &u32| self.mesh.faces().face_of(h) as usize;
-        if corners.at(v).iter().any(|h| self.owner[face(h)] == representative) {
+        if corners.at(v).iter().any(|&h| self.owner[corners.face(h)] == representative) {
             return false;
         }
-        for h in corners.at(v) {
-            self.owner[face(h)] = representative;
+        for &h in corners.at(v) {
+            self.owner[corners.face(h)] = representative;
         }
         true
     }
