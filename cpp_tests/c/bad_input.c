@@ -22,12 +22,17 @@ static void refused(gusset_mesh_view mesh, gusset_status status, gusset_element 
     gusset_stitch *stitch = (gusset_stitch *)misaligned();
     gusset_winged *winged = (gusset_winged *)misaligned();
     gusset_check *check = (gusset_check *)misaligned();
+    gusset_weld *weld = (gusset_weld *)misaligned();
+    gusset_orient *orient = (gusset_orient *)misaligned();
     gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     const int before = failures;
 
     EXPECT(status, gusset_winged_create(context, &mesh, NULL, &winged));
     EXPECT(status, gusset_check_create(context, &mesh, &check));
     CHECK(winged == NULL && check == NULL);
+    EXPECT(status, gusset_weld_create(context, &mesh, NULL, &weld));
+    EXPECT(status, gusset_orient_create(context, &mesh, NULL, &orient));
+    CHECK(weld == NULL && orient == NULL);
     EXPECT(status, gusset_boundary_create(context, &mesh, NULL, &boundary));
     CHECK(boundary == NULL);
     EXPECT(GUSSET_OK, gusset_context_report(context, &report));

@@ -1,5 +1,7 @@
 #include "judge.hpp"
 
+#include "cgal_soup.hpp"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -17,15 +19,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 Verdict judge(const gusset::MeshView &view, bool intersections) {
-    std::vector<Kernel::Point_3> points;
-    std::vector<std::vector<std::size_t>> faces;
-    for (std::size_t v = 0; v < view.vertex_count(); ++v) {
-        const auto p = view.position(v);
-        points.emplace_back(p[0], p[1], p[2]);
-    }
-    for (std::size_t f = 0; f < view.face_count(); ++f) {
-        faces.emplace_back(view.face(f).begin(), view.face(f).end());
-    }
+    auto [points, faces] = CgalSoup<Kernel::Point_3>(view);
     Verdict verdict;
     if (!PMP::is_polygon_soup_a_polygon_mesh(faces)) {
         return verdict;

@@ -1,5 +1,7 @@
 #include "soup.hpp"
 
+#include "cgal_soup.hpp"
+
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/polygon_soup_io.h>
@@ -31,16 +33,8 @@ Soup read_soup(const std::string &path) {
 }
 
 void write_obj(const std::string &path, const gusset::MeshView &mesh) {
-    std::vector<Kernel::Point_3> points;
-    std::vector<std::vector<std::size_t>> faces;
-    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-        const auto p = mesh.position(v);
-        points.emplace_back(p[0], p[1], p[2]);
-    }
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
-    }
-    if (!CGAL::IO::write_OBJ(path, points, faces, CGAL::parameters::stream_precision(17))) {
+    const CgalSoup<Kernel::Point_3> soup(mesh);
+    if (!CGAL::IO::write_OBJ(path, soup.points, soup.faces, CGAL::parameters::stream_precision(17))) {
         throw std::runtime_error("cannot write " + path);
     }
 }

@@ -1,4 +1,5 @@
 // Welding and orienting, with CGAL as judge: its own stitching of borders, and its check of what comes out.
+#include "cgal_soup.hpp"
 #include "data.hpp"
 #include "judge.hpp"
 #include "soup.hpp"
@@ -23,22 +24,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Points = std::vector<Kernel::Point_3>;
-using Faces = std::vector<std::vector<std::size_t>>;
 using Lengths = std::vector<std::size_t>;
-
-std::pair<Points, Faces> cgal_soup(const gusset::MeshView &view) {
-    Points points;
-    Faces faces;
-    for (std::size_t v = 0; v < view.vertex_count(); ++v) {
-        const auto p = view.position(v);
-        points.emplace_back(p[0], p[1], p[2]);
-    }
-    for (std::size_t f = 0; f < view.face_count(); ++f) {
-        faces.emplace_back(view.face(f).begin(), view.face(f).end());
-    }
-    return {points, faces};
-}
 
 /// All pieces, one after the other.
 Soup together(const std::vector<Soup> &pieces) {
@@ -126,7 +112,7 @@ struct Sewn {
 
 /// What CGAL's stitch_borders makes of it; for meshes whose sheets are oriented alike.
 Sewn stitched_by_cgal(const Soup &soup) {
-    auto [points, faces] = cgal_soup(soup.view());
+    auto [points, faces] = CgalSoup<Kernel::Point_3>(soup.view());
     REQUIRE(PMP::is_polygon_soup_a_polygon_mesh(faces));
     CGAL::Surface_mesh<Kernel::Point_3> mesh;
     PMP::polygon_soup_to_polygon_mesh(points, faces, mesh);
@@ -243,7 +229,7 @@ TEST_CASE("boeing: 122 sheets, some inside out, become one closed manifold") {
     check_shape(copy_of(orient.mesh()), 1264, 2564, -18, {});
 
     // CGAL's way: merge equal points of the soup, then turn faces; as it needs to cut nothing, the same faces come out.
-    auto [points, faces] = cgal_soup(soup.view());
+    auto [points, faces] = CgalSoup<Kernel::Point_3>(soup.view());
     PMP::merge_duplicate_points_in_polygon_soup(points, faces);
     CHECK(points.size() == 1264);
     CHECK(PMP::orient_polygon_soup(points, faces));
@@ -381,7 +367,7 @@ TEST_CASE("every mesh as a triangle soup: as many vertices as points, as CGAL co
         gusset::WeldOptions options;
         options.vertices = gusset::WeldVertices::all;
         options.collapse = true;
-        auto [points, faces] = cgal_soup(pieces.view());
+        auto [points, faces] = CgalSoup<Kernel::Point_3>(pieces.view());
         PMP::merge_duplicate_points_in_polygon_soup(points, faces);
         CHECK(gusset::Weld(pieces.view(), options).mesh().vertex_count() == points.size());
     }

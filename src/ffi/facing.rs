@@ -6,7 +6,7 @@ use super::input::{self, Versioned};
 use super::mesh::gusset_indices;
 use super::status::gusset_status::{self, GUSSET_ERROR_BUFFER_TOO_SMALL};
 use super::status::{Failure, GUSSET_ELEMENT_COUNT};
-use super::stitch_options::{GUSSET_RUN_CLOSEST, GUSSET_RUN_LONGEST, GUSSET_TOLERANCE_AUTO, GUSSET_TOLERANCE_GIVEN};
+use super::stitch_options::{GUSSET_RUN_CLOSEST, GUSSET_RUN_LONGEST, tolerance};
 use crate::alloc;
 use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
@@ -74,11 +74,7 @@ impl gusset_facing_options {
             GUSSET_RUN_LONGEST => Run::Longest,
             other => return Err(Failure::unknown("run", other.into())),
         };
-        match self.tolerance_mode {
-            GUSSET_TOLERANCE_AUTO => Ok((run, None)),
-            GUSSET_TOLERANCE_GIVEN => Ok((run, Some(self.tolerance))),
-            other => Err(Failure::unknown("tolerance_mode", other.into())),
-        }
+        Ok((run, tolerance(self.tolerance_mode, self.tolerance)?))
     }
 }
 

@@ -177,11 +177,7 @@ impl gusset_stitch_options {
             GUSSET_CELLS_QUADS => Cells::Quads,
             other => return Err(Failure::unknown("cells", other.into())),
         };
-        let tolerance = match self.tolerance_mode {
-            GUSSET_TOLERANCE_AUTO => None,
-            GUSSET_TOLERANCE_GIVEN => Some(self.tolerance),
-            other => return Err(Failure::unknown("tolerance_mode", other.into())),
-        };
+        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
         let start = match self.start {
             GUSSET_START_AUTO => Start::Auto,
             GUSSET_START_CLOSEST => Start::Closest,
@@ -236,4 +232,13 @@ pub(super) fn search(value: u32) -> Result<Search, Failure> {
         GUSSET_SEARCH_EXACT => Search::Exact,
         other => return Err(Failure::unknown("search", other.into())),
     })
+}
+
+/// The tolerance of a mode, if one is given.
+pub(super) fn tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure> {
+    match mode {
+        GUSSET_TOLERANCE_AUTO => Ok(None),
+        GUSSET_TOLERANCE_GIVEN => Ok(Some(given)),
+        other => Err(Failure::unknown("tolerance_mode", other.into())),
+    }
 }

@@ -5,7 +5,7 @@ use super::guard::{create, guard};
 use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::{Failure, gusset_status};
-use super::stitch_options::{GUSSET_TOLERANCE_AUTO, GUSSET_TOLERANCE_GIVEN};
+use super::stitch_options::tolerance;
 use crate::repair::weld::{Options, Vertices, Weld, weld};
 use std::ptr;
 
@@ -90,11 +90,7 @@ impl gusset_weld_options {
             GUSSET_WELD_ALL => Vertices::All,
             other => return Err(Failure::unknown("vertices", other.into())),
         };
-        let tolerance = match self.tolerance_mode {
-            GUSSET_TOLERANCE_AUTO => None,
-            GUSSET_TOLERANCE_GIVEN => Some(self.tolerance),
-            other => return Err(Failure::unknown("tolerance_mode", other.into())),
-        };
+        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
         let collapse = match self.collapse {
             GUSSET_COLLAPSE_NEVER => false,
             GUSSET_COLLAPSE_ALLOW => true,

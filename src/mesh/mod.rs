@@ -18,7 +18,7 @@ mod view;
 pub(crate) use components::Sets;
 pub use concat::{Piece, concatenate};
 pub use owned::{Mesh, PositionBuffer};
-pub(crate) use topology::Across;
+pub(crate) use topology::{Across, half_edges};
 pub use topology::{Defect, Topology};
 pub use view::{Faces, MAX_ELEMENTS, MeshView, Positions, Scalar};
 

@@ -229,7 +229,7 @@ impl Topology {
 }
 
 /// The half-edges of face `f` as (number, start vertex, end vertex).
-fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = (u32, u32, u32)> + Clone + 'm {
+pub(crate) fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = (u32, u32, u32)> + Clone + 'm {
     let faces = mesh.faces();
     let range = faces.range(f);
     let (start, end) = (range.start as u32, range.end as u32);

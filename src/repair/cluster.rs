@@ -92,13 +92,11 @@ impl<'a> Near<'a> {
             return Ok(Near::Within { tree: KdTree::new(points)?, reach: Reach::new(tolerance) });
         }
         // -0 becomes 0, so that the order of bits is the order of numbers.
-        let key = |&i: &u32| points[i as usize] + DVec3::ZERO;
-        let compare = |i: &u32, j: &u32| {
-            let (p, q) = (key(i), key(j));
+        let mut sorted = alloc::collect(points.iter().enumerate().map(|(i, &p)| (p + DVec3::ZERO, i as u32)))?;
+        sorted.sort_unstable_by(|(p, i), (q, j)| {
             p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z)).then(i.cmp(j))
-        };
-        let mut order = alloc::collect((0..points.len()).map(|i| i as u32))?;
-        order.sort_unstable_by(compare);
+        });
+        let order = alloc::collect(sorted.into_iter().map(|(_, i)| i))?;
         let mut begin = alloc::filled(0u32, points.len())?;
         let mut group = 0;
         for (k, &i) in order.iter().enumerate() {
@@ -136,27 +134,25 @@ impl<'a> Near<'a> {
 
 /// Keeps corners of one face apart.
 struct Guard<'a> {
-    mesh: &'a MeshView<'a>,
     corners: Option<&'a Corners>,
     /// Per face, the representative that last got a corner of it.
     owner: Vec<u32>,
 }
 
 impl<'a> Guard<'a> {
-    fn new(mesh: &'a MeshView<'a>, corners: Option<&'a Corners>) -> Result<Self> {
+    fn new(mesh: &MeshView<'_>, corners: Option<&'a Corners>) -> Result<Self> {
         let faces = if corners.is_some() { mesh.faces().len() } else { 0 };
-        Ok(Guard { mesh, corners, owner: alloc::filled(NONE, faces)? })
+        Ok(Guard { corners, owner: alloc::filled(NONE, faces)? })
     }
 
     /// True if no face has both `v` and a vertex admitted to the same representative before; `v` is then admitted.
     fn admits(&mut self, representative: u32, v: u32) -> bool {
         let Some(corners) = self.corners else { return true };
-        let face = |&h: &u32| self.mesh.faces().face_of(h) as usize;
-        if corners.at(v).iter().any(|h| self.owner[face(h)] == representative) {
+        if corners.at(v).iter().any(|&h| self.owner[corners.face(h)] == representative) {
             return false;
         }
-        for h in corners.at(v) {
-            self.owner[face(h)] = representative;
+        for &h in corners.at(v) {
+            self.owner[corners.face(h)] = representative;
         }
         true
     }

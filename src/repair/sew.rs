@@ -17,7 +17,7 @@ use super::corners::Corners;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::mesh::{Across, MeshView, NONE, Topology};
+use crate::mesh::{Across, MeshView, NONE, Topology, half_edges};
 use std::iter;
 
 /// Pairs between two progress reports.
@@ -28,9 +28,10 @@ pub(super) fn is_free(topology: &Topology, h: u32) -> bool {
     !topology.is_ignored(h) && topology.across(h) == Across::Free
 }
 
-/// The two ends of half-edge `h`.
-pub(super) fn ends(mesh: &MeshView<'_>, h: u32) -> [u32; 2] {
-    [mesh.faces().corner(h), mesh.faces().corner(mesh.faces().next(h))]
+/// The half-edges of free edges, with their ends.
+pub(super) fn free_edges(mesh: &MeshView<'_>, topology: &Topology) -> impl Iterator<Item = (u32, [u32; 2])> {
+    let all = (0..mesh.faces().len()).flat_map(|f| half_edges(mesh, f));
+    all.filter(|&(h, ..)| is_free(topology, h)).map(|(h, u, v)| (h, [u, v]))
 }
 
 /// A pair of numbers in one word, whatever their order.
@@ -55,7 +56,7 @@ pub(super) fn sew(
         if i % STEP == 0 {
             job.step(i as f64 / pairs.len() as f64, "sewing edges")?;
         }
-        let ([u, v], [a, b]) = (ends(mesh, g), ends(mesh, h));
+        let ([u, v], [a, b]) = (sets.ends(g), sets.ends(h));
         let [a, b] = if clusters[u as usize] == clusters[a as usize] { [a, b] } else { [b, a] };
         let of = |v: u32| sets.label[v as usize];
         let seam = Seam([[of(u), of(a)], [of(v), of(b)]]);
@@ -70,8 +71,8 @@ pub(super) fn sew(
 /// together is in none: its neighbours decide.
 fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32]) -> Result<Vec<[u32; 2]>> {
     let mut free = Vec::new();
-    for h in (0..mesh.faces().half_edge_count() as u32).filter(|&h| is_free(topology, h)) {
-        let at = ends(mesh, h).map(|v| clusters[v as usize]);
+    for (h, ends) in free_edges(mesh, topology) {
+        let at = ends.map(|v| clusters[v as usize]);
         if at[0] != at[1] {
             alloc::push(&mut free, (unordered(at), h))?;
         }
@@ -119,6 +120,13 @@ struct Sewing<'m> {
 }
 
 impl Sewing<'_> {
+    /// The two ends of half-edge `h`.
+    fn ends(&self, h: u32) -> [u32; 2] {
+        let range = self.mesh.faces().range(self.corners.face(h));
+        let after = if h as usize + 1 == range.end { range.start as u32 } else { h + 1 };
+        [h, after].map(|h| self.mesh.faces().corner(h))
+    }
+
     fn vertices(&self, label: u32) -> impl Iterator<Item = u32> {
         iter::successors(Some(label), move |&v| Some(self.next[v as usize]).filter(|&v| v != label))
     }
@@ -130,7 +138,7 @@ impl Sewing<'_> {
     /// The sets at the other ends of the half-edges that leave and reach corner `h`.
     fn neighbours(&self, h: u32) -> impl Iterator<Item = u32> {
         let faces = self.mesh.faces();
-        let range = faces.range(faces.face_of(h) as usize);
+        let range = faces.range(self.corners.face(h));
         let (start, end) = (range.start as u32, range.end as u32 - 1);
         let before = if h == start { end } else { h - 1 };
         let after = if h == end { start } else { h + 1 };
@@ -140,7 +148,7 @@ impl Sewing<'_> {
 
     /// True if the face of corner `h` has a corner in a set.
     fn face_meets(&self, h: u32, label: u32) -> bool {
-        let range = self.mesh.faces().range(self.mesh.faces().face_of(h) as usize);
+        let range = self.mesh.faces().range(self.corners.face(h));
         if range.len() <= self.degree[label as usize] as usize {
             return self.face(h).any(|other| other == label);
         }
@@ -149,7 +157,7 @@ impl Sewing<'_> {
 
     /// The sets at the corners of the face of corner `h`.
     fn face(&self, h: u32) -> impl Iterator<Item = u32> {
-        self.mesh.face(self.mesh.faces().face_of(h) as usize).map(|v| self.label[v as usize])
+        self.mesh.face(self.corners.face(h)).map(|v| self.label[v as usize])
     }
 
     /// True if the seam does no harm.

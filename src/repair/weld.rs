@@ -11,11 +11,11 @@
 
 use super::cluster::Clusters;
 use super::corners::Corners;
-use super::sew::{ends, is_free, sew, unordered};
+use super::sew::{free_edges, is_free, sew, unordered};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology};
+use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges};
 
 /// Which vertices are welded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -96,12 +96,10 @@ pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Wel
 /// The vertices that may be welded, ascending.
 fn members(mesh: &MeshView<'_>, topology: &Topology, boundary: bool) -> Result<Vec<u32>> {
     let mut marked = alloc::filled(false, mesh.positions().len())?;
-    for h in 0..mesh.faces().half_edge_count() as u32 {
-        if !boundary {
-            marked[mesh.faces().corner(h) as usize] = true;
-        } else if is_free(topology, h) {
-            ends(mesh, h).into_iter().for_each(|v| marked[v as usize] = true);
-        }
+    let mark = |v: u32| marked[v as usize] = true;
+    match boundary {
+        true => free_edges(mesh, topology).flat_map(|(_, ends)| ends).for_each(mark),
+        false => mesh.faces().corners(0..mesh.faces().half_edge_count()).for_each(mark),
     }
     let mut members = alloc::with_capacity(marked.iter().filter(|&&m| m).count())?;
     members.extend((0u32..).zip(&marked).filter(|&(_, &m)| m).map(|(v, _)| v));
@@ -200,13 +198,11 @@ impl Weld {
         free_only: bool,
     ) -> Result<()> {
         // Sewing leaves edges with two faces alone; other welding does not.
-        let taken = |h: &u32| {
-            let kept = self.face_map[mesh.faces().face_of(*h) as usize] != NONE;
-            kept && if free_only { is_free(topology, *h) } else { !topology.is_ignored(*h) }
-        };
+        let taken = |h| if free_only { is_free(topology, h) } else { !topology.is_ignored(h) };
+        let kept = (0..mesh.faces().len()).filter(|&f| self.face_map[f] != NONE);
         let mut edges = Vec::new();
-        for h in (0..mesh.faces().half_edge_count() as u32).filter(taken) {
-            let [now, place] = [representative, clusters].map(|of| ends(mesh, h).map(|v| of[v as usize]));
+        for (h, u, v) in kept.flat_map(|f| half_edges(mesh, f)).filter(|&(h, ..)| taken(h)) {
+            let [now, place] = [representative, clusters].map(|of| [u, v].map(|v| of[v as usize]));
             if now[0] != now[1] {
                 alloc::push(&mut edges, (unordered(place), unordered(now), h))?;
             }
