@@ -37,6 +37,67 @@
 
 
 /**
+ * Coincident borders are sewn, by default where positions are equal; see gusset_weld_options.
+ */
+#define GUSSET_ASSEMBLY_WELD 0
+
+/**
+ * Nothing is welded.
+ */
+#define GUSSET_ASSEMBLY_NO_WELD 1
+
+/**
+ * Gaps are closed whose mean width is at most half the mean radius of the smaller loop: the mean distance of its vertices from their
+ * centre. The width is the mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
+ */
+#define GUSSET_GAP_AUTO 0
+
+/**
+ * Gaps are closed up to max_gap.
+ */
+#define GUSSET_GAP_GIVEN 1
+
+/**
+ * A strip joins them.
+ */
+#define GUSSET_JOINT_JOINED 0
+
+/**
+ * Left: joining them would make a one-sided surface with what is joined already.
+ */
+#define GUSSET_JOINT_ORIENTATION_CONFLICT 1
+
+/**
+ * Left: they pass the same vertex.
+ */
+#define GUSSET_JOINT_SHARE_VERTEX 2
+
+/**
+ * Left: every strip would repeat an edge that the mesh already has.
+ */
+#define GUSSET_JOINT_NO_STRIP 3
+
+/**
+ * No other loop is near enough, or not along enough of both.
+ */
+#define GUSSET_LEFT_FACES_NOTHING 0
+
+/**
+ * It is open, or the faces along it disagree in orientation or are not manifold there.
+ */
+#define GUSSET_LEFT_NOT_SIMPLE 1
+
+/**
+ * It has fewer than three vertices.
+ */
+#define GUSSET_LEFT_TOO_SHORT 2
+
+/**
+ * It faces another loop, but no strip could be made: see the joints.
+ */
+#define GUSSET_LEFT_NOT_JOINED 3
+
+/**
  * At an edge with three or more faces each face has a border of its own; loops run along it and are always closed.
  */
 #define GUSSET_NON_MANIFOLD_CUT 0
@@ -142,6 +203,81 @@
  * Faces can be turned over so that it becomes oriented.
  */
 #define GUSSET_MESH_ORIENTABLE 8
+
+/**
+ * The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
+ */
+#define GUSSET_WEIGHT_BEND_THEN_AREA 0
+
+/**
+ * The least area, exactly.
+ */
+#define GUSSET_WEIGHT_AREA 1
+
+/**
+ * No new vertices.
+ */
+#define GUSSET_REFINE_NONE 0
+
+/**
+ * New vertices as dense as those round the hole.
+ */
+#define GUSSET_REFINE_RIM_DENSITY 1
+
+/**
+ * New vertices stay on the triangles of the first triangulation.
+ */
+#define GUSSET_FAIR_NONE 0
+
+/**
+ * They go to where a thin plate clamped to the surface round the hole would bend least.
+ */
+#define GUSSET_FAIR_THIN_PLATE 1
+
+/**
+ * Filled.
+ */
+#define GUSSET_HOLE_FILLED 0
+
+/**
+ * Left: it is the longest loop, and keep_longest says so.
+ */
+#define GUSSET_HOLE_LONGEST 1
+
+/**
+ * Left: it exceeds max_edges, max_length or max_diameter.
+ */
+#define GUSSET_HOLE_TOO_LARGE 2
+
+/**
+ * Left: an open chain.
+ */
+#define GUSSET_HOLE_OPEN 3
+
+/**
+ * Left: it runs along an edge with three or more faces.
+ */
+#define GUSSET_HOLE_NON_MANIFOLD 4
+
+/**
+ * Left: the faces along it disagree in orientation.
+ */
+#define GUSSET_HOLE_NOT_ORIENTED 5
+
+/**
+ * Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
+ */
+#define GUSSET_HOLE_NOT_SIMPLE 6
+
+/**
+ * Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
+ */
+#define GUSSET_HOLE_NOT_FREE 7
+
+/**
+ * Left: every triangulation would repeat an edge that the mesh already has.
+ */
+#define GUSSET_HOLE_NO_TRIANGULATION 8
 
 /**
  * Coordinates are 32-bit floats.
@@ -546,6 +682,11 @@ typedef int32_t gusset_status;
 #endif // __cplusplus
 
 /**
+ * An assembled mesh and its account. Opaque and immutable; it keeps nothing of the pieces.
+ */
+typedef struct gusset_assembly gusset_assembly;
+
+/**
  * The free boundary loops of a mesh. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_boundary gusset_boundary;
@@ -565,6 +706,11 @@ typedef struct gusset_context gusset_context;
  * Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_facing gusset_facing;
+
+/**
+ * A mesh with holes filled. Opaque and immutable; it keeps nothing of the mesh it was made from.
+ */
+typedef struct gusset_fill gusset_fill;
 
 /**
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -651,6 +797,444 @@ typedef struct gusset_mesh_view {
 } gusset_mesh_view;
 
 /**
+ * Two loops of the input.
+ */
+typedef struct gusset_loop_pair {
+    /**
+     * The piece of each.
+     */
+    uint32_t piece[2];
+    /**
+     * A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in exclusions only.
+     */
+    uint32_t vertex[2];
+} gusset_loop_pair;
+
+/**
+ * How to weld; all zero is the default.
+ */
+typedef struct gusset_weld_options {
+    /**
+     * sizeof(gusset_weld_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Which vertices: GUSSET_WELD_...
+     */
+    uint32_t vertices;
+    /**
+     * GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0 equals 0. GUSSET_TOLERANCE_GIVEN: if
+     * they are not farther apart than the tolerance.
+     */
+    uint32_t tolerance_mode;
+    /**
+     * In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
+     */
+    double tolerance;
+    /**
+     * GUSSET_COLLAPSE_...
+     */
+    uint32_t collapse;
+    /**
+     * GUSSET_UNUSED_...
+     */
+    uint32_t unused;
+} gusset_weld_options;
+
+/**
+ * How to stitch; all zero is the default.
+ */
+typedef struct gusset_stitch_options {
+    /**
+     * sizeof(gusset_stitch_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MERIDIANS_...
+     */
+    uint32_t meridians;
+    /**
+     * GUSSET_ORIENTATION_...
+     */
+    uint32_t orientation;
+    /**
+     * The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so many
+     * places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any value;
+     * taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
+     */
+    int64_t twist;
+    /**
+     * GUSSET_EXTENT_...
+     */
+    uint32_t extent;
+    /**
+     * GUSSET_RUN_...
+     */
+    uint32_t run;
+    /**
+     * GUSSET_ROWS_...
+     */
+    uint32_t rows;
+    /**
+     * Interior rows, read for GUSSET_ROWS_COUNT.
+     */
+    uint32_t row_count;
+    /**
+     * GUSSET_CELLS_...
+     */
+    uint32_t cells;
+    /**
+     * GUSSET_TOLERANCE_...
+     */
+    uint32_t tolerance_mode;
+    /**
+     * How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0; read
+     * for GUSSET_TOLERANCE_GIVEN.
+     */
+    double tolerance;
+    /**
+     * Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length. The
+     * arc runs along the loop as it was given, and may pass its end.
+     */
+    uint32_t arc_a[2];
+    /**
+     * The same on loop B.
+     */
+    uint32_t arc_b[2];
+    /**
+     * GUSSET_SEARCH_...
+     */
+    uint32_t search;
+    /**
+     * GUSSET_START_...
+     */
+    uint32_t start;
+    /**
+     * GUSSET_FAIRING_...
+     */
+    uint32_t fairing;
+    /**
+     * GUSSET_INTERSECTIONS_...
+     */
+    uint32_t intersections;
+} gusset_stitch_options;
+
+/**
+ * How holes are filled; all zero is the default: triangles without new vertices, in every hole.
+ */
+typedef struct gusset_fill_options {
+    /**
+     * sizeof(gusset_fill_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_WEIGHT_...
+     */
+    uint32_t weight;
+    /**
+     * GUSSET_REFINE_...
+     */
+    uint32_t refine;
+    /**
+     * GUSSET_FAIR_..., read if new vertices are asked for.
+     */
+    uint32_t fair;
+    /**
+     * 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all loops are asked for. 0 or 1.
+     */
+    uint32_t keep_longest;
+    /**
+     * About how many new vertices a hole gets at the most; where more would be needed the triangles are larger. 0 is 50,000.
+     */
+    uint32_t max_new_vertices;
+    /**
+     * Loops of more edges are left alone. 0 is no limit.
+     */
+    uint32_t max_edges;
+    /**
+     * Longer loops are left alone, in the unit of the positions, at least 0. 0 is no limit.
+     */
+    double max_length;
+    /**
+     * Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
+     */
+    double max_diameter;
+} gusset_fill_options;
+
+/**
+ * How pieces are assembled; all zero is the default.
+ */
+typedef struct gusset_assembly_options {
+    /**
+     * sizeof(gusset_assembly_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_ASSEMBLY_WELD or GUSSET_ASSEMBLY_NO_WELD.
+     */
+    uint32_t weld;
+    /**
+     * GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face each other are
+     * made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned.
+     */
+    uint32_t orientation;
+    /**
+     * GUSSET_GAP_...
+     */
+    uint32_t gap;
+    /**
+     * 1: only whole loops are joined, no parts of them. 0 or 1.
+     */
+    uint32_t whole_loops_only;
+    /**
+     * 1: loops of one component may be joined without being asked for. 0 or 1.
+     */
+    uint32_t within_components;
+    /**
+     * 1: holes that are left in the end are filled. 0 or 1.
+     */
+    uint32_t fill;
+    /**
+     * Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, at least 0; 0 leaves all open.
+     */
+    double max_gap;
+    /**
+     * Pairs of loops to be joined however wide the gap is, or NULL. Each names two different loops, and none is named twice.
+     */
+    const struct gusset_loop_pair *pairs;
+    /**
+     * How many.
+     */
+    size_t pair_count;
+    /**
+     * Pairs that are not to be joined, or NULL.
+     */
+    const struct gusset_loop_pair *excluded;
+    /**
+     * How many.
+     */
+    size_t excluded_count;
+    /**
+     * How to weld; NULL for the defaults.
+     */
+    const struct gusset_weld_options *weld_options;
+    /**
+     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing and intersections are read; the
+     * other fields must be valid too.
+     */
+    const struct gusset_stitch_options *strip_options;
+    /**
+     * How to fill, NULL for the defaults.
+     */
+    const struct gusset_fill_options *fill_options;
+} gusset_assembly_options;
+
+/**
+ * Indices that a result lends, or that the caller gives.
+ */
+typedef struct gusset_indices {
+    /**
+     * The first one; may be NULL if count is 0.
+     */
+    const uint32_t *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} gusset_indices;
+
+/**
+ * Where a piece went.
+ */
+typedef struct gusset_piece_map {
+    /**
+     * Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if it was left out.
+     */
+    struct gusset_indices vertices;
+    /**
+     * Per face, its index in the result, or UINT32_MAX.
+     */
+    struct gusset_indices faces;
+} gusset_piece_map;
+
+/**
+ * Two loops, or runs of loops, that face each other across a gap.
+ */
+typedef struct gusset_joint {
+    /**
+     * The vertices of each side in the result, in order; if joined, side by side from the first meridian on.
+     */
+    struct gusset_indices side[2];
+    /**
+     * The mean width of the gap.
+     */
+    double gap;
+    /**
+     * The strip's first new vertex in the result.
+     */
+    size_t vertex_first;
+    /**
+     * How many new vertices it has.
+     */
+    size_t vertex_count;
+    /**
+     * The strip's first face in the result.
+     */
+    size_t face_first;
+    /**
+     * How many faces it has.
+     */
+    size_t face_count;
+    /**
+     * Pairs of faces that cut each other, as in gusset_stitch_parts.
+     */
+    struct gusset_indices intersections;
+    /**
+     * 1 if they were looked for.
+     */
+    uint32_t intersections_known;
+    /**
+     * GUSSET_JOINT_...
+     */
+    uint32_t outcome;
+    /**
+     * 1 if both sides are whole loops.
+     */
+    uint32_t whole;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_joint;
+
+/**
+ * A boundary loop of the pieces that no strip hangs on.
+ */
+typedef struct gusset_left_loop {
+    /**
+     * Its vertices in the result, in order.
+     */
+    struct gusset_indices vertices;
+    /**
+     * GUSSET_LEFT_...
+     */
+    uint32_t reason;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_left_loop;
+
+/**
+ * The account of one loop.
+ */
+typedef struct gusset_hole {
+    /**
+     * Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given loop that is not simple, free or
+     * oriented, as given.
+     */
+    size_t rim_first;
+    /**
+     * How many they are.
+     */
+    size_t rim_count;
+    /**
+     * Its first face in the result.
+     */
+    size_t face_first;
+    /**
+     * How many faces it has.
+     */
+    size_t face_count;
+    /**
+     * Its first new vertex in the result.
+     */
+    size_t vertex_first;
+    /**
+     * How many new vertices it has.
+     */
+    size_t vertex_count;
+    /**
+     * GUSSET_HOLE_...
+     */
+    uint32_t status;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_hole;
+
+/**
+ * The account of an assembly. Pointers are valid until it is destroyed; they are NULL where the count is 0.
+ */
+typedef struct gusset_assembly_parts {
+    /**
+     * sizeof(gusset_assembly_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One for each piece.
+     */
+    const struct gusset_piece_map *pieces;
+    /**
+     * How many.
+     */
+    size_t piece_count;
+    /**
+     * The pairs that face each other: those that were given, in their order, then the others, nearest first.
+     */
+    const struct gusset_joint *joints;
+    /**
+     * How many.
+     */
+    size_t joint_count;
+    /**
+     * The loops that no strip hangs on.
+     */
+    const struct gusset_left_loop *left;
+    /**
+     * How many.
+     */
+    size_t left_count;
+    /**
+     * The holes that were looked at in the end.
+     */
+    const struct gusset_hole *holes;
+    /**
+     * How many.
+     */
+    size_t hole_count;
+    /**
+     * The vertices of their rims.
+     */
+    struct gusset_indices hole_rims;
+    /**
+     * Faces of the pieces that were turned over, by their indices in the result.
+     */
+    struct gusset_indices turned;
+    /**
+     * A face of each component that cannot be oriented.
+     */
+    struct gusset_indices one_sided;
+    /**
+     * Vertices that became one with another.
+     */
+    uint32_t welded_vertices;
+    /**
+     * Edges that were two free edges.
+     */
+    uint32_t sewn_edges;
+    /**
+     * Boundary loops of the result.
+     */
+    uint32_t loops_left;
+    /**
+     * Edges of the result with three or more faces.
+     */
+    uint32_t non_manifold_edges;
+} gusset_assembly_parts;
+
+/**
  * How loops are found; all zero is the default.
  */
 typedef struct gusset_boundary_options {
@@ -667,20 +1251,6 @@ typedef struct gusset_boundary_options {
      */
     uint32_t survey;
 } gusset_boundary_options;
-
-/**
- * Indices that a result lends, or that the caller gives.
- */
-typedef struct gusset_indices {
-    /**
-     * The first one; may be NULL if count is 0.
-     */
-    const uint32_t *data;
-    /**
-     * How many.
-     */
-    size_t count;
-} gusset_indices;
 
 /**
  * One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a closed loop back to
@@ -929,6 +1499,72 @@ typedef struct gusset_facing_view {
 } gusset_facing_view;
 
 /**
+ * The accounts of all loops. Pointers are valid until the fill is destroyed.
+ */
+typedef struct gusset_fill_parts {
+    /**
+     * sizeof(gusset_fill_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_loop numbers them. NULL if
+     * there are none.
+     */
+    const struct gusset_hole *holes;
+    /**
+     * How many.
+     */
+    size_t hole_count;
+    /**
+     * The vertices of all rims.
+     */
+    struct gusset_indices rims;
+} gusset_fill_parts;
+
+/**
+ * Measures of a strip, or of filled holes, and of the whole result's connectivity.
+ */
+typedef struct gusset_quality {
+    /**
+     * sizeof(gusset_quality), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The smallest angle of the new triangles, in radians; 0 if one is degenerate.
+     */
+    double min_angle;
+    /**
+     * The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
+     * triangle, infinite for a degenerate one.
+     */
+    double max_aspect;
+    /**
+     * The longest edge of the new faces, in the unit of the positions.
+     */
+    double max_edge;
+    /**
+     * Their area, in the square of that unit.
+     */
+    double area;
+    /**
+     * New triangles without area.
+     */
+    uint32_t degenerate_faces;
+    /**
+     * Boundary loops of the result; 0 if no edge has exactly one face.
+     */
+    uint32_t loops_left;
+    /**
+     * Edges of the result with three or more faces.
+     */
+    uint32_t non_manifold_edges;
+    /**
+     * Edges of the result whose two faces disagree in orientation.
+     */
+    uint32_t orientation_conflicts;
+} gusset_quality;
+
+/**
  * How to orient; all zero is the default.
  */
 typedef struct gusset_orient_options {
@@ -987,84 +1623,6 @@ typedef struct gusset_orient_parts {
      */
     uint32_t reserved;
 } gusset_orient_parts;
-
-/**
- * How to stitch; all zero is the default.
- */
-typedef struct gusset_stitch_options {
-    /**
-     * sizeof(gusset_stitch_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_MERIDIANS_...
-     */
-    uint32_t meridians;
-    /**
-     * GUSSET_ORIENTATION_...
-     */
-    uint32_t orientation;
-    /**
-     * The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so many
-     * places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any value;
-     * taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
-     */
-    int64_t twist;
-    /**
-     * GUSSET_EXTENT_...
-     */
-    uint32_t extent;
-    /**
-     * GUSSET_RUN_...
-     */
-    uint32_t run;
-    /**
-     * GUSSET_ROWS_...
-     */
-    uint32_t rows;
-    /**
-     * Interior rows, read for GUSSET_ROWS_COUNT.
-     */
-    uint32_t row_count;
-    /**
-     * GUSSET_CELLS_...
-     */
-    uint32_t cells;
-    /**
-     * GUSSET_TOLERANCE_...
-     */
-    uint32_t tolerance_mode;
-    /**
-     * How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0; read
-     * for GUSSET_TOLERANCE_GIVEN.
-     */
-    double tolerance;
-    /**
-     * Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length. The
-     * arc runs along the loop as it was given, and may pass its end.
-     */
-    uint32_t arc_a[2];
-    /**
-     * The same on loop B.
-     */
-    uint32_t arc_b[2];
-    /**
-     * GUSSET_SEARCH_...
-     */
-    uint32_t search;
-    /**
-     * GUSSET_START_...
-     */
-    uint32_t start;
-    /**
-     * GUSSET_FAIRING_...
-     */
-    uint32_t fairing;
-    /**
-     * GUSSET_INTERSECTIONS_...
-     */
-    uint32_t intersections;
-} gusset_stitch_options;
 
 /**
  * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
@@ -1148,49 +1706,6 @@ typedef struct gusset_stitch_parts {
 } gusset_stitch_parts;
 
 /**
- * Measures of a strip, and of the whole result's connectivity.
- */
-typedef struct gusset_quality {
-    /**
-     * sizeof(gusset_quality), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The smallest angle of the strip's triangles, in radians; 0 if one is degenerate.
-     */
-    double min_angle;
-    /**
-     * The largest aspect ratio of the strip's triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
-     * triangle, infinite for a degenerate one.
-     */
-    double max_aspect;
-    /**
-     * The longest edge of the strip, in the unit of the positions.
-     */
-    double max_edge;
-    /**
-     * The strip's area, in the square of that unit.
-     */
-    double area;
-    /**
-     * Triangles of the strip without area.
-     */
-    uint32_t degenerate_faces;
-    /**
-     * Boundary loops of the result; 0 if no edge has exactly one face.
-     */
-    uint32_t loops_left;
-    /**
-     * Edges of the result with three or more faces.
-     */
-    uint32_t non_manifold_edges;
-    /**
-     * Edges of the result whose two faces disagree in orientation.
-     */
-    uint32_t orientation_conflicts;
-} gusset_quality;
-
-/**
  * How a strip is made; all zero is the default.
  */
 typedef struct gusset_strip_options {
@@ -1239,37 +1754,6 @@ typedef struct gusset_strip_parts {
      */
     struct gusset_indices triangles;
 } gusset_strip_parts;
-
-/**
- * How to weld; all zero is the default.
- */
-typedef struct gusset_weld_options {
-    /**
-     * sizeof(gusset_weld_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Which vertices: GUSSET_WELD_...
-     */
-    uint32_t vertices;
-    /**
-     * GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0 equals 0. GUSSET_TOLERANCE_GIVEN: if
-     * they are not farther apart than the tolerance.
-     */
-    uint32_t tolerance_mode;
-    /**
-     * In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
-     */
-    double tolerance;
-    /**
-     * GUSSET_COLLAPSE_...
-     */
-    uint32_t collapse;
-    /**
-     * GUSSET_UNUSED_...
-     */
-    uint32_t unused;
-} gusset_weld_options;
 
 /**
  * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is destroyed.
@@ -1454,6 +1938,56 @@ typedef struct gusset_winged_view {
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
+
+/**
+ * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other across a
+ * gap stitched, and holes filled, as the options say.
+ *
+ * pieces: piece_count mesh views, at least one; each may have several components. options: NULL for the defaults. assembly:
+ * receives the result, for gusset_assembly_destroy; NULL on failure. That two loops cannot be joined is no failure: each joint has
+ * its outcome.
+ *
+ * Loops of different components face each other as wholes if most vertices of each (3/4) are nearest to the other loop; else runs of
+ * neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is left
+ * alone. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
+ * the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
+ *
+ * Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64
+ * positions and the first one f32), UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that can be
+ * joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for
+ * V vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as for gusset_fill_create; a pass over
+ * all faces for each strip that is faired or tested for intersections. Extra memory is linear in the pieces and the result.
+ * Source: Nesterenko for a single gap; the rest is our own.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_assembly_create(const struct gusset_context *context,
+                                     const struct gusset_mesh_view *pieces,
+                                     size_t piece_count,
+                                     const struct gusset_assembly_options *options,
+                                     struct gusset_assembly **assembly);
+
+/**
+ * Destroys an assembly; NULL is allowed.
+ */
+GUSSET_API void gusset_assembly_destroy(struct gusset_assembly *assembly);
+
+/**
+ * Lends the whole result, valid until the assembly is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_assembly_mesh(const struct gusset_assembly *assembly,
+                                   struct gusset_mesh_view *view);
+
+/**
+ * Lends the account. Errors and validity as for gusset_assembly_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_assembly_view(const struct gusset_assembly *assembly,
+                                   struct gusset_assembly_parts *parts);
 
 /**
  * Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only.
@@ -1646,6 +2180,63 @@ gusset_status gusset_meridians_index(uint32_t n,
                                      uint32_t *j,
                                      size_t capacity,
                                      size_t *written);
+
+/**
+ * Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round them.
+ *
+ * loops: the vertices of each loop in order, in either direction, each consecutive pair (and the last with the first) an edge
+ * with exactly one face; loop_count of them. NULL with 0: all loops that the mesh has. options: NULL for the defaults. fill:
+ * receives the result, for gusset_fill_destroy; NULL on failure. Loops that cannot be filled are left, which is no error: the
+ * account of each says why.
+ *
+ * The result has the old vertices with their bits and indices, then the new ones; the old faces, then the new triangles, hole by
+ * hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not cross itself;
+ * whether a patch meets other parts of the surface is not looked at.
+ *
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 1,000 vertices:
+ * O(n^3) time and 32 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
+ * memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole.
+ * Source: Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_create(const struct gusset_context *context,
+                                 const struct gusset_mesh_view *mesh,
+                                 const struct gusset_indices *loops,
+                                 size_t loop_count,
+                                 const struct gusset_fill_options *options,
+                                 struct gusset_fill **fill);
+
+/**
+ * Destroys a fill; NULL is allowed.
+ */
+GUSSET_API void gusset_fill_destroy(struct gusset_fill *fill);
+
+/**
+ * Lends the result, valid until the fill is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_mesh(const struct gusset_fill *fill,
+                               struct gusset_mesh_view *view);
+
+/**
+ * Lends the accounts of the loops. Errors and validity as for gusset_fill_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_view(const struct gusset_fill *fill,
+                               struct gusset_fill_parts *parts);
+
+/**
+ * Measures of the new faces and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+ * thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_fill_quality(const struct gusset_fill *fill,
+                                  struct gusset_quality *quality);
 
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.

@@ -23,6 +23,22 @@ struct FillOptions {
     double max_diameter = 0.0;
 };
 
+namespace detail {
+inline gusset_fill_options as_c(const FillOptions &options) {
+    gusset_fill_options given{};
+    given.struct_size = sizeof given;
+    given.weight = static_cast<uint32_t>(options.weight);
+    given.refine = static_cast<uint32_t>(options.refine);
+    given.fair = static_cast<uint32_t>(options.fair);
+    given.keep_longest = options.keep_longest ? 1 : 0;
+    given.max_new_vertices = options.max_new_vertices;
+    given.max_edges = options.max_edges;
+    given.max_length = options.max_length;
+    given.max_diameter = options.max_diameter;
+    return given;
+}
+} // namespace detail
+
 /// A mesh with holes filled; see gusset_fill_create.
 class Fill {
 public:
@@ -68,16 +84,7 @@ private:
     };
     void create(const MeshView &mesh, const gusset_indices *loops, std::size_t count, const FillOptions &options,
                 const Context &context) {
-        gusset_fill_options given{};
-        given.struct_size = sizeof given;
-        given.weight = static_cast<uint32_t>(options.weight);
-        given.refine = static_cast<uint32_t>(options.refine);
-        given.fair = static_cast<uint32_t>(options.fair);
-        given.keep_longest = options.keep_longest ? 1 : 0;
-        given.max_new_vertices = options.max_new_vertices;
-        given.max_edges = options.max_edges;
-        given.max_length = options.max_length;
-        given.max_diameter = options.max_diameter;
+        const gusset_fill_options given = detail::as_c(options);
         gusset_fill *created = nullptr;
         context.call([&](gusset_context *c) {
             return gusset_fill_create(c, &mesh.get(), loops, count, &given, &created);

@@ -19,6 +19,19 @@ struct WeldOptions {
     bool remove_unused = false;
 };
 
+namespace detail {
+inline gusset_weld_options as_c(const WeldOptions &options) {
+    gusset_weld_options given{};
+    given.struct_size = sizeof given;
+    given.vertices = static_cast<uint32_t>(options.vertices);
+    given.tolerance_mode = options.tolerance ? GUSSET_TOLERANCE_GIVEN : GUSSET_TOLERANCE_AUTO;
+    given.tolerance = options.tolerance.value_or(0.0);
+    given.collapse = options.collapse ? GUSSET_COLLAPSE_ALLOW : GUSSET_COLLAPSE_NEVER;
+    given.unused = options.remove_unused ? GUSSET_UNUSED_REMOVE : GUSSET_UNUSED_KEEP;
+    return given;
+}
+} // namespace detail
+
 /// A mesh whose vertices that lie together are one; see gusset_weld_create.
 class Weld {
 public:
@@ -26,13 +39,7 @@ public:
     static constexpr uint32_t none = UINT32_MAX;
 
     explicit Weld(const MeshView &mesh, const WeldOptions &options = {}, const Context &context = Context()) {
-        gusset_weld_options given{};
-        given.struct_size = sizeof given;
-        given.vertices = static_cast<uint32_t>(options.vertices);
-        given.tolerance_mode = options.tolerance ? GUSSET_TOLERANCE_GIVEN : GUSSET_TOLERANCE_AUTO;
-        given.tolerance = options.tolerance.value_or(0.0);
-        given.collapse = options.collapse ? GUSSET_COLLAPSE_ALLOW : GUSSET_COLLAPSE_NEVER;
-        given.unused = options.remove_unused ? GUSSET_UNUSED_REMOVE : GUSSET_UNUSED_KEEP;
+        const gusset_weld_options given = detail::as_c(options);
         gusset_weld *created = nullptr;
         context.call([&](gusset_context *c) { return gusset_weld_create(c, &mesh.get(), &given, &created); });
         weld_.reset(created);

@@ -8,7 +8,7 @@ use super::status::{Failure, gusset_status};
 use super::stitch::gusset_quality;
 use crate::alloc;
 use crate::error::Error;
-use crate::fill::{Fairing, Filled, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
+use crate::fill::{Fairing, Filled, Hole, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
 use crate::mesh::MAX_ELEMENTS;
 use std::ptr;
 
@@ -130,7 +130,7 @@ const _: () = assert!(
 );
 
 impl gusset_fill_options {
-    fn checked(self) -> Result<Options, Failure> {
+    pub(super) fn checked(self) -> Result<Options, Failure> {
         let weight = match self.weight {
             GUSSET_WEIGHT_BEND_THEN_AREA => Weight::BendThenArea,
             GUSSET_WEIGHT_AREA => Weight::Area,
@@ -155,6 +155,21 @@ impl gusset_fill_options {
             diameter: (self.max_diameter != 0.0).then_some(self.max_diameter),
         };
         Ok(Options { weight, refinement, fairing, limits, keep_longest: self.keep_longest == 1 })
+    }
+}
+
+impl gusset_hole {
+    pub(super) fn of(hole: &Hole) -> Self {
+        gusset_hole {
+            rim_first: hole.rim.start,
+            rim_count: hole.rim.len(),
+            face_first: hole.faces.start as usize,
+            face_count: hole.faces.len(),
+            vertex_first: hole.vertices.start as usize,
+            vertex_count: hole.vertices.len(),
+            status: status_number(hole.status),
+            reserved: 0,
+        }
     }
 }
 
@@ -221,17 +236,7 @@ pub unsafe extern "C" fn gusset_fill_create(
             None => None,
         };
         let filled = fill_holes(&mesh, slices.as_deref(), &options, &job.part(0.1, 1.0))?;
-        let account = |hole: &crate::fill::Hole| gusset_hole {
-            rim_first: hole.rim.start,
-            rim_count: hole.rim.len(),
-            face_first: hole.faces.start as usize,
-            face_count: hole.faces.len(),
-            vertex_first: hole.vertices.start as usize,
-            vertex_count: hole.vertices.len(),
-            status: status_number(hole.status),
-            reserved: 0,
-        };
-        let holes = alloc::collect(filled.holes.iter().map(account))?;
+        let holes = alloc::collect(filled.holes.iter().map(gusset_hole::of))?;
         Ok(gusset_fill { filled, holes })
     })
 }

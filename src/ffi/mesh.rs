@@ -77,6 +77,25 @@ pub(super) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>
     checked(view, job).map_err(|failure| failure.of_input(number))
 }
 
+/// An array of the caller's meshes, whose structs are as large as the first one says.
+pub(super) fn meshes<'a>(
+    views: *const gusset_mesh_view,
+    count: usize,
+    job: &Job<'_>,
+) -> Result<Vec<MeshView<'a>>, Failure> {
+    if count == 0 {
+        return Err(Error::EmptyMesh { what: "faces" }.into());
+    }
+    let size = input::read(views, false, "pieces")?.struct_size;
+    input::bytes(views.cast(), count, size, "pieces")?;
+    let mut meshes = alloc::with_capacity(count)?;
+    for k in 0..count {
+        let part = job.part(k as f64 / count as f64, (k + 1) as f64 / count as f64);
+        meshes.push(mesh(views.wrapping_byte_add(k * size), k as u32, &part)?);
+    }
+    Ok(meshes)
+}
+
 fn checked<'a>(view: *const gusset_mesh_view, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
     let view = input::read(view, false, "mesh")?;
     let scalar = match view.scalar {

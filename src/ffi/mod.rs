@@ -9,7 +9,7 @@
 //! | [`version`] | what is loaded |
 //! | [`mesh`] | the mesh view, in and out |
 //! | [`boundary`], [`winged`], [`check`], [`facing`], [`strip`], [`stitch`] | one file for each module of the core |
-//! | [`weld`], [`orient`], [`fill`] | the same |
+//! | [`weld`], [`orient`], [`fill`], [`assembly`] | the same |
 //! | [`stitch_options`] | how to stitch |
 //!
 //! This is the only part of the crate with unsafe code.
@@ -19,6 +19,7 @@
 #![allow(rustdoc::broken_intra_doc_links, reason = "the comments are written for C, where brackets index arrays")]
 #![allow(clippy::missing_safety_doc, reason = "each C function documents its pointers in C's terms")]
 
+pub mod assembly;
 pub mod boundary;
 pub mod check;
 pub mod context;

@@ -84,7 +84,7 @@ const _: () = assert!(
 );
 
 impl gusset_weld_options {
-    fn checked(self) -> Result<Options, Failure> {
+    pub(super) fn checked(self) -> Result<Options, Failure> {
         let vertices = match self.vertices {
             GUSSET_WELD_BOUNDARY => Vertices::Boundary,
             GUSSET_WELD_ALL => Vertices::All,

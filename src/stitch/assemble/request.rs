@@ -131,6 +131,8 @@ pub struct Assembly {
     pub left: Vec<LeftLoop>,
     /// The holes that were looked at in the end.
     pub holes: Vec<fill::Hole>,
+    /// The vertices of their rims.
+    pub hole_rims: Vec<u32>,
     /// Boundary loops of the result.
     pub loops_left: u32,
     /// Edges of the result with three or more faces.

@@ -184,10 +184,10 @@ impl Base {
     /// Fills holes, and closes the account.
     fn finish(self, joints: Vec<Joint>, left: Vec<LeftLoop>, options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
         let mut mesh = self.mesh;
-        let mut holes = Vec::new();
+        let (mut holes, mut hole_rims) = (Vec::new(), Vec::new());
         if let (Some(how), true) = (&options.fill, mesh.face_count() > 0) {
             let filled = fill_holes(&mesh.view(&job.part(0.0, 0.1))?, None, how, &job.part(0.1, 0.6))?;
-            (mesh, holes) = (filled.mesh, filled.holes);
+            (mesh, holes, hole_rims) = (filled.mesh, filled.holes, filled.rims);
         }
         let (mut loops_left, mut non_manifold_edges) = (0, 0);
         if mesh.face_count() > 0 {
@@ -207,6 +207,7 @@ impl Base {
             joints,
             left,
             holes,
+            hole_rims,
             loops_left,
             non_manifold_edges,
         })
