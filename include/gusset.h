@@ -47,8 +47,9 @@
 #define GUSSET_ASSEMBLY_NO_WELD 1
 
 /**
- * Gaps are closed whose mean width is at most half the mean radius of the smaller loop: the mean distance of its vertices from their
- * centre. The width is the mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
+ * Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean distance of its
+ * vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the loop with the longer
+ * ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
  */
 #define GUSSET_GAP_AUTO 0
 

@@ -20,8 +20,9 @@ pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
 /// Nothing is welded.
 pub const GUSSET_ASSEMBLY_NO_WELD: u32 = 1;
 
-/// Gaps are closed whose mean width is at most half the mean radius of the smaller loop: the mean distance of its vertices from their
-/// centre. The width is the mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
+/// Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean distance of its
+/// vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the loop with the longer
+/// ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
 pub const GUSSET_GAP_AUTO: u32 = 0;
 /// Gaps are closed up to max_gap.
 pub const GUSSET_GAP_GIVEN: u32 = 1;
@@ -225,11 +226,7 @@ fn pairs(data: *const gusset_loop_pair, count: usize, name: &'static str) -> Res
 }
 
 impl gusset_assembly_options {
-    fn checked<'a>(
-        &self,
-        pairs: &'a [[Selector; 2]],
-        excluded: &'a [[Selector; 2]],
-    ) -> Result<Options<'a>, Failure> {
+    fn checked<'a>(&self, pairs: &'a [[Selector; 2]], excluded: &'a [[Selector; 2]]) -> Result<Options<'a>, Failure> {
         let weld = match self.weld {
             GUSSET_ASSEMBLY_WELD if self.weld_options.is_null() => Some(weld::Options::default()),
             GUSSET_ASSEMBLY_WELD => Some(input::read(self.weld_options, true, "weld_options")?.checked()?),

@@ -52,6 +52,9 @@ mod tests {
         // 2 = not 3 = 1 = 0.
         assert!(agreement.bind(0, 2, false));
         assert!(!agreement.bind(2, 0, true));
-        assert_eq!((0..4).map(|i| agreement.root(i)).collect::<Vec<_>>(), [(0, false), (0, false), (0, false), (0, true)]);
+        assert_eq!(
+            (0..4).map(|i| agreement.root(i)).collect::<Vec<_>>(),
+            [(0, false), (0, false), (0, false), (0, true)]
+        );
     }
 }

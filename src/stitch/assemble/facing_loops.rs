@@ -17,6 +17,9 @@ use glam::DVec3;
 /// The part of each loop's vertices that must look at the other one, for the loops to be joined as wholes.
 const MOST: f64 = 0.75;
 
+/// Arcs that are farther apart than so many edges of the loops do not face each other, unless a width is given.
+const ARC_GAP: f64 = 4.0;
+
 /// An arc is at least so many vertices long.
 const SHORTEST: usize = 2;
 
@@ -38,13 +41,17 @@ pub(super) struct Candidate {
     pub(super) component: u32,
     /// The mean distance of its vertices from their centre.
     radius: f64,
+    /// The mean length of its edges.
+    spacing: f64,
 }
 
 impl Candidate {
     pub(super) fn new(rim: &Rim, component: u32) -> Self {
         let middle = centre(&rim.points);
-        let radius = rim.points.iter().map(|p| p.distance(middle)).sum::<f64>() / rim.points.len() as f64;
-        Candidate { component, radius }
+        let n = rim.points.len();
+        let radius = rim.points.iter().map(|p| p.distance(middle)).sum::<f64>() / n as f64;
+        let length = (0..n).map(|i| rim.points[i].distance(rim.points[(i + 1) % n])).sum::<f64>();
+        Candidate { component, radius, spacing: length / n as f64 }
     }
 }
 
@@ -72,11 +79,22 @@ struct Look {
 }
 
 impl Search<'_> {
-    /// The greatest distance between loops `r` and `k`.
+    /// The greatest distance between loops `r` and `k`, if they are joined as wholes.
     fn limit(&self, r: usize, k: usize) -> f64 {
         match self.max_gap {
             MaxGap::Given(gap) => gap,
-            MaxGap::Auto => 0.5 * self.candidates[r].radius.min(self.candidates[k].radius),
+            MaxGap::Auto => self.candidates[r].radius.min(self.candidates[k].radius),
+        }
+    }
+
+    /// The same for arcs of them.
+    fn arc_limit(&self, r: usize, k: usize) -> f64 {
+        match self.max_gap {
+            MaxGap::Given(gap) => gap,
+            MaxGap::Auto => {
+                let edges = ARC_GAP * self.candidates[r].spacing.max(self.candidates[k].spacing);
+                edges.min(0.5 * self.limit(r, k))
+            }
         }
     }
 
@@ -141,7 +159,7 @@ impl Search<'_> {
             let mut of_rim = alloc::with_capacity(rim.points.len())?;
             let widest = match self.max_gap {
                 MaxGap::Given(gap) => gap,
-                MaxGap::Auto => 0.5 * self.candidates[r].radius,
+                MaxGap::Auto => self.candidates[r].radius,
             };
             let own = groups[firsts[r] as usize];
             for &p in &rim.points {
@@ -183,7 +201,10 @@ impl Search<'_> {
     /// Adds the arcs that face each other of loops that are not joined as wholes.
     fn find_arcs(&self, looks: &[Vec<Look>], whole: &[bool], found: &mut Vec<Facing>) -> Result<()> {
         let near = |r: usize, look: &Look| {
-            look.rim != NONE && look.distance <= self.limit(r, look.rim as usize) && !whole[r] && !whole[look.rim as usize]
+            look.rim != NONE
+                && look.distance <= self.arc_limit(r, look.rim as usize)
+                && !whole[r]
+                && !whole[look.rim as usize]
         };
         // A vertex sees another loop if that looks back at its loop.
         let sees = |r: usize, look: &Look| {

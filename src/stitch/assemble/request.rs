@@ -9,7 +9,8 @@ use std::ops::Range;
 /// the other.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum MaxGap {
-    /// Half the mean radius of the smaller loop: the mean distance of its vertices from their centre.
+    /// For whole loops the mean radius of the smaller one, which is the mean distance of its vertices from their centre; for runs of loops
+    /// half of that, and at most four edges of the loop with the longer ones.
     #[default]
     Auto,
     /// This, in the unit of the positions, finite and at least 0; 0 leaves all gaps open.

@@ -227,8 +227,13 @@ struct Loops {
 
 impl Loops {
     fn of(mesh: &Mesh, job: &Job<'_>) -> Result<Self> {
-        let mut loops =
-            Loops { rims: Vec::new(), candidates: Vec::new(), components: Sets::new(0)?, others: Vec::new(), unit: 1.0 };
+        let mut loops = Loops {
+            rims: Vec::new(),
+            candidates: Vec::new(),
+            components: Sets::new(0)?,
+            others: Vec::new(),
+            unit: 1.0,
+        };
         if mesh.face_count() == 0 {
             return Ok(loops);
         }
@@ -330,12 +335,7 @@ impl Edges {
 }
 
 /// The pairs that were given, and after them those that are found.
-fn chosen_pairs(
-    base: &Base,
-    loops: &Loops,
-    options: &Options<'_>,
-    job: &Job<'_>,
-) -> Result<Vec<Facing>> {
+fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>) -> Result<Vec<Facing>> {
     let mut taken = alloc::filled(false, loops.rims.len())?;
     let mut found = alloc::with_capacity(options.pairs.len())?;
     for (k, pair) in options.pairs.iter().enumerate() {
