@@ -11,13 +11,13 @@ use crate::error::Result;
 use glam::DVec3;
 
 /// A lattice of at most so many nodes is searched whole.
-const COARSEST: usize = 1 << 17;
+const COARSEST: usize = 1 << 16;
 
 /// A rim of fewer segments than this is not thinned out further.
 const FEWEST: usize = 32;
 
 /// Half the width of the band.
-const WIDTH: usize = 16;
+const WIDTH: usize = 8;
 
 /// Searches the lattice coarse to fine. `search` finds the best path within a band of the lattice of some rails, the given ones thinned
 /// out. Time and memory: the search of about (2 WIDTH + 1) (N + M) nodes, and half as many, and so on.
