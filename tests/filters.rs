@@ -10,7 +10,7 @@ use gusset::{Error, Job};
 use std::collections::HashSet;
 
 /// Ids are stable for ever: an entry may be added here, none changed or taken away.
-const IDS: &[&str] = &["boundary_loops", "stitch", "weld", "orient", "fill_holes"];
+const IDS: &[&str] = &["boundary_loops", "stitch", "weld", "orient", "fill_holes", "assemble"];
 
 /// Two caps that face each other askew: the inputs of any filter that takes meshes.
 fn pieces() -> [Soup; 2] {

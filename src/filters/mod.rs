@@ -12,6 +12,7 @@
 pub mod data;
 pub mod param;
 
+mod assemble;
 mod boundary_loops;
 mod fill_holes;
 mod orient;
@@ -57,7 +58,7 @@ pub type Suggest = fn(&[Input<'_>], &mut [f64]);
 
 /// All filters.
 pub static FILTERS: &[Filter] =
-    &[boundary_loops::FILTER, stitch::FILTER, weld::FILTER, orient::FILTER, fill_holes::FILTER];
+    &[boundary_loops::FILTER, stitch::FILTER, weld::FILTER, orient::FILTER, fill_holes::FILTER, assemble::FILTER];
 
 impl Filter {
     /// The filter of this id.

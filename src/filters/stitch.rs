@@ -9,7 +9,9 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::stitch::facing::Run;
-use crate::stitch::{Cells, Extent, Meridians, Options, Orientation, Quality, Request, Rows, Stitch, stitch};
+use crate::stitch::{
+    Cells, Extent, Fairing, Intersections, Meridians, Options, Orientation, Quality, Request, Rows, Stitch, stitch,
+};
 
 /// A twist beyond this is a mistake; no loop is longer.
 const MOST: f64 = u32::MAX as f64;
@@ -33,10 +35,7 @@ pub(super) const FILTER: Filter = Filter {
             "meridians",
             "Meridians",
             "How vertices of one loop are joined to vertices of the other.",
-            &[
-                Choice { label: "Least area", help: "The band of least area: exact, for rims of any shape." },
-                Choice { label: "By index", help: "The rule of the paper: fastest, for evenly spaced rims." },
-            ],
+            MERIDIANS,
         ),
         Param::choice(
             "orientation",
@@ -121,10 +120,52 @@ pub(super) const FILTER: Filter = Filter {
                 Choice { label: "Quads", help: "Quads where four different neighbours meet, triangles elsewhere." },
             ],
         ),
+        Param::choice("fairing", "Shape of the rows", "Where the new vertices lie.", FAIRING),
+        Param::choice(
+            "intersections",
+            "Intersections",
+            "Whether faces that cut each other are looked for.",
+            INTERSECTIONS,
+        ),
     ],
     suggest: None,
     run,
 };
+
+/// In the order of [`meridians`].
+pub(super) const MERIDIANS: &[Choice] = &[
+    Choice { label: "Least area", help: "The strip of triangles of least area, for rims of any shape." },
+    Choice { label: "By index", help: "The rule of the paper: fastest, for evenly spaced rims." },
+    Choice { label: "By arc length", help: "Both rims walked at the same pace: fast, for rims of similar shape." },
+    Choice { label: "Greedy", help: "Always on to the shorter of the two next meridians: fast." },
+    Choice { label: "Shortest meridians", help: "The strip of triangles with the shortest edges across." },
+    Choice { label: "Least bends", help: "The strip of triangles that bends least, along the rims too." },
+    Choice { label: "Quads", help: "Quads wherever both rims advance alike; for strips with rows." },
+];
+
+/// The meridians of a choice.
+pub(super) fn meridians(choice: usize) -> Meridians {
+    [
+        Meridians::MinArea,
+        Meridians::Index,
+        Meridians::ArcLength,
+        Meridians::Greedy,
+        Meridians::MinDiagonal,
+        Meridians::Smooth,
+        Meridians::Quad,
+    ][choice]
+}
+
+pub(super) const FAIRING: &[Choice] = &[
+    Choice { label: "Straight", help: "They divide straight lines from rim to rim evenly." },
+    Choice { label: "Fair", help: "The strip bends as a thin plate does and meets both pieces smoothly." },
+];
+
+const INTERSECTIONS: &[Choice] = &[
+    Choice { label: "Automatic", help: "Where rows are faired, and there they are avoided." },
+    Choice { label: "Ignore", help: "They are not looked for." },
+    Choice { label: "Report", help: "They are always looked for." },
+];
 
 const fn loop_number(id: &'static str, label: &'static str) -> Param {
     Param {
@@ -147,7 +188,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let loop_b = numbered(b.unwrap_or(a), values, "loop_b", &job.part(0.1, 0.2))?;
     let request = Request { a, loop_a: loop_a.as_deref(), b, loop_b: loop_b.as_deref() };
     let options = Options {
-        meridians: [Meridians::MinArea, Meridians::Index][values.chosen("meridians")],
+        meridians: meridians(values.chosen("meridians")),
         orientation: [Orientation::Fix, Orientation::Refuse, Orientation::Keep][values.chosen("orientation")],
         twist: values.number("twist") as i64,
         extent: [Extent::WholeLoops, Extent::OpenArcs, Extent::Auto][values.chosen("extent")],
@@ -159,6 +200,9 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             _ => Rows::Count(values.number("row_count") as u32),
         },
         cells: [Cells::Triangles, Cells::Quads][values.chosen("cells")],
+        fairing: [Fairing::None, Fairing::ThinPlate][values.chosen("fairing")],
+        intersections: [Intersections::Auto, Intersections::Ignore, Intersections::Report]
+            [values.chosen("intersections")],
         ..Options::default()
     };
     let done = stitch(&request, &options, &job.part(0.2, 1.0))?;
@@ -185,9 +229,13 @@ fn report(done: &Stitch) -> String {
         0 => "the result is closed".to_owned(),
         n => format!("{n} boundary loops are left"),
     };
+    let cuts = match &done.intersections {
+        None => String::new(),
+        Some(pairs) => format!("{} pairs of faces cut each other\n", pairs.len()),
+    };
     format!(
         "joined {parts} of {} and {} vertices by {} faces, {} interior rows\n{turned}\
-         area {area}, longest edge {max_edge}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n{left}\n",
+         area {area}, longest edge {max_edge}, smallest angle {:.2} degrees, largest aspect ratio {max_aspect:.2}\n{cuts}{left}\n",
         done.rims[0].len(),
         done.rims[1].len(),
         done.strip_faces.len(),
