@@ -22,7 +22,7 @@ pub(super) const FILTER: Filter = Filter {
     reference: "S. Nesterenko, The algorithm for polygonal networks of cross-linking, for a single gap",
     inputs: &[InputKind::Mesh],
     min_inputs: 1,
-    max_inputs: usize::MAX,
+    max_inputs: 1 << 16,
     outputs: &[OutputKind::Mesh, OutputKind::Text],
     params: &[
         length(
