@@ -17,6 +17,7 @@ pub(crate) use components::Sets;
 pub use owned::{Mesh, PositionBuffer};
 pub(crate) use topology::Across;
 pub use topology::{Defect, Topology};
+pub(crate) use view::Visitor;
 pub use view::{Faces, MAX_ELEMENTS, MeshView, Positions, Scalar};
 
 /// The index that means "none".
