@@ -28,15 +28,14 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::{MeshView, NONE, Visitor};
 use crate::par;
-use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-/// Faces that one thread scans at a time.
+/// Faces, or vertices, that one thread looks at at a time.
 const CHUNK: usize = 1 << 14;
 /// The most threads that sum, as each does so in an array of its own.
 const MOST_SUMS: usize = 8;
-/// Words of flags that one thread makes at a time.
-const FLAG_CHUNK: usize = 1 << 11;
+/// Vertices whose sums are added up side by side.
+const LANES: usize = 64;
 
 /// A half-edge between two vertices whose sums are not 0.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -152,42 +151,33 @@ impl Sums {
     }
 }
 
-/// One bit a vertex: its sum is not 0.
-struct Flags(Vec<u64>);
+/// For each vertex whether its sum is not 0.
+struct Flags(Vec<bool>);
 
 impl Flags {
     fn of(sums: &Sums, vertices: usize, threads: usize) -> Result<Self> {
-        let mut flags = alloc::zeroed(vertices.div_ceil(64))?;
-        par::map(threads, flags.chunks_mut(FLAG_CHUNK).enumerate(), |(i, words)| {
-            for (word, first) in words.iter_mut().zip((i * FLAG_CHUNK * 64..).step_by(64)) {
-                *word = Self::word(sums, first..vertices.min(first + 64));
+        let mut flags = alloc::zeroed(vertices)?;
+        par::map(threads, flags.chunks_mut(CHUNK).enumerate(), |(i, flags)| {
+            let mut totals = [0u32; LANES];
+            for (flags, first) in flags.chunks_mut(LANES).zip((i * CHUNK..).step_by(LANES)) {
+                totals.fill(0);
+                for partial in &sums.0 {
+                    let part = &partial.of_vertex[first..first + flags.len()];
+                    totals.iter_mut().zip(part).for_each(|(total, &sum)| *total = total.wrapping_add(sum));
+                }
+                flags.iter_mut().zip(&totals).for_each(|(flag, &total)| *flag = total != 0);
             }
         });
         Ok(Flags(flags))
     }
 
-    /// The bits of up to 64 vertices.
-    fn word(sums: &Sums, vertices: Range<usize>) -> u64 {
-        let mut total = [0u32; 64];
-        for partial in &sums.0 {
-            for (sum, part) in total.iter_mut().zip(&partial.of_vertex[vertices.clone()]) {
-                *sum = sum.wrapping_add(*part);
-            }
-        }
-        // Nearly always all 0.
-        if total.iter().fold(0, |any, sum| any | sum) == 0 {
-            return 0;
-        }
-        total.iter().enumerate().fold(0, |bits, (i, &sum)| bits | u64::from(sum != 0) << i)
-    }
-
     fn has(&self, v: u32) -> bool {
-        self.0[v as usize / 64] >> (v % 64) & 1 == 1
+        self.0[v as usize]
     }
 
     /// The number of flagged vertices.
     fn count(&self) -> usize {
-        self.0.iter().map(|word| word.count_ones() as usize).sum()
+        self.0.iter().filter(|&&flag| flag).count()
     }
 }
 
