@@ -71,16 +71,15 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
         return Ok(None);
     };
     match successors(&border)? {
-        Some(next) if sums.are_of(&border, &next, flags.count()) => walks(mesh, &border, next).map(Some),
+        Some(next) if sums.are_of(&border, &next, flags.count) => walks(mesh, &border, next).map(Some),
         _ => Ok(None),
     }
 }
 
-/// f: one-to-one, and far from linear.
+/// f: one-to-one, as both steps are, and not linear: sums of indices that agree do not make sums of f agree.
 fn f(v: u32) -> u32 {
     let x = v.wrapping_mul(0x9e37_79b1);
-    let x = (x ^ (x >> 15)).wrapping_mul(0x85eb_ca77);
-    x ^ (x >> 13)
+    x ^ (x >> 15)
 }
 
 /// g: the shoelace term of the edge from (x, x^2) to (y, y^2).
@@ -151,14 +150,18 @@ impl Sums {
     }
 }
 
-/// For each vertex whether its sum is not 0.
-struct Flags(Vec<bool>);
+/// For each vertex whether its sum is not 0, and how many are not.
+struct Flags {
+    set: Vec<bool>,
+    count: usize,
+}
 
 impl Flags {
     fn of(sums: &Sums, vertices: usize, threads: usize) -> Result<Self> {
-        let mut flags = alloc::zeroed(vertices)?;
-        par::map(threads, flags.chunks_mut(CHUNK).enumerate(), |(i, flags)| {
+        let mut set = alloc::zeroed(vertices)?;
+        let counts = par::map(threads, set.chunks_mut(CHUNK).enumerate(), |(i, flags)| {
             let mut totals = [0u32; LANES];
+            let mut count = 0;
             for (flags, first) in flags.chunks_mut(LANES).zip((i * CHUNK..).step_by(LANES)) {
                 totals.fill(0);
                 for partial in &sums.0 {
@@ -166,18 +169,15 @@ impl Flags {
                     totals.iter_mut().zip(part).for_each(|(total, &sum)| *total = total.wrapping_add(sum));
                 }
                 flags.iter_mut().zip(&totals).for_each(|(flag, &total)| *flag = total != 0);
+                count += flags.iter().map(|&flag| usize::from(flag)).sum::<usize>();
             }
+            count
         });
-        Ok(Flags(flags))
+        Ok(Flags { set, count: counts.iter().sum() })
     }
 
     fn has(&self, v: u32) -> bool {
-        self.0[v as usize]
-    }
-
-    /// The number of flagged vertices.
-    fn count(&self) -> usize {
-        self.0.iter().filter(|&&flag| flag).count()
+        self.set[v as usize]
     }
 }
 
