@@ -31,8 +31,8 @@ pub(crate) fn collect<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<
 
 /// A copy of a slice.
 pub(crate) fn copied<T: Copy>(items: &[T]) -> Result<Vec<T>> {
-    let mut vec = with_capacity(items.len())?;
-    vec.extend_from_slice(items);
+    let mut vec = Vec::new();
+    append(&mut vec, items)?;
     Ok(vec)
 }
 
@@ -40,6 +40,13 @@ pub(crate) fn copied<T: Copy>(items: &[T]) -> Result<Vec<T>> {
 pub(crate) fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
     vec.try_reserve(additional)
         .map_err(|_| Error::OutOfMemory { bytes: (additional as u64).saturating_mul(size_of::<T>() as u64) })
+}
+
+/// Appends a slice.
+pub(crate) fn append<T: Copy>(vec: &mut Vec<T>, items: &[T]) -> Result<()> {
+    reserve(vec, items.len())?;
+    vec.extend_from_slice(items);
+    Ok(())
 }
 
 /// Appends one element.

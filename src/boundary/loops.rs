@@ -193,7 +193,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
     let job = &job.part(done, 1.0);
     let topology = Topology::new(mesh, &job.part(0.0, 0.9))?;
     let mut boundary = Boundary { defects: alloc::copied(topology.defects())?, ..Boundary::default() };
-    let mut walker = Walker::new(mesh, &topology, options.non_manifold)?;
+    let mut walker = Walker::new(mesh, &topology, options.non_manifold, job)?;
     let mut place = alloc::filled(NONE, mesh.positions().len())?;
     let mut walk = Vec::new();
     while let Some(closed_walk) = walker.next_walk(&mut walk)? {

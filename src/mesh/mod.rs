@@ -10,6 +10,7 @@
 
 mod components;
 mod owned;
+mod pairing;
 mod topology;
 mod view;
 

@@ -112,11 +112,15 @@ impl<'a> Positions<'a> {
             // Sign apart, adding one to the exponent carries into the sign bit just where the exponent is the largest, that
             // of infinities and NaN. A loop without an exit runs several times as fast.
             (Some(bytes), Scalar::F64) => {
-                let add = |carry, bits: &[u8]| carry | ((bytemuck::pod_read_unaligned::<u64>(bits) & (u64::MAX >> 1)) + (1 << 52));
+                let add = |carry, bits: &[u8]| {
+                    carry | ((bytemuck::pod_read_unaligned::<u64>(bits) & (u64::MAX >> 1)) + (1 << 52))
+                };
                 bytes[24 * range.start..24 * range.end].chunks_exact(8).fold(0, add) >> 63 == 0
             }
             (Some(bytes), Scalar::F32) => {
-                let add = |carry, bits: &[u8]| carry | ((bytemuck::pod_read_unaligned::<u32>(bits) & (u32::MAX >> 1)) + (1 << 23));
+                let add = |carry, bits: &[u8]| {
+                    carry | ((bytemuck::pod_read_unaligned::<u32>(bits) & (u32::MAX >> 1)) + (1 << 23))
+                };
                 bytes[12 * range.start..12 * range.end].chunks_exact(4).fold(0, add) >> 31 == 0
             }
             (None, _) => range.all(|v| self.get(v as u32).is_finite()),
