@@ -157,13 +157,21 @@ fn bucket(u: u32, v: u32) -> usize {
     2 * u.min(v) as usize + usize::from(u > v)
 }
 
-/// The half-edges of a face as (number, start, end), those without length left out; none if fewer than three remain.
+/// Shows `visit` the half-edges of a face as (number, start, end), but for those without length, and not if fewer than three
+/// remain. Returns how many it showed.
 #[inline(always)]
-fn proper(first: u32, corners: &[u32]) -> impl Iterator<Item = (u32, u32, u32)> {
+fn proper(first: u32, corners: &[u32], mut visit: impl FnMut(u32, u32, u32)) -> usize {
     let end = |i: usize| corners[if i + 1 < corners.len() { i + 1 } else { 0 }];
     let count = (0..corners.len()).filter(|&i| corners[i] != end(i)).count();
-    let edges = (0..corners.len()).map(move |i| (first + i as u32, corners[i], end(i)));
-    edges.filter(move |&(_, u, v)| count >= 3 && u != v)
+    if count < 3 {
+        return 0;
+    }
+    for (i, &u) in corners.iter().enumerate() {
+        if u != end(i) {
+            visit(first + i as u32, u, end(i));
+        }
+    }
+    count
 }
 
 /// A vertex that the face names twice.
@@ -191,10 +199,10 @@ impl Visitor for Count<'_> {
             let face = self.faces.face_of(first);
             alloc::push(&mut self.part.defects, Defect::DegenerateFace { face, vertex })?;
         }
-        for (_, u, v) in proper(first, corners) {
+        proper(first, corners, |_, u, v| {
             self.part.places[bucket(u, v)] += 1;
             self.part.corner_count[u as usize] += 1;
-        }
+        });
         Ok(())
     }
 }
@@ -209,14 +217,12 @@ struct Distribute<'p> {
 impl Visitor for Distribute<'_> {
     #[inline(always)]
     fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
-        let mut left = corners.len();
-        for (h, u, v) in proper(first, corners) {
+        let shown = proper(first, corners, |h, u, v| {
             let place = &mut self.places[bucket(u, v)];
             self.entries[*place as usize].store(u64::from(u.max(v)) << 32 | u64::from(h), Ordering::Relaxed);
             *place += 1;
-            left -= 1;
-        }
-        if left > 0 {
+        });
+        if shown < corners.len() {
             // Ignored, unless a partner is found.
             (first..).take(corners.len()).for_each(|h| self.mate[h as usize].store(h, Ordering::Relaxed));
         }
