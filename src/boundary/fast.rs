@@ -1,11 +1,12 @@
 //! Boundary loops at the speed of memory, for meshes that are ordinary along their boundary.
 //!
 //! Let N(u, v) be the number of half-edges from u to v less the number of those from v to u: 0 at an inner edge of an oriented
-//! surface, 1 or -1 at a border edge. Give each vertex v a number f(v), one-to-one, and keep two sums over all faces:
+//! surface, 1 or -1 at a border edge. Give each vertex v two numbers f(v) and t(v), one-to-one, and keep two sums over all
+//! faces:
 //!
 //! * for each vertex, s(v) = sum of N(v, u) f(u): every corner with the vertices p, v, n one after another adds f(n) - f(p);
-//! * in all, the area inside the polygons whose corners are the points (f, f^2), in 64 bits: by the shoelace formula it is
-//!   the sum of N(u, v) g(f(u), f(v)) over all edges, where g(x, y) = x y (y - x). A triangle has (y - x)(z - x)(z - y).
+//! * in all, the area inside the polygons whose corners are the points (t, t^2), in 64 bits: by the shoelace formula it is
+//!   the sum of N(u, v) g(t(u), t(v)) over all edges, where g(x, y) = x y (y - x). A triangle has (y - x)(z - x)(z - y).
 //!
 //! At an inner vertex s is 0. At a boundary vertex with one border edge in, from u, and one out, to w, it is f(w) - f(u),
 //! which is not 0 as f is one-to-one. So one pass over the corners and a second one that gathers the half-edges between the
@@ -76,16 +77,26 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
     }
 }
 
-/// f: one-to-one, as both steps are, and not linear: sums of indices that agree do not make sums of f agree.
-fn f(v: u32) -> u32 {
+/// t: one-to-one, as both steps are, and not linear.
+fn t(v: u32) -> u32 {
     let x = v.wrapping_mul(0x9e37_79b1);
     x ^ (x >> 15)
 }
 
+/// f, from t: mixed once more. Were it t itself, or any polynomial of low degree, sums that are 0 would make the area 0 too.
+fn f(t: u32) -> u32 {
+    let x = t.wrapping_mul(0x85eb_ca77);
+    x ^ (x >> 13)
+}
+
 /// g: the shoelace term of the edge from (x, x^2) to (y, y^2).
 fn g(x: u32, y: u32) -> u64 {
-    let (x, y) = (u64::from(x), u64::from(y));
-    (x * y).wrapping_mul(y.wrapping_sub(x))
+    (u64::from(x) * u64::from(y)).wrapping_mul(minus(y, x))
+}
+
+/// x - y, in 64 bits.
+fn minus(x: u32, y: u32) -> u64 {
+    u64::from(x).wrapping_sub(u64::from(y))
 }
 
 /// Both sums over some faces.
@@ -98,16 +109,16 @@ impl Visitor for Partial {
     #[inline(always)]
     fn face(&mut self, _: u32, corners: &[u32]) -> Result<()> {
         let count = corners.len();
-        let first = f(corners[0]);
-        let (mut p, mut v) = (f(corners[count - 1]), first);
+        let first = t(corners[0]);
+        let (mut before, mut here) = (f(t(corners[count - 1])), first);
         for i in 0..count {
-            let n = f(corners[if i + 1 < count { i + 1 } else { 0 }]);
+            let after = t(corners[if i + 1 < count { i + 1 } else { 0 }]);
             let sum = &mut self.of_vertex[corners[i] as usize];
-            *sum = sum.wrapping_add(n.wrapping_sub(p));
-            // The face as a fan of triangles: first, v, n; the first and the last of them have no area.
-            let minus = |x: u32, y: u32| u64::from(x).wrapping_sub(u64::from(y));
-            self.area = self.area.wrapping_add(minus(v, first).wrapping_mul(minus(n, first)).wrapping_mul(minus(n, v)));
-            (p, v) = (v, n);
+            *sum = sum.wrapping_add(f(after).wrapping_sub(before));
+            // The face as a fan of triangles: first, here, after; the first and the last of them have no area.
+            let area = minus(here, first).wrapping_mul(minus(after, first)).wrapping_mul(minus(after, here));
+            self.area = self.area.wrapping_add(area);
+            (before, here) = (f(here), after);
         }
         Ok(())
     }
@@ -143,8 +154,8 @@ impl Sums {
 
     /// True if both sums are those of the border, where edge `next[i]` follows edge i, and `flagged` of all s(v) are not 0.
     fn are_of(&self, border: &[(u32, u32, u32)], next: &[usize], flagged: usize) -> bool {
-        let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| self.at(v) == f(border[i].1).wrapping_sub(f(u));
-        let around = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(g(f(u), f(v))));
+        let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| self.at(v) == f(t(border[i].1)).wrapping_sub(f(t(u)));
+        let around = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(g(t(u), t(v))));
         let area = self.0.iter().fold(0u64, |area, partial| area.wrapping_add(partial.area));
         border.len() == flagged && border.iter().zip(next).all(fits) && around == area
     }
@@ -263,4 +274,67 @@ fn walks(mesh: &MeshView<'_>, border: &[(u32, u32, u32)], mut next: Vec<usize>) 
         }
     }
     Ok(walks)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::{Options, Survey, boundary_loops};
+    use crate::mesh::{Faces, Positions};
+    use std::collections::HashMap;
+
+    /// A mesh whose face i has the corners `faces[i]`; the boundary is that of some loops of the given lengths.
+    fn check(vertices: u32, faces: &[&[u32]], ordinary: bool, lengths: &[usize]) {
+        let points: Vec<[f64; 3]> = (0..vertices).map(|i| [f64::from(i), 0.5 * f64::from(i % 7), 0.0]).collect();
+        let corners = faces.concat();
+        let offsets: Vec<u32> = (0..=faces.len()).map(|f| faces[..f].concat().len() as u32).collect();
+        let faces = Faces::polygons(&offsets, &corners).unwrap();
+        let job = Job::default();
+        let mesh = MeshView::new(Positions::from(points.as_slice()), faces, &job).unwrap();
+        assert_eq!(ordinary_walks(&mesh, &job).unwrap().is_some(), ordinary);
+        for survey in [Survey::WholeMesh, Survey::BoundaryOnly] {
+            let found = boundary_loops(&mesh, &Options { survey, ..Options::default() }, &job).unwrap();
+            assert_eq!(found.iter().map(|l| l.vertices.len()).collect::<Vec<_>>(), lengths);
+        }
+    }
+
+    #[test]
+    fn ordinary_boundaries_are_found_without_the_exact_way() {
+        check(3, &[&[0, 1, 2]], true, &[3]);
+        // A triangle, a square, a pentagon and a hexagon round vertex 0; and a tetrahedron.
+        let round: [&[u32]; 4] = [&[0, 1, 2], &[0, 2, 3, 4], &[0, 4, 5, 6, 7], &[0, 7, 8, 9, 10, 1]];
+        check(11, &round, true, &[10]);
+        check(4, &[&[0, 1, 2], &[0, 3, 1], &[1, 3, 2], &[2, 3, 0]], true, &[]);
+        check(8, &[&[0, 1, 2], &[3, 4, 5, 6, 7]], true, &[3, 5]);
+        check(5, &[&[0, 1, 2], &[2, 3, 4]], false, &[3, 3]);
+    }
+
+    /// Every second face of an octahedron: each vertex has two neighbours before it and the two opposite ones after it. Three
+    /// pairs of numbers with the same sum of f make all sums vanish; the area does not.
+    #[test]
+    fn a_planted_coincidence_is_noticed() {
+        let limit = 4000;
+        let mut pairs = Vec::new();
+        for u in 8..limit {
+            pairs.extend((u + 1..limit).map(|v| (f(t(u)).wrapping_add(f(t(v))), u, v)));
+        }
+        pairs.sort_unstable();
+        let mut sums = pairs.chunk_by(|x, y| x.0 == y.0);
+        let Some(&[(_, a, b), (_, c, d), (_, p, q)]) = sums.find(|same| same.len() == 3) else {
+            panic!("none planted")
+        };
+        let octahedron: [&[u32]; 4] = [&[a, c, p], &[a, d, q], &[b, c, q], &[b, d, p]];
+        let mut total = HashMap::new();
+        for (face, i) in octahedron.iter().flat_map(|face| (0..3).map(move |i| (face, i))) {
+            let (before, v, after) = (face[(i + 2) % 3], face[i], face[(i + 1) % 3]);
+            let sum: &mut u32 = total.entry(v).or_default();
+            *sum = sum.wrapping_add(f(t(after))).wrapping_sub(f(t(before)));
+        }
+        assert!(total.len() == 6 && total.values().all(|&sum| sum == 0), "the coincidence");
+        check(limit, &octahedron, false, &[3, 3, 3, 3]);
+        // Beside a loop that is ordinary, and one that touches the octahedron.
+        let [x, y, z, w] = octahedron;
+        check(limit, &[x, y, z, w, &[0, 1, 2]], false, &[3, 3, 3, 3, 3]);
+        check(limit, &[x, y, z, w, &[0, 1, a]], false, &[3, 3, 3, 3, 3]);
+    }
 }
