@@ -17,8 +17,7 @@ pub(crate) fn map<T: Send, R: Send>(
     work: impl Fn(T) -> R + Sync,
 ) -> Vec<R> {
     let count = items.len();
-    // Asking the system takes longer than a small job.
-    let wanted = if count <= 1 { 1 } else { at_most(count, threads) };
+    let wanted = at_most(count, threads);
     if wanted <= 1 {
         return items.map(work).collect();
     }
@@ -61,13 +60,14 @@ pub(crate) fn chunks<R: Send>(
     map(threads, (0..len.div_ceil(chunk)).map(|i| i * chunk..len.min((i + 1) * chunk)), work)
 }
 
-/// How many threads `threads` stands for (0: as many as the machine has), but at most `limit`.
+/// How many threads `threads` stands for (0: as many as the machine has), but at most `limit`, and at least 1.
 pub(crate) fn at_most(limit: usize, threads: usize) -> usize {
     match threads {
-        0 => thread::available_parallelism().map_or(1, usize::from),
-        n => n,
+        // Asking the system takes longer than a small job.
+        _ if limit <= 1 => 1,
+        0 => thread::available_parallelism().map_or(1, usize::from).min(limit),
+        n => n.min(limit),
     }
-    .min(limit)
 }
 
 #[cfg(test)]

@@ -33,7 +33,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// Faces, or vertices, that one thread looks at at a time.
 const CHUNK: usize = 1 << 14;
-/// The most threads that sum, as each does so in an array of its own.
+/// The most threads that take part, as each sums in an array of its own.
 const MOST_SUMS: usize = 8;
 /// Vertices whose sums are added up side by side.
 const LANES: usize = 64;
@@ -49,14 +49,16 @@ struct Candidate {
 }
 
 /// The closed walks of border half-edges, each from its smallest half-edge on, in the order of those; or `None` if something
-/// along the boundary is odd. Two passes over the corners; extra memory 4 bytes a vertex for each thread, of which
-/// at most 8 take part, a bit a vertex, and the border.
+/// along the boundary is odd. Two passes over the corners; extra memory 1 byte a vertex and 4 more for each thread, of which
+/// at most 8 take part, and the border.
 pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<Dart>>>> {
     job.step(0.0, "looking for the boundary")?;
-    let sums = Sums::of(mesh, job.threads())?;
+    // Settled once: asking the system takes a while.
+    let threads = par::at_most(mesh.faces().len().div_ceil(CHUNK).min(MOST_SUMS), job.threads());
+    let sums = Sums::of(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
-    let flags = Flags::of(&sums, mesh.positions().len(), job.threads())?;
-    let parts = par::chunks(job.threads(), mesh.faces().len(), CHUNK, |range| {
+    let flags = Flags::of(&sums, mesh.positions().len(), threads)?;
+    let parts = par::chunks(threads, mesh.faces().len(), CHUNK, |range| {
         let mut gather = Gather { flags: &flags, found: Vec::new() };
         mesh.faces().visit(range, &mut gather)?;
         Ok(gather.found)
@@ -132,7 +134,6 @@ impl Sums {
     fn of(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
         let idle: Mutex<Vec<Partial>> = Mutex::new(Vec::new());
         let pool = || idle.lock().unwrap_or_else(PoisonError::into_inner);
-        let threads = par::at_most(MOST_SUMS, threads);
         let added = par::chunks(threads, mesh.faces().len(), CHUNK, |range| {
             let free = pool().pop();
             let mut partial = match free {

@@ -24,6 +24,8 @@ const STEP: usize = 1 << 20;
 const CHUNK: usize = 1 << 13;
 /// The most threads that fill buckets, as each counts in arrays of its own.
 const MOST_PARTS: usize = 8;
+/// The fewest faces that are worth a thread.
+const FEWEST: usize = 1 << 11;
 /// The longest bucket that is not sorted.
 const SHORT: usize = 32;
 
@@ -91,11 +93,12 @@ struct Part {
     defects: Vec<Defect>,
 }
 
-/// As many parts as there are threads.
+/// As many parts as there are threads for them.
 fn parts(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<Part>> {
     let (faces, vertices) = (mesh.faces().len(), mesh.positions().len());
+    let threads = par::at_most(faces.div_ceil(FEWEST).min(MOST_PARTS), threads);
     let mut parts = Vec::new();
-    for faces in blocks(0..faces, faces.div_ceil(par::at_most(MOST_PARTS, threads))) {
+    for faces in blocks(0..faces, faces.div_ceil(threads)) {
         let (places, corner_count) = (alloc::zeroed(2 * vertices)?, alloc::zeroed(vertices)?);
         parts.push(Part { faces, places, corner_count, defects: Vec::new() });
     }

@@ -416,7 +416,7 @@ impl<'a> MeshView<'a> {
         let checked = par::map(job.threads(), 0..count, |i| {
             (mesh.check_corners(part(corners, i)), positions.are_finite(part(vertices, i)))
         });
-        checked.iter().try_for_each(|(corners, _)| corners.clone())?;
+        checked.iter().try_for_each(|&(corners, _)| corners)?;
         if !checked.iter().all(|&(_, finite)| finite) {
             // Rare: find out whether a face uses such a vertex.
             let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
