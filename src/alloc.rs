@@ -16,6 +16,12 @@ pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
     Ok(vec)
 }
 
+/// A vector of `len` zeros, whose memory is touched only when it is used: by the thread that uses it.
+pub(crate) fn zeroed<T: bytemuck::Zeroable>(len: usize) -> Result<Vec<T>> {
+    let bytes = (len as u64).saturating_mul(size_of::<T>() as u64);
+    bytemuck::allocation::try_zeroed_vec(len).map_err(|()| Error::OutOfMemory { bytes })
+}
+
 /// Collects an iterator whose length is known.
 pub(crate) fn collect<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
     let mut vec = with_capacity(items.len())?;
@@ -25,8 +31,8 @@ pub(crate) fn collect<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<
 
 /// A copy of a slice.
 pub(crate) fn copied<T: Copy>(items: &[T]) -> Result<Vec<T>> {
-    let mut vec = with_capacity(items.len())?;
-    vec.extend_from_slice(items);
+    let mut vec = Vec::new();
+    append(&mut vec, items)?;
     Ok(vec)
 }
 
@@ -34,6 +40,13 @@ pub(crate) fn copied<T: Copy>(items: &[T]) -> Result<Vec<T>> {
 pub(crate) fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
     vec.try_reserve(additional)
         .map_err(|_| Error::OutOfMemory { bytes: (additional as u64).saturating_mul(size_of::<T>() as u64) })
+}
+
+/// Appends a slice.
+pub(crate) fn append<T: Copy>(vec: &mut Vec<T>, items: &[T]) -> Result<()> {
+    reserve(vec, items.len())?;
+    vec.extend_from_slice(items);
+    Ok(())
 }
 
 /// Appends one element.
@@ -52,6 +65,8 @@ mod tests {
     #[test]
     fn a_huge_count_is_an_error() {
         let result = with_capacity::<u64>(usize::MAX / 16);
+        assert_eq!(result, Err(Error::OutOfMemory { bytes: (usize::MAX / 16) as u64 * 8 }));
+        let result = zeroed::<u64>(usize::MAX / 16);
         assert_eq!(result, Err(Error::OutOfMemory { bytes: (usize::MAX / 16) as u64 * 8 }));
     }
 }

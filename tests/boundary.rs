@@ -199,16 +199,88 @@ fn a_moebius_strip_has_one_loop() {
     assert_eq!((rim.vertices.len(), rim.flags.0), (2 * n, LoopFlags::NOT_ORIENTED));
 }
 
+/// A sheet of 30,000 cells with everything wrong somewhere: cells missing, flipped, split, doubled, of five corners, with
+/// a corner named twice, and vertices welded to others.
+fn odd_sheet() -> Soup {
+    let mut full = sheet(200, 150);
+    let mut state = 1u64;
+    let mut random = |n: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % n
+    };
+    let vertices = full.points.len();
+    for _ in 0..30 {
+        let (from, to) = (random(full.corners.len()), random(vertices) as u32);
+        full.corners[from] = to;
+    }
+    let mut soup = Soup { points: full.points.clone(), offsets: vec![0], corners: Vec::new() };
+    for face in full.faces() {
+        let &[a, b, c, d] = face else { panic!("a sheet has quads") };
+        match random(1000) {
+            0..5 => {}
+            5 => soup.face(&[d, c, b, a]),
+            6 => {
+                soup.face(face);
+                soup.face(face);
+            }
+            7 => soup.face(&[a, b, b, c, d]),
+            8 => soup.face(&[a, b, a]),
+            9 => soup.face(&[a, b, random(vertices) as u32, c, d]),
+            10..400 => {
+                soup.face(&[a, b, c]);
+                soup.face(&[a, c, d]);
+            }
+            _ => soup.face(face),
+        }
+    }
+    soup
+}
+
 #[test]
 fn the_same_for_any_thread_count() {
-    let soup = cap(400, 300, 0.3, 1.0);
-    let all = |threads| {
-        let job = Job::new(threads, &Quiet);
-        loops(&boundary_loops(&soup.view(), &Options::default(), &job).unwrap())
-    };
-    assert_eq!(all(1), all(2));
-    assert_eq!(all(1), all(7));
-    assert_eq!(all(1)[0].len(), 400);
+    let odd = odd_sheet();
+    let kinds: HashSet<_> = boundary(&odd).defects().iter().map(std::mem::discriminant).collect();
+    assert_eq!(kinds.len(), 4, "every kind of defect");
+    for soup in [cap(400, 300, 0.3, 1.0), odd] {
+        for survey in [Survey::WholeMesh, Survey::BoundaryOnly] {
+            let all = |threads| {
+                let options = Options { survey, ..Options::default() };
+                let found = boundary_loops(&soup.view(), &options, &Job::new(threads, &Quiet)).unwrap();
+                let list: Vec<_> = found.iter().map(|l| format!("{l:?}")).collect();
+                (list, found.defects().to_vec(), found.walk_count())
+            };
+            let one = all(1);
+            assert!(!one.0.is_empty());
+            for threads in [0, 2, 3, 64] {
+                assert!(one == all(threads), "{threads} threads");
+            }
+        }
+    }
+}
+
+#[test]
+fn many_faces_at_a_vertex_and_on_an_edge() {
+    // A book of 100 pages, and a fan of 100 triangles: each vertex in the middle has the smallest number, or the largest.
+    for (a, b, shift) in [(0, 1, 2), (100, 101, 0)] {
+        let pages: Vec<[u32; 3]> =
+            (0..100).map(|i| if i % 3 == 0 { [b, a, i + shift] } else { [a, b, i + shift] }).collect();
+        let book = Soup::flat(102, &pages.iter().map(<[u32; 3]>::as_slice).collect::<Vec<_>>());
+        let found = boundary(&book);
+        check_invariants(&book, &found);
+        assert_eq!(found.len(), 100);
+        assert_eq!(found.defects()[0], Defect::NonManifoldEdge { half_edge: 0, faces: 100 });
+
+        let blades: Vec<[u32; 3]> = (0..99).map(|i| [a, i + shift, i + 1 + shift]).collect();
+        let mut fan = Soup::flat(102, &blades.iter().map(<[u32; 3]>::as_slice).collect::<Vec<_>>());
+        let found = boundary(&fan);
+        check_invariants(&fan, &found);
+        assert_eq!((found.len(), found.edge_count(), found.defects().len()), (1, 101, 0));
+        // Turn one blade: two conflicts.
+        fan.corners[150..153].reverse();
+        let found = boundary(&fan);
+        check_invariants(&fan, &found);
+        assert_eq!((found.edge_count(), found.defects().len()), (101, 2));
+    }
 }
 
 struct Quiet;
@@ -248,6 +320,29 @@ proptest! {
                 .collect()
         };
         prop_assert_eq!(edges(&one, false), edges(&two, true));
+    }
+
+    /// A chessboard on a torus has only bow-ties, and indices in step: the sums at its vertices must not cancel for that.
+    #[test]
+    fn chessboards_on_tori(
+        w in 2u32..12,
+        h in 2u32..12,
+        step in prop::sample::select(vec![1u32, 2, 3, 64]),
+        filled in prop::collection::vec(any::<u16>(), 0..6),
+    ) {
+        let (w, h) = (2 * w, 2 * h);
+        let at = |i: u32, j: u32| step * (j % h * w + i % w);
+        let filled: HashSet<u32> = filled.iter().map(|&k| u32::from(k) % (w * h)).collect();
+        let mut soup = Soup::flat((step * w * h) as usize, &[]);
+        for (i, j) in (0..h).flat_map(|j| (0..w).map(move |i| (i, j))) {
+            if (i + j) % 2 == 0 || filled.contains(&(j * w + i)) {
+                soup.face(&[at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+            }
+        }
+        let found = boundary(&soup);
+        check_invariants(&soup, &found);
+        let black = (w * h / 2) as usize;
+        prop_assert!(found.edge_count() <= 4 * black && found.edge_count() + 4 * filled.len() >= 4 * black);
     }
 
     /// Sheets with faces taken out, whose boundaries are ordinary for the most part.

@@ -1,26 +1,42 @@
 //! Boundary loops at the speed of memory, for meshes that are ordinary along their boundary.
 //!
-//! For every corner of every face, with the vertices p, v, n one after another, add f(n) - f(p) to a sum kept for v. Round an
-//! inner vertex of an oriented surface each neighbour is once the next and once the previous one, and the sum is 0. At a
-//! boundary vertex with one border edge in, from u, and one out, to w, everything cancels but f(w) - f(u), which is not 0 as
-//! f is one-to-one. So one pass over the corners and a second one that gathers the half-edges between vertices whose sums
-//! are not 0 leave little more than the border itself, to be matched, checked and walked.
+//! Let N(u, v) be the number of half-edges from u to v less the number of those from v to u: 0 at an inner edge of an oriented
+//! surface, 1 or -1 at a border edge. Give each vertex v two numbers f(v) and t(v), one-to-one, and keep two sums over all
+//! faces:
 //!
-//! Whatever is odd shows: a half-edge twice in one direction, an edge without length, a vertex with other than one border edge
-//! in and one out. Then there is no answer here, and the exact way through all edges is taken. What cannot show: an edge
-//! with as many faces one way as the other, two or more each, and places away from the boundary. And a loop all of whose
-//! vertices are passed by other loops too, and whose sums of 64-bit hashes all vanish by coincidence.
+//! * for each vertex, s(v) = sum of N(v, u) f(u): every corner with the vertices p, v, n one after another adds f(n) - f(p);
+//! * in all, the area inside the polygons whose corners are the points (t, t^2), in 64 bits: by the shoelace formula it is
+//!   the sum of N(u, v) g(t(u), t(v)) over all edges, where g(x, y) = x y (y - x). A triangle has (y - x)(z - x)(z - y).
+//!
+//! At an inner vertex s is 0. At a boundary vertex with one border edge in, from u, and one out, to w, it is f(w) - f(u),
+//! which is not 0 as f is one-to-one. So one pass over the corners and a second one that gathers the half-edges between the
+//! vertices where s is not 0 leave little more than the border itself, to be matched, checked and walked.
+//!
+//! **What is odd shows.** A half-edge twice in one direction, an edge without length, a vertex with other than one border edge
+//! in and one out: then there is no answer here, and the exact way through all edges is taken. So it is unless the border B
+//! that was found explains both sums: it must pass each vertex whose s is not 0, once, with s = f(w) - f(u), and the area must
+//! be that inside its loops.
+//!
+//! **What can hide.** Let R = N - B be what was not found. Then at every vertex v the sum of R(v, u) f(u) is 0 in 32 bits, while
+//! R has as many edges into v as out of it. With one in and one out they would be one edge, back and forth, which is
+//! none. So through each of its vertices R passes twice or more, and at each of them hashes cancel by coincidence; and
+//! over all of R the areas do so once more, in 64 bits. Also, N does not see an edge with as many faces one way as the
+//! other, two or more each; nor does anything here see what is odd away from the boundary.
 
 use super::walk::Dart;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::mesh::{MeshView, NONE};
+use crate::mesh::{MeshView, NONE, Visitor};
 use crate::par;
-use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
-/// Faces that one thread scans at a time.
-const CHUNK: usize = 1 << 15;
+/// Faces, or vertices, that one thread looks at at a time.
+const CHUNK: usize = 1 << 14;
+/// The most threads that take part, as each sums in an array of its own.
+const MOST_SUMS: usize = 8;
+/// Vertices whose sums are added up side by side.
+const LANES: usize = 64;
 
 /// A half-edge between two vertices whose sums are not 0.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,91 +49,174 @@ struct Candidate {
 }
 
 /// The closed walks of border half-edges, each from its smallest half-edge on, in the order of those; or `None` if something
-/// along the boundary is odd. Two passes over the corners; extra memory 8 bytes a vertex, and the border.
+/// along the boundary is odd. Two passes over the corners; extra memory 1 byte a vertex and 4 more for each thread, of which
+/// at most 8 take part, and the border.
 pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<Dart>>>> {
     job.step(0.0, "looking for the boundary")?;
-    let sums = sums(mesh)?;
+    // Settled once: asking the system takes a while.
+    let threads = par::at_most(mesh.faces().len().div_ceil(CHUNK).min(MOST_SUMS), job.threads());
+    let sums = Sums::of(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
-    let flags = Flags::of(&sums)?;
-    drop(sums);
-    let parts = par::chunks(job.threads(), mesh.faces().len(), CHUNK, |range| gather(mesh, &flags, range));
+    let flags = Flags::of(&sums, mesh.positions().len(), threads)?;
+    let parts = par::chunks(threads, mesh.faces().len(), CHUNK, |range| {
+        let mut gather = Gather { flags: &flags, found: Vec::new() };
+        mesh.faces().visit(range, &mut gather)?;
+        Ok(gather.found)
+    });
     let mut candidates = Vec::new();
     for part in parts {
-        let part = part?;
+        let part: Vec<Candidate> = part?;
         alloc::reserve(&mut candidates, part.len())?;
         candidates.extend(part);
     }
     job.step(0.9, "walking along the boundary")?;
-    match border(candidates)? {
-        Some(border) => walks(mesh, &border),
-        None => Ok(None),
-    }
-}
-
-/// f: one-to-one from the indices into 64 bits, and far from linear.
-fn f(v: u32) -> u64 {
-    let x = u64::from(v).wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    (x ^ (x >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9)
-}
-
-/// The sum of f(n) - f(p) over the corners of each vertex.
-fn sums(mesh: &MeshView<'_>) -> Result<Vec<u64>> {
-    let mut sums = alloc::filled(0u64, mesh.positions().len())?;
-    let mut add = |p: u64, v: u32, n: u64| {
-        let sum = &mut sums[v as usize];
-        *sum = sum.wrapping_add(n).wrapping_sub(p);
+    let Some(border) = border(candidates)? else {
+        return Ok(None);
     };
-    for face in 0..mesh.faces().len() {
-        let mut corners = mesh.face(face);
-        if let (3, Some(a), Some(b), Some(c)) = (corners.len(), corners.next(), corners.next(), corners.next()) {
-            let (x, y, z) = (f(a), f(b), f(c));
-            add(z, a, y);
-            add(x, b, z);
-            add(y, c, x);
-        } else {
-            let corners = mesh.face(face);
-            let after = corners.clone().cycle().skip(1);
-            let before = corners.clone().cycle().skip(corners.len() - 1);
-            for ((v, n), p) in corners.zip(after).zip(before) {
-                add(f(p), v, f(n));
-            }
-        }
+    match successors(&border)? {
+        Some(next) if sums.are_of(&border, &next, flags.count) => walks(mesh, &border, next).map(Some),
+        _ => Ok(None),
     }
-    Ok(sums)
 }
 
-/// One bit a vertex: its sum is not 0.
-struct Flags(Vec<u64>);
+/// t: one-to-one, as both steps are, and not linear.
+fn t(v: u32) -> u32 {
+    let x = v.wrapping_mul(0x9e37_79b1);
+    x ^ (x >> 15)
+}
+
+/// f, from t: mixed once more. Were it t itself, or any polynomial of low degree, sums that are 0 would make the area 0 too.
+fn f(t: u32) -> u32 {
+    let x = t.wrapping_mul(0x85eb_ca77);
+    x ^ (x >> 13)
+}
+
+/// g: the shoelace term of the edge from (x, x^2) to (y, y^2).
+fn g(x: u32, y: u32) -> u64 {
+    (u64::from(x) * u64::from(y)).wrapping_mul(minus(y, x))
+}
+
+/// x - y, in 64 bits.
+fn minus(x: u32, y: u32) -> u64 {
+    u64::from(x).wrapping_sub(u64::from(y))
+}
+
+/// Both sums over some faces.
+struct Partial {
+    of_vertex: Vec<u32>,
+    area: u64,
+}
+
+impl Visitor for Partial {
+    #[inline(always)]
+    fn face(&mut self, _: u32, corners: &[u32]) -> Result<()> {
+        let count = corners.len();
+        let first = t(corners[0]);
+        let (mut before, mut here) = (f(t(corners[count - 1])), first);
+        for i in 0..count {
+            let after = t(corners[if i + 1 < count { i + 1 } else { 0 }]);
+            let sum = &mut self.of_vertex[corners[i] as usize];
+            *sum = sum.wrapping_add(f(after).wrapping_sub(before));
+            // The face as a fan of triangles: first, here, after; the first and the last of them have no area.
+            let area = minus(here, first).wrapping_mul(minus(after, first)).wrapping_mul(minus(after, here));
+            self.area = self.area.wrapping_add(area);
+            (before, here) = (f(here), after);
+        }
+        Ok(())
+    }
+}
+
+/// Both sums over all faces, in parts to be added up: one for each thread that took part. All additions wrap round, so that
+/// it does not matter who adds what.
+struct Sums(Vec<Partial>);
+
+impl Sums {
+    fn of(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
+        let idle: Mutex<Vec<Partial>> = Mutex::new(Vec::new());
+        let pool = || idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let added = par::chunks(threads, mesh.faces().len(), CHUNK, |range| {
+            let free = pool().pop();
+            let mut partial = match free {
+                Some(partial) => partial,
+                None => Partial { of_vertex: alloc::zeroed(mesh.positions().len())?, area: 0 },
+            };
+            mesh.faces().visit(range, &mut partial)?;
+            pool().push(partial);
+            Ok(())
+        });
+        added.into_iter().collect::<Result<()>>()?;
+        Ok(Sums(idle.into_inner().unwrap_or_else(PoisonError::into_inner)))
+    }
+
+    /// s(v).
+    fn at(&self, v: u32) -> u32 {
+        self.0.iter().fold(0, |sum, partial| sum.wrapping_add(partial.of_vertex[v as usize]))
+    }
+
+    /// True if both sums are those of the border, where edge `next[i]` follows edge i, and `flagged` of all s(v) are not 0.
+    fn are_of(&self, border: &[(u32, u32, u32)], next: &[usize], flagged: usize) -> bool {
+        let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| self.at(v) == f(t(border[i].1)).wrapping_sub(f(t(u)));
+        let around = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(g(t(u), t(v))));
+        let area = self.0.iter().fold(0u64, |area, partial| area.wrapping_add(partial.area));
+        border.len() == flagged && border.iter().zip(next).all(fits) && around == area
+    }
+}
+
+/// For each vertex whether its sum is not 0, and how many are not.
+struct Flags {
+    set: Vec<bool>,
+    count: usize,
+}
 
 impl Flags {
-    fn of(sums: &[u64]) -> Result<Self> {
-        let word = |chunk: &[u64]| chunk.iter().enumerate().fold(0, |bits, (i, &s)| bits | u64::from(s != 0) << i);
-        Ok(Flags(alloc::collect(sums.chunks(64).map(word))?))
+    fn of(sums: &Sums, vertices: usize, threads: usize) -> Result<Self> {
+        let mut set = alloc::zeroed(vertices)?;
+        let counts = par::map(threads, set.chunks_mut(CHUNK).enumerate(), |(i, flags)| {
+            let mut totals = [0u32; LANES];
+            let mut count = 0;
+            for (flags, first) in flags.chunks_mut(LANES).zip((i * CHUNK..).step_by(LANES)) {
+                totals.fill(0);
+                for partial in &sums.0 {
+                    let part = &partial.of_vertex[first..first + flags.len()];
+                    totals.iter_mut().zip(part).for_each(|(total, &sum)| *total = total.wrapping_add(sum));
+                }
+                flags.iter_mut().zip(&totals).for_each(|(flag, &total)| *flag = total != 0);
+                count += flags.iter().map(|&flag| usize::from(flag)).sum::<usize>();
+            }
+            count
+        });
+        Ok(Flags { set, count: counts.iter().sum() })
     }
 
     fn has(&self, v: u32) -> bool {
-        self.0[v as usize / 64] >> (v % 64) & 1 == 1
+        self.set[v as usize]
     }
 }
 
-/// The half-edges of some faces between vertices that are flagged.
-fn gather(mesh: &MeshView<'_>, flags: &Flags, faces: Range<usize>) -> Result<Vec<Candidate>> {
-    let mut found = Vec::new();
-    for face in faces {
-        let start = mesh.faces().range(face).start as u32;
-        let corners = mesh.face(face);
+/// Gathers half-edges between vertices that are flagged.
+struct Gather<'a> {
+    flags: &'a Flags,
+    found: Vec<Candidate>,
+}
+
+impl Visitor for Gather<'_> {
+    #[inline(always)]
+    fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
         // Most faces have no flagged corner at all.
-        if !corners.clone().any(|v| flags.has(v)) {
-            continue;
-        }
-        let after = corners.clone().cycle().skip(1);
-        for ((u, v), half_edge) in corners.zip(after).zip(start..) {
-            if flags.has(u) && flags.has(v) {
-                alloc::push(&mut found, Candidate { ends: [u.min(v), u.max(v)], up: u <= v, half_edge })?;
+        if corners.iter().fold(false, |any, &v| any | self.flags.has(v)) { self.take(first, corners) } else { Ok(()) }
+    }
+}
+
+impl Gather<'_> {
+    fn take(&mut self, first: u32, corners: &[u32]) -> Result<()> {
+        let after = corners.iter().cycle().skip(1);
+        for ((&u, &v), half_edge) in corners.iter().zip(after).zip(first..) {
+            if self.flags.has(u) && self.flags.has(v) {
+                alloc::push(&mut self.found, Candidate { ends: [u.min(v), u.max(v)], up: u <= v, half_edge })?;
             }
         }
+        Ok(())
     }
-    Ok(found)
 }
 
 /// Of the candidates those whose edge has no other half-edge, as (vertex where it starts, where it ends, half-edge), in the
@@ -138,8 +237,8 @@ fn border(mut candidates: Vec<Candidate>) -> Result<Option<Vec<(u32, u32, u32)>>
     Ok(Some(border))
 }
 
-/// Follows the border; `None` if a vertex has other than one edge in and one out.
-fn walks(mesh: &MeshView<'_>, border: &[(u32, u32, u32)]) -> Result<Option<Vec<Vec<Dart>>>> {
+/// For each edge of the border the one that follows it; `None` if a vertex has other than one in and one out.
+fn successors(border: &[(u32, u32, u32)]) -> Result<Option<Vec<usize>>> {
     if border.windows(2).any(|pair| pair[0].0 == pair[1].0) {
         return Ok(None);
     }
@@ -155,6 +254,11 @@ fn walks(mesh: &MeshView<'_>, border: &[(u32, u32, u32)]) -> Result<Option<Vec<V
             _ => return Ok(None),
         }
     }
+    Ok(Some(next))
+}
+
+/// Follows the border.
+fn walks(mesh: &MeshView<'_>, border: &[(u32, u32, u32)], mut next: Vec<usize>) -> Result<Vec<Vec<Dart>>> {
     let mut order = alloc::collect((0..border.len()).map(|i| (border[i].2, i)))?;
     order.sort_unstable();
     let mut walks: Vec<Vec<Dart>> = Vec::new();
@@ -170,5 +274,68 @@ fn walks(mesh: &MeshView<'_>, border: &[(u32, u32, u32)]) -> Result<Option<Vec<V
             alloc::push(&mut walks, walk)?;
         }
     }
-    Ok(Some(walks))
+    Ok(walks)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::{Options, Survey, boundary_loops};
+    use crate::mesh::{Faces, Positions};
+    use std::collections::HashMap;
+
+    /// A mesh whose face i has the corners `faces[i]`; the boundary is that of some loops of the given lengths.
+    fn check(vertices: u32, faces: &[&[u32]], ordinary: bool, lengths: &[usize]) {
+        let points: Vec<[f64; 3]> = (0..vertices).map(|i| [f64::from(i), 0.5 * f64::from(i % 7), 0.0]).collect();
+        let corners = faces.concat();
+        let offsets: Vec<u32> = (0..=faces.len()).map(|f| faces[..f].concat().len() as u32).collect();
+        let faces = Faces::polygons(&offsets, &corners).unwrap();
+        let job = Job::default();
+        let mesh = MeshView::new(Positions::from(points.as_slice()), faces, &job).unwrap();
+        assert_eq!(ordinary_walks(&mesh, &job).unwrap().is_some(), ordinary);
+        for survey in [Survey::WholeMesh, Survey::BoundaryOnly] {
+            let found = boundary_loops(&mesh, &Options { survey, ..Options::default() }, &job).unwrap();
+            assert_eq!(found.iter().map(|l| l.vertices.len()).collect::<Vec<_>>(), lengths);
+        }
+    }
+
+    #[test]
+    fn ordinary_boundaries_are_found_without_the_exact_way() {
+        check(3, &[&[0, 1, 2]], true, &[3]);
+        // A triangle, a square, a pentagon and a hexagon round vertex 0; and a tetrahedron.
+        let round: [&[u32]; 4] = [&[0, 1, 2], &[0, 2, 3, 4], &[0, 4, 5, 6, 7], &[0, 7, 8, 9, 10, 1]];
+        check(11, &round, true, &[10]);
+        check(4, &[&[0, 1, 2], &[0, 3, 1], &[1, 3, 2], &[2, 3, 0]], true, &[]);
+        check(8, &[&[0, 1, 2], &[3, 4, 5, 6, 7]], true, &[3, 5]);
+        check(5, &[&[0, 1, 2], &[2, 3, 4]], false, &[3, 3]);
+    }
+
+    /// Every second face of an octahedron: each vertex has two neighbours before it and the two opposite ones after it. Three
+    /// pairs of numbers with the same sum of f make all sums vanish; the area does not.
+    #[test]
+    fn a_planted_coincidence_is_noticed() {
+        let limit = 4000;
+        let mut pairs = Vec::new();
+        for u in 8..limit {
+            pairs.extend((u + 1..limit).map(|v| (f(t(u)).wrapping_add(f(t(v))), u, v)));
+        }
+        pairs.sort_unstable();
+        let mut sums = pairs.chunk_by(|x, y| x.0 == y.0);
+        let Some(&[(_, a, b), (_, c, d), (_, p, q)]) = sums.find(|same| same.len() == 3) else {
+            panic!("none planted")
+        };
+        let octahedron: [&[u32]; 4] = [&[a, c, p], &[a, d, q], &[b, c, q], &[b, d, p]];
+        let mut total = HashMap::new();
+        for (face, i) in octahedron.iter().flat_map(|face| (0..3).map(move |i| (face, i))) {
+            let (before, v, after) = (face[(i + 2) % 3], face[i], face[(i + 1) % 3]);
+            let sum: &mut u32 = total.entry(v).or_default();
+            *sum = sum.wrapping_add(f(t(after))).wrapping_sub(f(t(before)));
+        }
+        assert!(total.len() == 6 && total.values().all(|&sum| sum == 0), "the coincidence");
+        check(limit, &octahedron, false, &[3, 3, 3, 3]);
+        // Beside a loop that is ordinary, and one that touches the octahedron.
+        let [x, y, z, w] = octahedron;
+        check(limit, &[x, y, z, w, &[0, 1, 2]], false, &[3, 3, 3, 3, 3]);
+        check(limit, &[x, y, z, w, &[0, 1, a]], false, &[3, 3, 3, 3, 3]);
+    }
 }

@@ -171,8 +171,8 @@ impl Boundary {
 /// Finds every free boundary loop of `mesh`.
 ///
 /// O(H log d) for H half-edges and vertices of degree d; extra memory is linear: that of [`Topology`], 5 bytes a
-/// vertex, and the border several times over. With
-/// [`Survey::BoundaryOnly`] O(H + B log B) for a boundary of B edges, and 8 bytes a vertex, unless the boundary is odd.
+/// vertex, and the border several times over. With [`Survey::BoundaryOnly`] O(H + B log B) for a boundary of B edges, and 1
+/// byte a vertex and 4 more for each thread, of which at most 8 take part, unless the boundary is odd.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled). Odd places of the mesh
@@ -193,7 +193,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
     let job = &job.part(done, 1.0);
     let topology = Topology::new(mesh, &job.part(0.0, 0.9))?;
     let mut boundary = Boundary { defects: alloc::copied(topology.defects())?, ..Boundary::default() };
-    let mut walker = Walker::new(mesh, &topology, options.non_manifold)?;
+    let mut walker = Walker::new(mesh, &topology, options.non_manifold, job)?;
     let mut place = alloc::filled(NONE, mesh.positions().len())?;
     let mut walk = Vec::new();
     while let Some(closed_walk) = walker.next_walk(&mut walk)? {

@@ -3,6 +3,7 @@
 use super::loops::NonManifold;
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::{Across, MeshView, Topology};
 
 /// A half-edge with a direction of travel: forward is its own.
@@ -52,10 +53,15 @@ pub(super) struct Walker<'m, 'a> {
 }
 
 impl<'m, 'a> Walker<'m, 'a> {
-    pub(super) fn new(mesh: &'m MeshView<'a>, topology: &'m Topology, mode: NonManifold) -> Result<Self> {
-        let border = topology.border()?;
+    pub(super) fn new(
+        mesh: &'m MeshView<'a>,
+        topology: &'m Topology,
+        mode: NonManifold,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let border = topology.border(job)?;
         let visited = alloc::filled(false, border.len())?;
-        let bow_tie = alloc::filled(false, mesh.positions().len())?;
+        let bow_tie = alloc::zeroed(mesh.positions().len())?;
         Ok(Walker { mesh, topology, mode, border, visited, next: 0, bow_tie })
     }
 

@@ -12,6 +12,7 @@
 mod components;
 pub(crate) mod concat;
 mod owned;
+mod pairing;
 mod topology;
 mod view;
 
@@ -20,6 +21,7 @@ pub use concat::{Piece, concatenate};
 pub use owned::{Mesh, PositionBuffer};
 pub(crate) use topology::{Across, half_edges};
 pub use topology::{Defect, Topology};
+pub(crate) use view::Visitor;
 pub use view::{Faces, MAX_ELEMENTS, MeshView, Positions, Scalar};
 
 /// The index that means "none".

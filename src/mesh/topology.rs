@@ -1,13 +1,11 @@
-//! Which half-edges share an edge: the exact bucket method.
-//!
-//! Half-edges are put into buckets by the smaller of their two vertices (a counting sort), and each bucket is sorted by the
-//! larger one: half-edges of the same edge become neighbours. Two passes over the corners and one over the buckets, no
-//! hashing, and the same answer for any order of the faces but for the numbers of the half-edges.
+//! Which half-edges share an edge.
 
+use super::pairing::{Pairs, pairs};
 use super::view::MeshView;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
+use crate::par;
 
 /// Something wrong or unusual about a mesh's connectivity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -40,18 +38,15 @@ pub enum Defect {
 }
 
 /// The pairing of half-edges.
-pub struct Topology {
-    /// Per half-edge: its partner, or one of the marks below, or itself if it is ignored (zero length, degenerate face).
-    mate: Vec<u32>,
-    /// Per vertex: the number of corners whose half-edge is not ignored.
-    corner_count: Vec<u32>,
-    defects: Vec<Defect>,
-}
+pub struct Topology(Pairs);
 
 /// The edge has this one face only.
-const FREE: u32 = u32::MAX;
+pub(super) const FREE: u32 = u32::MAX;
 /// The edge has three or more faces.
-const SINGULAR: u32 = u32::MAX - 1;
+pub(super) const SINGULAR: u32 = u32::MAX - 1;
+
+/// Half-edges that one thread looks at at a time.
+const CHUNK: usize = 1 << 18;
 
 /// What lies across a half-edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,113 +59,20 @@ pub(crate) enum Across {
     Mate(u32),
 }
 
-/// Faces between two progress reports.
-const STEP: usize = 1 << 16;
-
 impl Topology {
     /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra memory: 12 bytes a
-    /// half-edge and 8 a vertex, of which 4 and 4 remain.
+    /// half-edge, 8 a vertex, and 12 a vertex for each thread, of which at most 8 take part. Of this 4 bytes a half-edge and 4
+    /// a vertex remain.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn new(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Self> {
-        let faces = mesh.faces();
-        let vertices = mesh.positions().len();
-        let mut topology = Topology {
-            mate: alloc::filled(0, faces.half_edge_count())?,
-            corner_count: alloc::filled(0, vertices)?,
-            defects: Vec::new(),
-        };
-
-        // Count: bucket v, in entry v + 1, gets the half-edges whose smaller vertex is v.
-        let mut start = alloc::filled(0u32, vertices + 1)?;
-        for f in 0..faces.len() {
-            if f % STEP == 0 {
-                job.step(0.3 * f as f64 / faces.len() as f64, "pairing half-edges")?;
-            }
-            topology.enter_face(mesh, f, &mut start)?;
-        }
-        for v in 0..vertices {
-            start[v + 1] += start[v];
-        }
-
-        // Distribute: (larger vertex, half-edge) in one word, in the order of the half-edges.
-        let mut entries = alloc::filled(0u64, start[vertices] as usize)?;
-        for f in 0..faces.len() {
-            if f % STEP == 0 {
-                job.step(0.3 + 0.3 * f as f64 / faces.len() as f64, "pairing half-edges")?;
-            }
-            for (h, u, v) in half_edges(mesh, f) {
-                if topology.mate[h as usize] != h {
-                    let place = &mut start[u.min(v) as usize];
-                    entries[*place as usize] = u64::from(u.max(v)) << 32 | u64::from(h);
-                    *place += 1;
-                }
-            }
-        }
-
-        // Group. After the distribution, start[v] is the end of bucket v.
-        let mut begin = 0;
-        for (v, &end) in start[..vertices].iter().enumerate() {
-            if v % STEP == 0 {
-                job.step(0.6 + 0.4 * v as f64 / vertices as f64, "pairing half-edges")?;
-            }
-            let bucket = &mut entries[begin..end as usize];
-            begin = end as usize;
-            bucket.sort_unstable();
-            for edge in bucket.chunk_by(|a, b| a >> 32 == b >> 32) {
-                topology.join(mesh, edge)?;
-            }
-        }
-        topology.defects.sort_unstable();
-        Ok(topology)
-    }
-
-    /// Counts the half-edges of a face into the buckets; marks those that are ignored.
-    fn enter_face(&mut self, mesh: &MeshView<'_>, f: usize, bucket: &mut [u32]) -> Result<()> {
-        let edges = half_edges(mesh, f);
-        let proper = edges.clone().filter(|&(_, u, v)| u != v).count();
-        if let Some(vertex) = repeated_vertex(mesh, f)? {
-            alloc::push(&mut self.defects, Defect::DegenerateFace { face: f as u32, vertex })?;
-        }
-        for (h, u, v) in edges {
-            if u == v || proper < 3 {
-                self.mate[h as usize] = h;
-            } else {
-                // Never equal to h, and replaced by join().
-                self.mate[h as usize] = FREE;
-                bucket[u.min(v) as usize + 1] += 1;
-                self.corner_count[u as usize] += 1;
-            }
-        }
-        Ok(())
-    }
-
-    /// Enters what the half-edges of one edge are to each other.
-    fn join(&mut self, mesh: &MeshView<'_>, edge: &[u64]) -> Result<()> {
-        let half_edge = |i: usize| edge[i] as u32;
-        match edge.len() {
-            1 => {}
-            2 => {
-                let (g, h) = (half_edge(0), half_edge(1));
-                self.mate[g as usize] = h;
-                self.mate[h as usize] = g;
-                if mesh.faces().corner(g) == mesh.faces().corner(h) {
-                    alloc::push(&mut self.defects, Defect::OrientationConflict { half_edges: [g, h] })?;
-                }
-            }
-            n => {
-                edge.iter().for_each(|&entry| self.mate[entry as u32 as usize] = SINGULAR);
-                let defect = Defect::NonManifoldEdge { half_edge: half_edge(0), faces: n as u32 };
-                alloc::push(&mut self.defects, defect)?;
-            }
-        }
-        Ok(())
+        pairs(mesh, job).map(Topology)
     }
 
     /// What lies across half-edge `h`, which must not be an ignored one.
     pub(crate) fn across(&self, h: u32) -> Across {
-        match self.mate[h as usize] {
+        match self.0.mate[h as usize] {
             FREE => Across::Free,
             SINGULAR => Across::Singular,
             mate => Across::Mate(mate),
@@ -179,28 +81,37 @@ impl Topology {
 
     /// True if `h` takes no part: it has no length, or its face is degenerate.
     pub(crate) fn is_ignored(&self, h: u32) -> bool {
-        self.mate[h as usize] == h
+        self.0.mate[h as usize] == h
     }
 
     /// The half-edges of free edges and those of edges with three or more faces, in ascending order.
-    pub(crate) fn border(&self) -> Result<Vec<u32>> {
-        let mut border = Vec::new();
-        for (h, &mate) in self.mate.iter().enumerate() {
-            if mate >= SINGULAR {
-                alloc::push(&mut border, h as u32)?;
+    pub(crate) fn border(&self, job: &Job<'_>) -> Result<Vec<u32>> {
+        let mate = &self.0.mate;
+        let found = par::chunks(job.threads(), mate.len(), CHUNK, |range| {
+            let mut border = Vec::new();
+            for (&mate, h) in mate[range.clone()].iter().zip(range) {
+                if mate >= SINGULAR {
+                    alloc::push(&mut border, h as u32)?;
+                }
             }
+            Ok(border)
+        });
+        let mut border = Vec::new();
+        for part in found {
+            let part: Vec<u32> = part?;
+            alloc::append(&mut border, &part)?;
         }
         Ok(border)
     }
 
     /// The number of faces' corners at vertex `v`, ignored half-edges apart.
     pub(crate) fn corner_count(&self, v: u32) -> u32 {
-        self.corner_count[v as usize]
+        self.0.corner_count[v as usize]
     }
 
     /// The degenerate faces, orientation conflicts and non-manifold edges, in this order.
     pub fn defects(&self) -> &[Defect] {
-        &self.defects
+        &self.0.defects
     }
 
     /// The half-edge of the same face that follows `h`, those without length left out.
@@ -227,6 +138,7 @@ impl Topology {
         }
     }
 }
+<<<<<<< HEAD
 
 /// The half-edges of face `f` as (number, start vertex, end vertex).
 pub(crate) fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = (u32, u32, u32)> + Clone + 'm {
@@ -247,3 +159,5 @@ fn repeated_vertex(mesh: &MeshView<'_>, f: usize) -> Result<Option<u32>> {
     sorted.sort_unstable();
     Ok(sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0]))
 }
+=======
+>>>>>>> w-boundary

@@ -1,5 +1,6 @@
 //! The borrowed, validated view of a polygon mesh.
 
+use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
@@ -105,6 +106,27 @@ impl<'a> Positions<'a> {
         }
     }
 
+    /// True if all coordinates in `range` are finite.
+    fn are_finite(&self, mut range: Range<usize>) -> bool {
+        match (self.packed_bytes(), self.scalar) {
+            // Sign apart, adding one to the exponent carries into the sign bit just where the exponent is the largest, that
+            // of infinities and NaN. A loop without an exit runs several times as fast.
+            (Some(bytes), Scalar::F64) => {
+                let add = |carry, bits: &[u8]| {
+                    carry | ((bytemuck::pod_read_unaligned::<u64>(bits) & (u64::MAX >> 1)) + (1 << 52))
+                };
+                bytes[24 * range.start..24 * range.end].chunks_exact(8).fold(0, add) >> 63 == 0
+            }
+            (Some(bytes), Scalar::F32) => {
+                let add = |carry, bits: &[u8]| {
+                    carry | ((bytemuck::pod_read_unaligned::<u32>(bits) & (u32::MAX >> 1)) + (1 << 23))
+                };
+                bytes[12 * range.start..12 * range.end].chunks_exact(4).fold(0, add) >> 31 == 0
+            }
+            (None, _) => range.all(|v| self.get(v as u32).is_finite()),
+        }
+    }
+
     /// Position `v` as stored, bit for bit.
     pub(super) fn bits(&self, v: usize) -> &'a [u8] {
         &self.bytes[v * self.stride..][..self.scalar.position_size()]
@@ -169,6 +191,13 @@ enum Layout<'a> {
     Uniform(u32),
     /// Face f has the corners offsets\[f\] .. offsets\[f + 1\].
     Offsets(Indices<'a>),
+}
+
+/// Somebody whom [`Faces::visit`] shows faces to.
+pub(crate) trait Visitor {
+    /// A face, its first half-edge and its vertices. To be inlined: triangles and quads are arrays, whose length the
+    /// compiler then knows.
+    fn face(&mut self, first: u32, corners: &[u32]) -> Result<()>;
 }
 
 /// Faces as they lie in memory: vertex indices, face after face.
@@ -307,6 +336,34 @@ impl<'a> Faces<'a> {
         self.corners.slice(range)
     }
 
+    /// Shows each face of `faces` in turn to `visitor`. Extra memory: the largest face that has more than four corners.
+    pub(crate) fn visit(&self, faces: Range<usize>, visitor: &mut impl Visitor) -> Result<()> {
+        if let Layout::Uniform(3) = self.layout {
+            let corners = self.corners.0[12 * faces.start..12 * faces.end].chunks_exact(12);
+            for (f, triangle) in faces.zip(corners) {
+                visitor.face(3 * f as u32, &bytemuck::pod_read_unaligned::<[u32; 3]>(triangle))?;
+            }
+            return Ok(());
+        }
+        let mut polygon = Vec::new();
+        for f in faces {
+            let range = self.range(f);
+            let first = range.start as u32;
+            let corner = |i: u32| self.corner(first + i);
+            match range.len() {
+                3 => visitor.face(first, &[corner(0), corner(1), corner(2)])?,
+                4 => visitor.face(first, &[corner(0), corner(1), corner(2), corner(3)])?,
+                n => {
+                    polygon.clear();
+                    alloc::reserve(&mut polygon, n)?;
+                    polygon.extend(self.corners(range));
+                    visitor.face(first, &polygon)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// The number of corners, which is the number of half-edges.
     pub fn half_edge_count(&self) -> usize {
         self.corners.len()
@@ -349,14 +406,18 @@ impl<'a> MeshView<'a> {
             offsets.check(job)?;
         }
         job.step(0.3, "checking the mesh")?;
-        let corners = faces.half_edge_count();
-        let checked = par::chunks(job.threads(), corners, CHUNK, |range| mesh.check_corners(range));
-        checked.into_iter().collect::<Result<()>>()?;
-        job.step(0.6, "checking the mesh")?;
-        let finite = par::chunks(job.threads(), positions.len(), CHUNK, |mut range| {
-            range.all(|v| positions.get(v as u32).is_finite())
+        // Both arrays in as many parts, so that the threads start once.
+        let (corners, vertices) = (faces.half_edge_count(), positions.len());
+        let count = corners.max(vertices).div_ceil(CHUNK);
+        let part = |len: usize, i: usize| {
+            let length = len.div_ceil(count);
+            len.min(i * length)..len.min((i + 1) * length)
+        };
+        let checked = par::map(job.threads(), 0..count, |i| {
+            (mesh.check_corners(part(corners, i)), positions.are_finite(part(vertices, i)))
         });
-        if !finite.into_iter().all(|chunk| chunk) {
+        checked.iter().try_for_each(|&(corners, _)| corners)?;
+        if !checked.iter().all(|&(_, finite)| finite) {
             // Rare: find out whether a face uses such a vertex.
             let bad = |h: &usize| !positions.get(faces.corner(*h as u32)).is_finite();
             let firsts = par::chunks(job.threads(), corners, CHUNK, |mut range| range.find(bad));
@@ -388,9 +449,9 @@ impl<'a> MeshView<'a> {
 
     fn check_corners(&self, range: Range<usize>) -> Result<()> {
         let count = self.positions.len();
-        // The maximum first: a loop without an exit runs several times as fast.
-        let highest = self.faces.corners(range.clone()).max().unwrap_or(0);
-        if (highest as usize) < count {
+        // Whether at all first: a loop without an exit runs several times as fast.
+        let beyond = |any, v: u32| any | u32::from(v >= count as u32);
+        if self.faces.corners(range.clone()).fold(0, beyond) == 0 {
             return Ok(());
         }
         let corner = self.faces.corners(range.clone()).position(|v| v as usize >= count).unwrap_or(0);
