@@ -138,7 +138,6 @@ impl Topology {
         }
     }
 }
-<<<<<<< HEAD
 
 /// The half-edges of face `f` as (number, start vertex, end vertex).
 pub(crate) fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<Item = (u32, u32, u32)> + Clone + 'm {
@@ -147,17 +146,3 @@ pub(crate) fn half_edges<'m>(mesh: &'m MeshView<'_>, f: usize) -> impl Iterator<
     let (start, end) = (range.start as u32, range.end as u32);
     (start..end).map(move |h| (h, faces.corner(h), faces.corner(if h + 1 == end { start } else { h + 1 })))
 }
-
-/// A vertex that face `f` names twice.
-fn repeated_vertex(mesh: &MeshView<'_>, f: usize) -> Result<Option<u32>> {
-    let corners = mesh.face(f);
-    if corners.len() <= 8 {
-        let twice = |(i, v): &(usize, u32)| corners.clone().take(*i).any(|u| u == *v);
-        return Ok(corners.clone().enumerate().find(twice).map(|(_, v)| v));
-    }
-    let mut sorted = alloc::collect(corners)?;
-    sorted.sort_unstable();
-    Ok(sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0]))
-}
-=======
->>>>>>> w-boundary
