@@ -451,6 +451,16 @@
 #define GUSSET_RUN_LONGEST 1
 
 /**
+ * The centre of a loop is the mean of its vertices, as the paper has it.
+ */
+#define GUSSET_CENTRES_VERTICES 0
+
+/**
+ * The mean of its points: vertices that lie close together do not draw it to them.
+ */
+#define GUSSET_CENTRES_LENGTH 1
+
+/**
  * No interior rows: every meridian is one edge.
  */
 #define GUSSET_ROWS_NONE 0
@@ -918,6 +928,14 @@ typedef struct gusset_stitch_options {
      * GUSSET_INTERSECTIONS_...
      */
     uint32_t intersections;
+    /**
+     * GUSSET_CENTRES_...
+     */
+    uint32_t centres;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_stitch_options;
 
 /**
@@ -1467,6 +1485,14 @@ typedef struct gusset_facing_options {
      * GUSSET_TOLERANCE_GIVEN.
      */
     double tolerance;
+    /**
+     * GUSSET_CENTRES_...
+     */
+    uint32_t centres;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_facing_options;
 
 /**

@@ -7,7 +7,7 @@ use common::{Soup, cap, edge_counts, sheet};
 use glam::DVec3;
 use gusset::boundary::{Options as BoundaryOptions, boundary_loops};
 use gusset::mesh::NONE;
-use gusset::stitch::facing::{Run, centre, facing};
+use gusset::stitch::facing::{self, centre, facing};
 use gusset::stitch::meridian::index_rule::index_rule;
 use gusset::stitch::{Cells, Extent, Meridians, Options, Request, Rows, stitch};
 use gusset::winged::{Winding, WingedEdge, WingedEdges, free_loops};
@@ -134,7 +134,10 @@ fn e06_the_sign_alone_is_round_off_for_coaxial_rims() {
     let selected: Vec<bool> = a.iter().map(|&p| (p - own).dot(other - own) > 0.0).collect();
     let runs = (0..60).filter(|&i| selected[i] && !selected[(i + 59) % 60]).count();
     assert!(runs > 1, "as printed: {runs} runs of round-off, no polyline");
-    assert!(matches!(facing(&a, &b, Some(1e-14), Run::Closest), Err(Error::PlanesUndecided { .. })));
+    assert!(matches!(
+        facing(&a, &b, &facing::Options { tolerance: Some(1e-14), ..Default::default() }),
+        Err(Error::PlanesUndecided { .. })
+    ));
 }
 
 /// The program fragment, with the missing braces supplied: H as the j of each i, from 1; 0 where there is none.

@@ -4,10 +4,14 @@ mod common;
 
 use common::Soup;
 use glam::{DMat3, DVec3};
-use gusset::stitch::facing::{Arc, Planes, Run, centre, facing, squareness};
+use gusset::stitch::facing::{self, Arc, Centres, Facing, Planes, Run, centre, squareness};
 use gusset::stitch::{Extent, Options, Request, stitch};
 use gusset::{Error, Job, Side};
 use std::f64::consts::{PI, TAU};
+
+fn facing(a: &[DVec3], b: &[DVec3], tolerance: Option<f64>, run: Run) -> Result<Facing, Error> {
+    facing::facing(a, b, &facing::Options { run, tolerance, ..facing::Options::default() })
+}
 
 /// A circle of `n` vertices in the plane z = 0, the first at angle `phase`.
 fn circle(n: usize, radius: f64, phase: f64, at: DVec3) -> Vec<DVec3> {
@@ -72,7 +76,7 @@ fn coaxial_rims_lie_in_their_planes() {
 fn concentric_rims_have_no_direction() {
     let (a, b) = (circle(60, 2.0, 0.0, DVec3::ZERO), circle(40, 1.0, 0.3, DVec3::ZERO));
     assert_eq!(facing(&a, &b, Some(1e-12), Run::Longest), Err(Error::PlanesUndecided { side: Side::A }));
-    assert_eq!(squareness(&a, &Planes::of(&a, &a)), 0.0);
+    assert_eq!(squareness(&a, &Planes::of(&a, &a, Centres::Vertices)), 0.0);
 }
 
 /// A thick letter C, open towards +x, of `n` steps along each side.
@@ -208,4 +212,20 @@ fn wavy_coaxial_rims_are_joined_whole() {
     let joined = stitch(&request, &options, &Job::default()).unwrap();
     assert!(joined.closed);
     assert_eq!(joined.rims.each_ref().map(Vec::len), [24, 30]);
+}
+
+#[test]
+fn a_centre_by_length_is_not_drawn_to_crowded_vertices() {
+    // Half of the circle has ten times as many vertices as the other half.
+    let angles = (0..200).map(|i| PI * f64::from(i) / 200.0).chain((0..20).map(|i| PI + PI * f64::from(i) / 20.0));
+    let crowded: Vec<_> = angles.map(|t| DVec3::new(t.cos(), t.sin(), 0.0)).collect();
+    let other = circle(64, 1.0, 0.0, DVec3::new(3.0, 0.0, 0.0));
+    let planes = |centres| Planes::of(&crowded, &other, centres);
+    assert!(planes(Centres::Vertices).centres[0].y > 0.4);
+    // The polygon is 1 / 400 thinner on the coarse side, no more.
+    assert!(planes(Centres::Length).centres[0].length() < 0.01);
+    let options = facing::Options { centres: Centres::Length, ..facing::Options::default() };
+    let found = facing::facing(&crowded, &other, &options).unwrap();
+    assert_eq!(found.planes, planes(Centres::Length));
+    assert!(found.runs.iter().all(|runs| runs.len() == 1));
 }

@@ -37,6 +37,7 @@ enum class Extent : uint32_t {
     arcs = GUSSET_EXTENT_ARCS
 };
 enum class Run : uint32_t { closest = GUSSET_RUN_CLOSEST, longest = GUSSET_RUN_LONGEST };
+enum class Centres : uint32_t { vertices = GUSSET_CENTRES_VERTICES, length = GUSSET_CENTRES_LENGTH };
 enum class Cells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
 
 /// Interior rows: none, by the mean edge, or a number.
@@ -58,8 +59,10 @@ struct Arc {
 class Facing {
 public:
     Facing(Span<const std::array<double, 3>> a, Span<const std::array<double, 3>> b, Run run = Run::closest,
-           std::optional<double> tolerance = {}, const Context &context = Context()) {
+           std::optional<double> tolerance = {}, const Context &context = Context(),
+           Centres centres = Centres::vertices) {
         gusset_facing_options given{};
+        given.centres = static_cast<uint32_t>(centres);
         given.struct_size = sizeof given;
         given.run = static_cast<uint32_t>(run);
         given.tolerance_mode = tolerance ? GUSSET_TOLERANCE_GIVEN : GUSSET_TOLERANCE_AUTO;
@@ -160,6 +163,7 @@ struct StitchOptions {
     Start start = Start::automatic;
     Fairing fairing = Fairing::none;
     Intersections intersections = Intersections::automatic;
+    Centres centres = Centres::vertices;
 };
 
 namespace detail {
@@ -184,6 +188,7 @@ inline gusset_stitch_options as_c(const StitchOptions &options) {
     given.start = static_cast<uint32_t>(options.start);
     given.fairing = static_cast<uint32_t>(options.fairing);
     given.intersections = static_cast<uint32_t>(options.intersections);
+    given.centres = static_cast<uint32_t>(options.centres);
     return given;
 }
 } // namespace detail

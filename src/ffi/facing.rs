@@ -6,11 +6,11 @@ use super::input::{self, Versioned};
 use super::mesh::gusset_indices;
 use super::status::gusset_status::{self, GUSSET_ERROR_BUFFER_TOO_SMALL};
 use super::status::{Failure, GUSSET_ELEMENT_COUNT};
-use super::stitch_options::{GUSSET_RUN_CLOSEST, GUSSET_RUN_LONGEST, tolerance};
+use super::stitch_options::{GUSSET_RUN_CLOSEST, GUSSET_RUN_LONGEST, centres, tolerance};
 use crate::alloc;
 use crate::error::Error;
 use crate::mesh::MAX_ELEMENTS;
-use crate::stitch::facing::{Arc, Facing, Run, facing};
+use crate::stitch::facing::{Arc, Facing, Options, Run, facing};
 use crate::stitch::meridian::index_rule::index_rule;
 use glam::DVec3;
 use libc::c_void;
@@ -35,6 +35,10 @@ pub struct gusset_facing_options {
     /// How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read for
     /// GUSSET_TOLERANCE_GIVEN.
     pub tolerance: f64,
+    /// GUSSET_CENTRES_...
+    pub centres: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// What algorithm 2 found. Index 0 is loop A, 1 is loop B. Pointers are valid until the handle is destroyed.
@@ -64,17 +68,21 @@ unsafe impl Versioned for gusset_facing_view {
     const LEAST_SIZE: usize = 168;
 }
 const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_facing_options>() == 24 && size_of::<gusset_facing_view>() == 168)
+    size_of::<usize>() != 8 || (size_of::<gusset_facing_options>() == 32 && size_of::<gusset_facing_view>() == 168)
 );
 
 impl gusset_facing_options {
-    fn checked(self) -> Result<(Run, Option<f64>), Failure> {
+    fn checked(self) -> Result<Options, Failure> {
         let run = match self.run {
             GUSSET_RUN_CLOSEST => Run::Closest,
             GUSSET_RUN_LONGEST => Run::Longest,
             other => return Err(Failure::unknown("run", other.into())),
         };
-        Ok((run, tolerance(self.tolerance_mode, self.tolerance)?))
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
+        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
+        Ok(Options { run, tolerance, centres: centres(self.centres)? })
     }
 }
 
@@ -107,10 +115,10 @@ pub unsafe extern "C" fn gusset_facing_create(
     facing: *mut *mut gusset_facing,
 ) -> gusset_status {
     create(context, facing, "facing", |_| {
-        let (run, tolerance) = input::read(options, true, "options")?.checked()?;
+        let options = input::read(options, true, "options")?.checked()?;
         let a = points(points_a, count_a, "points_a")?;
         let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
-        let found = self::facing(&a, &b, tolerance, run)?;
+        let found = self::facing(&a, &b, &options)?;
         let pairs = |arcs: &[Arc]| {
             let mut list = alloc::with_capacity(2 * arcs.len())?;
             list.extend(arcs.iter().flat_map(|arc| [arc.first as u32, arc.count as u32]));

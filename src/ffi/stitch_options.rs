@@ -2,7 +2,7 @@
 
 use super::input::Versioned;
 use super::status::Failure;
-use crate::stitch::facing::{Arc, Run};
+use crate::stitch::facing::{Arc, Centres, Run};
 use crate::stitch::{Cells, Extent, Fairing, Intersections, Meridians, Options, Orientation, Rows, Search, Start};
 
 /// The strip of triangles of least area through the first meridian.
@@ -75,6 +75,11 @@ pub const GUSSET_RUN_CLOSEST: u32 = 0;
 /// On each loop the one of the most vertices.
 pub const GUSSET_RUN_LONGEST: u32 = 1;
 
+/// The centre of a loop is the mean of its vertices, as the paper has it.
+pub const GUSSET_CENTRES_VERTICES: u32 = 0;
+/// The mean of its points: vertices that lie close together do not draw it to them.
+pub const GUSSET_CENTRES_LENGTH: u32 = 1;
+
 /// No interior rows: every meridian is one edge.
 pub const GUSSET_ROWS_NONE: u32 = 0;
 /// max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
@@ -135,13 +140,17 @@ pub struct gusset_stitch_options {
     pub fairing: u32,
     /// GUSSET_INTERSECTIONS_...
     pub intersections: u32,
+    /// GUSSET_CENTRES_...
+    pub centres: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), size first, plain numbers.
 unsafe impl Versioned for gusset_stitch_options {
     const LEAST_SIZE: usize = 72;
 }
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_stitch_options>() == 88);
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_stitch_options>() == 96);
 
 impl gusset_stitch_options {
     pub(super) fn checked(self) -> Result<Options, Failure> {
@@ -194,6 +203,9 @@ impl gusset_stitch_options {
             GUSSET_INTERSECTIONS_REPORT => Intersections::Report,
             other => return Err(Failure::unknown("intersections", other.into())),
         };
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
         Ok(Options {
             meridians,
             search,
@@ -203,6 +215,7 @@ impl gusset_stitch_options {
             extent,
             run,
             tolerance,
+            centres: centres(self.centres)?,
             rows,
             cells,
             fairing,
@@ -232,6 +245,15 @@ pub(super) fn search(value: u32) -> Result<Search, Failure> {
         GUSSET_SEARCH_EXACT => Search::Exact,
         other => return Err(Failure::unknown("search", other.into())),
     })
+}
+
+/// GUSSET_CENTRES_...
+pub(super) fn centres(value: u32) -> Result<Centres, Failure> {
+    match value {
+        GUSSET_CENTRES_VERTICES => Ok(Centres::Vertices),
+        GUSSET_CENTRES_LENGTH => Ok(Centres::Length),
+        other => Err(Failure::unknown("centres", other.into())),
+    }
 }
 
 /// The tolerance of a mode, if one is given.

@@ -1,6 +1,6 @@
 //! How much of the two loops is joined: all of them, or the arcs that face each other.
 
-use super::facing::{Arc, Planes, Run, facing_in_unit, round_off, squareness};
+use super::facing::{self, Arc, Planes, facing_in_unit, round_off, squareness};
 use super::rim::Rim;
 use crate::error::{Error, Result};
 use crate::mesh::Scalar;
@@ -23,22 +23,21 @@ pub enum Extent {
 const SQUARE: f64 = 0.5;
 
 /// The arcs that `extent` says, or `None` for whole loops. The rims are in a unit in which coordinates are at most 2; so is
-/// `tolerance`, `None` being the round-off of such coordinates.
+/// the tolerance in `options`, `None` being the round-off of such coordinates.
 pub(super) fn arcs(
     a: &Rim,
     b: &Rim,
     extent: Extent,
-    run: Run,
-    tolerance: Option<f64>,
+    options: &facing::Options,
     scalar: Scalar,
 ) -> Result<Option<[Arc; 2]>> {
-    let tolerance = tolerance.unwrap_or(2.0 * round_off(scalar));
-    let found = || facing_in_unit(&a.points, &b.points, tolerance, run).map(|found| Some(found.taken));
+    let tolerance = options.tolerance.unwrap_or(2.0 * round_off(scalar));
+    let planes = Planes::of(&a.points, &b.points, options.centres);
+    let found = || facing_in_unit(&a.points, &b.points, planes, tolerance, options.run).map(|found| Some(found.taken));
     match extent {
         Extent::WholeLoops => Ok(None),
         Extent::OpenArcs => found(),
         Extent::Auto => {
-            let planes = Planes::of(&a.points, &b.points);
             if squareness(&a.points, &planes) + squareness(&b.points, &planes) > 2.0 * SQUARE {
                 return Ok(None);
             }

@@ -31,7 +31,11 @@ pub struct Planes {
 
 impl Planes {
     /// The planes of two loops.
-    pub fn of(a: &[DVec3], b: &[DVec3]) -> Self {
+    pub fn of(a: &[DVec3], b: &[DVec3], centres: Centres) -> Self {
+        let centre = match centres {
+            Centres::Vertices => centre,
+            Centres::Length => centre_of_length,
+        };
         let centres = [centre(a), centre(b)];
         Planes { centres, normals: [centres[1] - centres[0], centres[0] - centres[1]] }
     }
@@ -46,6 +50,40 @@ impl Planes {
 /// Equation 5: the mean of the vertices.
 pub fn centre(points: &[DVec3]) -> DVec3 {
     points.iter().sum::<DVec3>() / points.len() as f64
+}
+
+/// The mean of a closed polyline's points, which vertices that lie close together do not draw to them; the mean of the vertices if it has no
+/// length.
+pub fn centre_of_length(points: &[DVec3]) -> DVec3 {
+    let n = points.len();
+    let edges = (0..n).map(|i| (points[i], points[(i + 1) % n]));
+    let (sum, length) = edges.fold((DVec3::ZERO, 0.0), |(sum, length), (p, q)| {
+        let edge = p.distance(q);
+        (sum + p.midpoint(q) * edge, length + edge)
+    });
+    if length > 0.0 { sum / length } else { centre(points) }
+}
+
+/// What the centre of a loop is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Centres {
+    /// The mean of its vertices, as the paper has it: equation 5.
+    #[default]
+    Vertices,
+    /// The mean of its points, whatever the spacing of its vertices.
+    Length,
+}
+
+/// How facing vertices are found.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// Which run is taken.
+    pub run: Run,
+    /// A vertex must be farther from its plane than this, in the unit of the points; `None` for what round-off of double precision
+    /// can do.
+    pub tolerance: Option<f64>,
+    /// The loops' centres.
+    pub centres: Centres,
 }
 
 /// Which of several runs is taken.
@@ -82,26 +120,25 @@ pub struct Facing {
 
 /// Finds the runs of vertices of loop `a` and of loop `b` that face the other loop; O((N + M) log M).
 ///
-/// `tolerance`: a vertex must be farther from its plane than this, in the unit of the points; `None` for what round-off of
-/// double precision can do.
-///
 /// # Errors
 /// [`Error::LoopTooShort`] for a loop without vertices, [`Error::PointNotFinite`], [`Error::OptionOutOfRange`] for a tolerance that is
 /// negative or not finite; [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the centres
 /// are no farther apart than that; [`Error::OutOfMemory`].
-pub fn facing(a: &[DVec3], b: &[DVec3], tolerance: Option<f64>, run: Run) -> Result<Facing> {
+pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options) -> Result<Facing> {
     for (side, points) in [(Side::A, a), (Side::B, b)] {
         if points.is_empty() {
             return Err(Error::LoopTooShort { side, count: 0 });
         }
         check_points(side, points)?;
     }
-    check_tolerance(tolerance)?;
+    check_tolerance(options.tolerance)?;
     // In a unit in which products neither overflow nor vanish.
     let unit = common_unit(a.iter().chain(b));
-    let [small_a, small_b] = [a, b].map(|points| alloc::collect(points.iter().map(|&p| p / unit)));
-    let limit = tolerance.map_or(2.0 * round_off(Scalar::F64), |t| t / unit);
-    let mut found = facing_in_unit(&small_a?, &small_b?, limit, run)?;
+    let small = |points: &[DVec3]| alloc::collect(points.iter().map(|&p| p / unit));
+    let (small_a, small_b) = (small(a)?, small(b)?);
+    let limit = options.tolerance.map_or(2.0 * round_off(Scalar::F64), |t| t / unit);
+    let planes = Planes::of(&small_a, &small_b, options.centres);
+    let mut found = facing_in_unit(&small_a, &small_b, planes, limit, options.run)?;
     found.planes.centres = found.planes.centres.map(|c| c * unit);
     found.planes.normals = found.planes.normals.map(|n| n * unit);
     found.distances.iter_mut().flatten().for_each(|d| *d *= unit);
@@ -140,8 +177,7 @@ pub(super) fn check_tolerance(tolerance: Option<f64>) -> Result<()> {
 }
 
 /// Algorithm 2 on points whose coordinates are at most 2.
-pub(super) fn facing_in_unit(a: &[DVec3], b: &[DVec3], tolerance: f64, run: Run) -> Result<Facing> {
-    let planes = Planes::of(a, b);
+pub(super) fn facing_in_unit(a: &[DVec3], b: &[DVec3], planes: Planes, tolerance: f64, run: Run) -> Result<Facing> {
     if planes.normals[0].length() <= tolerance {
         return Err(Error::PlanesUndecided { side: Side::A });
     }

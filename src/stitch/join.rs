@@ -2,7 +2,7 @@
 
 use super::combine::{IndexMap, append_piece, append_strip, strip_alone};
 use super::extent::arcs;
-use super::facing::check_tolerance;
+use super::facing::{self, check_tolerance};
 use super::pairing::{nearest_pair, usable_rims};
 use super::quality::Quality;
 use super::request::{Options, Orientation, Request, Stitch};
@@ -112,10 +112,11 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
 /// Cuts the rims down to the arcs that the options say.
 fn cut_arcs(request: &Request<'_>, options: &Options, a: &mut Rim, b: &mut Rim, unit: f64) -> Result<()> {
     check_tolerance(options.tolerance)?;
-    let tolerance = options.tolerance.map(|t| t / unit);
+    let how =
+        facing::Options { run: options.run, tolerance: options.tolerance.map(|t| t / unit), centres: options.centres };
     // Round-off is that of the coarser numbers.
     let scalar = request.b.unwrap_or(request.a).positions().scalar().min(request.a.positions().scalar());
-    if let Some([arc_a, arc_b]) = arcs(a, b, options.extent, options.run, tolerance, scalar)? {
+    if let Some([arc_a, arc_b]) = arcs(a, b, options.extent, &how, scalar)? {
         a.cut(arc_a)?;
         b.cut(arc_b)?;
     }

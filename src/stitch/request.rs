@@ -2,7 +2,7 @@
 
 use super::combine::IndexMap;
 use super::extent::Extent;
-use super::facing::Run;
+use super::facing::{Centres, Run};
 use super::meridian::{Meridians, Pair, Search};
 use super::quality::Quality;
 use super::start::Start;
@@ -88,6 +88,8 @@ pub struct Options {
     /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions; `None` for what
     /// round-off can do.
     pub tolerance: Option<f64>,
+    /// The loops' centres, which the planes go through.
+    pub centres: Centres,
     /// Interior rows.
     pub rows: Rows,
     /// Triangles or quads.

@@ -168,6 +168,10 @@ proptest! {
         prop_assume!(a.len() + b.len() > 2);
         check(&Rails { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None });
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
 
     /// Blocks and bands lose nothing: a long wavy rim, coarse to fine and exactly.
     #[test]
