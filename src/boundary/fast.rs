@@ -31,12 +31,10 @@ use crate::mesh::{MeshView, NONE, Visitor};
 use crate::par;
 use std::sync::{Mutex, PoisonError};
 
-/// Faces, or vertices, that one thread looks at at a time.
+/// Faces that one thread looks at at a time.
 const CHUNK: usize = 1 << 14;
 /// The most threads that take part, as each sums in an array of its own.
 const MOST_SUMS: usize = 8;
-/// Vertices whose sums are added up side by side.
-const LANES: usize = 64;
 
 /// A half-edge between two vertices whose sums are not 0.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,17 +47,16 @@ struct Candidate {
 }
 
 /// The closed walks of border half-edges, each from its smallest half-edge on, in the order of those; or `None` if something
-/// along the boundary is odd. Two passes over the corners; extra memory 1 byte a vertex and 4 more for each thread, of which
-/// at most 8 take part, and the border.
+/// along the boundary is odd. Two passes over the corners; extra memory 4 bytes a vertex for each thread, of which at most 8
+/// take part, and the border.
 pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<Dart>>>> {
     job.step(0.0, "looking for the boundary")?;
     // Settled once: asking the system takes a while.
     let threads = par::at_most(mesh.faces().len().div_ceil(CHUNK).min(MOST_SUMS), job.threads());
     let sums = Sums::of(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
-    let flags = Flags::of(&sums, mesh.positions().len(), threads)?;
     let parts = par::chunks(threads, mesh.faces().len(), CHUNK, |range| {
-        let mut gather = Gather { flags: &flags, found: Vec::new() };
+        let mut gather = Gather { sums: &sums, found: Vec::new() };
         mesh.faces().visit(range, &mut gather)?;
         Ok(gather.found)
     });
@@ -74,7 +71,7 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
         return Ok(None);
     };
     match successors(&border)? {
-        Some(next) if sums.are_of(&border, &next, flags.count) => walks(mesh, &border, next).map(Some),
+        Some(next) if sums.are_of(&border, &next) => walks(mesh, &border, next).map(Some),
         _ => Ok(None),
     }
 }
@@ -126,11 +123,16 @@ impl Visitor for Partial {
     }
 }
 
-/// Both sums over all faces, in parts to be added up: one for each thread that took part. All additions wrap round, so that
-/// it does not matter who adds what.
-struct Sums(Vec<Partial>);
+/// Both sums over all faces.
+struct Sums {
+    of_vertex: Vec<u32>,
+    area: u64,
+    /// How many vertices have sums that are not 0.
+    flagged: usize,
+}
 
 impl Sums {
+    /// Each thread sums in an array of its own. All additions wrap round, so that it does not matter who adds what.
     fn of(mesh: &MeshView<'_>, threads: usize) -> Result<Self> {
         let idle: Mutex<Vec<Partial>> = Mutex::new(Vec::new());
         let pool = || idle.lock().unwrap_or_else(PoisonError::into_inner);
@@ -145,65 +147,47 @@ impl Sums {
             Ok(())
         });
         added.into_iter().collect::<Result<()>>()?;
-        Ok(Sums(idle.into_inner().unwrap_or_else(PoisonError::into_inner)))
-    }
-
-    /// s(v).
-    fn at(&self, v: u32) -> u32 {
-        self.0.iter().fold(0, |sum, partial| sum.wrapping_add(partial.of_vertex[v as usize]))
-    }
-
-    /// True if both sums are those of the border, where edge `next[i]` follows edge i, and `flagged` of all s(v) are not 0.
-    fn are_of(&self, border: &[(u32, u32, u32)], next: &[usize], flagged: usize) -> bool {
-        let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| self.at(v) == f(t(border[i].1)).wrapping_sub(f(t(u)));
-        let around = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(g(t(u), t(v))));
-        let area = self.0.iter().fold(0u64, |area, partial| area.wrapping_add(partial.area));
-        border.len() == flagged && border.iter().zip(next).all(fits) && around == area
-    }
-}
-
-/// For each vertex whether its sum is not 0, and how many are not.
-struct Flags {
-    set: Vec<bool>,
-    count: usize,
-}
-
-impl Flags {
-    fn of(sums: &Sums, vertices: usize, threads: usize) -> Result<Self> {
-        let mut set = alloc::zeroed(vertices)?;
-        let counts = par::map(threads, set.chunks_mut(CHUNK).enumerate(), |(i, flags)| {
-            let mut totals = [0u32; LANES];
-            let mut count = 0;
-            for (flags, first) in flags.chunks_mut(LANES).zip((i * CHUNK..).step_by(LANES)) {
-                totals.fill(0);
-                for partial in &sums.0 {
-                    let part = &partial.of_vertex[first..first + flags.len()];
-                    totals.iter_mut().zip(part).for_each(|(total, &sum)| *total = total.wrapping_add(sum));
-                }
-                flags.iter_mut().zip(&totals).for_each(|(flag, &total)| *flag = total != 0);
-                count += flags.iter().map(|&flag| usize::from(flag)).sum::<usize>();
+        let partials = idle.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let mut sums = Sums { of_vertex: Vec::new(), area: 0, flagged: 0 };
+        for partial in partials {
+            sums.area = sums.area.wrapping_add(partial.area);
+            if sums.of_vertex.is_empty() {
+                sums.of_vertex = partial.of_vertex;
+            } else {
+                let both = sums.of_vertex.iter_mut().zip(partial.of_vertex);
+                both.for_each(|(sum, part)| *sum = sum.wrapping_add(part));
             }
-            count
-        });
-        Ok(Flags { set, count: counts.iter().sum() })
+        }
+        sums.flagged = sums.of_vertex.iter().filter(|&&sum| sum != 0).count();
+        Ok(sums)
     }
 
-    fn has(&self, v: u32) -> bool {
-        self.set[v as usize]
+    /// s(v) is not 0.
+    fn flags(&self, v: u32) -> bool {
+        self.of_vertex[v as usize] != 0
+    }
+
+    /// True if both sums are those of the border, where edge `next[i]` follows edge i.
+    fn are_of(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
+        let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| {
+            self.of_vertex[v as usize] == f(t(border[i].1)).wrapping_sub(f(t(u)))
+        };
+        let area = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(g(t(u), t(v))));
+        border.len() == self.flagged && border.iter().zip(next).all(fits) && area == self.area
     }
 }
 
-/// Gathers half-edges between vertices that are flagged.
+/// Gathers half-edges between vertices whose sums are not 0.
 struct Gather<'a> {
-    flags: &'a Flags,
+    sums: &'a Sums,
     found: Vec<Candidate>,
 }
 
 impl Visitor for Gather<'_> {
     #[inline(always)]
     fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
-        // Most faces have no flagged corner at all.
-        if corners.iter().fold(false, |any, &v| any | self.flags.has(v)) { self.take(first, corners) } else { Ok(()) }
+        // Most faces have no such corner at all.
+        if corners.iter().fold(false, |any, &v| any | self.sums.flags(v)) { self.take(first, corners) } else { Ok(()) }
     }
 }
 
@@ -211,7 +195,7 @@ impl Gather<'_> {
     fn take(&mut self, first: u32, corners: &[u32]) -> Result<()> {
         let after = corners.iter().cycle().skip(1);
         for ((&u, &v), half_edge) in corners.iter().zip(after).zip(first..) {
-            if self.flags.has(u) && self.flags.has(v) {
+            if self.sums.flags(u) && self.sums.flags(v) {
                 alloc::push(&mut self.found, Candidate { ends: [u.min(v), u.max(v)], up: u <= v, half_edge })?;
             }
         }

@@ -171,8 +171,8 @@ impl Boundary {
 /// Finds every free boundary loop of `mesh`.
 ///
 /// O(H log d) for H half-edges and vertices of degree d; extra memory is linear: that of [`Topology`], 5 bytes a
-/// vertex, and the border several times over. With [`Survey::BoundaryOnly`] O(H + B log B) for a boundary of B edges, and 1
-/// byte a vertex and 4 more for each thread, of which at most 8 take part, unless the boundary is odd.
+/// vertex, and the border several times over. With [`Survey::BoundaryOnly`] O(H + B log B) for a boundary of B edges, and 4
+/// bytes a vertex for each thread, of which at most 8 take part, unless the boundary is odd.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled). Odd places of the mesh
