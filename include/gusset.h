@@ -144,14 +144,20 @@
 #define GUSSET_MESH_ORIENTABLE 8
 
 /**
+ * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its faces. By
+ * area alone if the rim is planar.
+ */
+#define GUSSET_WEIGHT_AREA_AND_BEND 0
+
+/**
  * The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
  */
-#define GUSSET_WEIGHT_BEND_THEN_AREA 0
+#define GUSSET_WEIGHT_BEND_THEN_AREA 1
 
 /**
  * The least area, exactly.
  */
-#define GUSSET_WEIGHT_AREA 1
+#define GUSSET_WEIGHT_AREA 2
 
 /**
  * No new vertices.

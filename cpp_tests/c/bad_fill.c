@@ -26,7 +26,7 @@ static void options_and_arguments(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &bad, NULL, 0, NULL, &fill));
 
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.struct_size = sizeof options, options.weight = 2;
+    options.struct_size = sizeof options, options.weight = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.weight = GUSSET_WEIGHT_AREA, options.refine = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));

@@ -7,13 +7,17 @@
 namespace gusset {
 
 /// What makes one triangulation of a rim better than another.
-enum class Weight : uint32_t { bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA, area = GUSSET_WEIGHT_AREA };
+enum class Weight : uint32_t {
+    area_and_bend = GUSSET_WEIGHT_AREA_AND_BEND,
+    bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA,
+    area = GUSSET_WEIGHT_AREA
+};
 enum class Refine : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
 enum class Fair : uint32_t { none = GUSSET_FAIR_NONE, thin_plate = GUSSET_FAIR_THIN_PLATE };
 
 /// How to fill holes; see gusset_fill_options. 0 is no limit.
 struct FillOptions {
-    Weight weight = Weight::bend_then_area;
+    Weight weight = Weight::area_and_bend;
     Refine refine = Refine::none;
     Fair fair = Fair::none;
     bool keep_longest = false;

@@ -12,10 +12,13 @@ use crate::fill::{Fairing, Filled, HoleStatus, Limits, Options, Refinement, Weig
 use crate::mesh::MAX_ELEMENTS;
 use std::ptr;
 
+/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its faces. By
+/// area alone if the rim is planar.
+pub const GUSSET_WEIGHT_AREA_AND_BEND: u32 = 0;
 /// The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
-pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 0;
+pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 1;
 /// The least area, exactly.
-pub const GUSSET_WEIGHT_AREA: u32 = 1;
+pub const GUSSET_WEIGHT_AREA: u32 = 2;
 
 /// No new vertices.
 pub const GUSSET_REFINE_NONE: u32 = 0;
@@ -132,6 +135,7 @@ const _: () = assert!(
 impl gusset_fill_options {
     fn checked(self) -> Result<Options, Failure> {
         let weight = match self.weight {
+            GUSSET_WEIGHT_AREA_AND_BEND => Weight::AreaAndBend,
             GUSSET_WEIGHT_BEND_THEN_AREA => Weight::BendThenArea,
             GUSSET_WEIGHT_AREA => Weight::Area,
             other => return Err(Failure::unknown("weight", other.into())),

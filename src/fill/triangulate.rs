@@ -25,6 +25,7 @@ struct Cost {
     degenerate: u32,
     /// The largest bend across an edge, 1 - cosine in steps of 2^-20, so that rounding does not decide before the area.
     bend: u32,
+    /// The area, with what bends add to it.
     area: f64,
     /// The squares of the sides of the triangles: chooses among flat triangulations.
     sides: f64,
@@ -57,6 +58,15 @@ impl Cost {
         }
     }
 
+    /// True if whatever has `parts` costs more.
+    fn is_passed_by(&self, parts: &Cost, rounding: f64) -> bool {
+        match (parts.degenerate, parts.bend).cmp(&(self.degenerate, self.bend)) {
+            Ordering::Less => false,
+            Ordering::Equal => parts.area > self.area + rounding,
+            Ordering::Greater => true,
+        }
+    }
+
     fn is_less(&self, other: &Cost, rounding: f64) -> bool {
         match (self.degenerate, self.bend).cmp(&(other.degenerate, other.bend)) {
             Ordering::Less => true,
@@ -69,7 +79,7 @@ impl Cost {
 
 /// The triangles (i, m, k), i < m < k, of the triangulation of least weight in which no chord is `taken`; `None` if there is none.
 ///
-/// By area it is the least there is. The largest bend is Liepa's: each part of the loop takes its own best triangulation, seen
+/// By area it is the least there is. Bends are treated as Liepa treats them: each part of the loop takes its own best triangulation, seen
 /// from inside, which need not be the best when the triangle beyond its chord is known.
 ///
 /// O(n^3) time, less what is passed over; 64 bytes for each of n (n - 1) / 2 chords.
@@ -123,8 +133,7 @@ impl Table<'_> {
             };
             let parts = left.cost.and(right.cost);
             // The triangle itself can only add to it.
-            let hopeless = |best: &Cell| (parts.degenerate, parts.bend) > (best.cost.degenerate, best.cost.bend);
-            if best.as_ref().is_some_and(hopeless) {
+            if best.as_ref().is_some_and(|best| best.cost.is_passed_by(&parts, self.rounding)) {
                 continue;
             }
             let [p, q, r] = [i, m, k].map(|place| self.polygon.points[place]);
@@ -133,14 +142,18 @@ impl Table<'_> {
             let sides = p.distance_squared(q) + q.distance_squared(r) + r.distance_squared(p);
             let flat = double_area <= FLAT * sides;
             let normal = if flat { DVec3::ZERO } else { cross / double_area };
-            let mut bend = 0;
-            if self.weight == Weight::BendThenArea {
-                bend = bend_between(normal, left.normal).max(bend_between(normal, right.normal));
-                if k - i + 1 == self.polygon.points.len() {
-                    bend = bend.max(bend_between(normal, self.polygon.across[k]));
+            let at_root = k - i + 1 == self.polygon.points.len();
+            let beyond = [left.normal, right.normal, if at_root { self.polygon.across[k] } else { DVec3::ZERO }];
+            let bends = beyond.map(|other| bend_between(normal, other));
+            let mut own = Cost { degenerate: u32::from(flat), bend: 0, area: 0.5 * double_area, sides };
+            match self.weight {
+                Weight::Area => {}
+                Weight::BendThenArea => own.bend = (STEPS * bends.into_iter().fold(0.0, f64::max)).round() as u32,
+                Weight::AreaAndBend => {
+                    let edges = [p.distance_squared(q), q.distance_squared(r), r.distance_squared(p)];
+                    own.area += (0..3).map(|e| bends[e] * edges[e]).sum::<f64>();
                 }
             }
-            let own = Cost { degenerate: u32::from(flat), bend, area: 0.5 * double_area, sides };
             let cost = parts.and(own);
             if best.as_ref().is_none_or(|best| cost.is_less(&best.cost, self.rounding)) {
                 best = Some(Cell { cost, apex: m as u32, normal });
@@ -166,7 +179,7 @@ impl Table<'_> {
     }
 }
 
-/// 1 - cosine of the angle between two unit normals, in steps; 0 if one is not known.
-fn bend_between(a: DVec3, b: DVec3) -> u32 {
-    if a == DVec3::ZERO || b == DVec3::ZERO { 0 } else { ((1.0 - a.dot(b)) * STEPS).round() as u32 }
+/// 1 - cosine of the angle between two unit normals; 0 if one is not known.
+fn bend_between(a: DVec3, b: DVec3) -> f64 {
+    if a == DVec3::ZERO || b == DVec3::ZERO { 0.0 } else { (1.0 - a.dot(b)).max(0.0) }
 }
