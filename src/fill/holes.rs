@@ -24,7 +24,7 @@ use std::collections::BTreeSet;
 /// itself; whether a patch meets other parts of the surface is not looked at.
 ///
 /// O(H) for H half-edges besides (O(H log d) where the boundary is odd), and what refinement and fairing of m new vertices
-/// need: O(m^1.5). Extra memory is linear, but for 32 n^2 bytes, at most 32 MB, for the table of the hole at work.
+/// need: O(m^1.5). Extra memory is linear, but for 40 n^2 bytes, at most 40 MB, for the table of the hole at work.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a limit that is no number or negative; [`Error::TooLarge`], [`Error::OutOfMemory`],
