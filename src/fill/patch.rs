@@ -13,7 +13,7 @@ use crate::job::Job;
 use glam::DVec3;
 
 /// Loops of at most this many vertices are triangulated as a whole.
-const WHOLE: usize = 1000;
+const WHOLE: usize = 500;
 /// A rim is planar if it deviates from a plane by no more than this part of its size.
 const PLANAR: f64 = 1e-6;
 /// New vertices of a hole at the most, if the caller says nothing.
@@ -47,7 +47,7 @@ pub(crate) struct Patch {
 /// Plans how a hole is filled; `None` if every triangulation would have an edge that is `taken`, which is asked of numbers of rim
 /// vertices.
 ///
-/// O(n^3) for a rim of n <= 1,000 vertices and 40 n^2 bytes; O(n log n), and linear memory, for longer ones. Refinement and fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
+/// O(n^3) for a rim of n <= 500 vertices and 40 n^2 bytes; O(n log n), and linear memory, for longer ones. Refinement and fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
 pub(crate) fn patch(
     rim: &Rim,
     options: &Options,
