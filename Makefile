@@ -13,7 +13,7 @@ incdir  := $(DESTDIR)$(PREFIX)/include
 
 build_packages := cmake g++ pkg-config
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev
-test_packages  := $(host_packages) doctest-dev valgrind
+test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind
 bench_packages := $(host_packages) libcgal-demo nlohmann-json3-dev
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 

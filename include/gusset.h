@@ -206,14 +206,20 @@
 #define GUSSET_MESH_ORIENTABLE 8
 
 /**
+ * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its faces. By
+ * area alone if the rim is planar.
+ */
+#define GUSSET_WEIGHT_AREA_AND_BEND 0
+
+/**
  * The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
  */
-#define GUSSET_WEIGHT_BEND_THEN_AREA 0
+#define GUSSET_WEIGHT_BEND_THEN_AREA 1
 
 /**
  * The least area, exactly.
  */
-#define GUSSET_WEIGHT_AREA 1
+#define GUSSET_WEIGHT_AREA 2
 
 /**
  * No new vertices.
@@ -224,16 +230,6 @@
  * New vertices as dense as those round the hole.
  */
 #define GUSSET_REFINE_RIM_DENSITY 1
-
-/**
- * New vertices stay on the triangles of the first triangulation.
- */
-#define GUSSET_FAIR_NONE 0
-
-/**
- * They go to where a thin plate clamped to the surface round the hole would bend least.
- */
-#define GUSSET_FAIR_THIN_PLATE 1
 
 /**
  * Filled.
@@ -376,12 +372,13 @@
 #define GUSSET_START_GIVEN 2
 
 /**
- * New vertices divide their meridians evenly, as the paper has it.
+ * New vertices stay where they were first put: those of a strip divide their meridians evenly, as the paper has it, those of a
+ * patch lie on the triangles of its first triangulation.
  */
 #define GUSSET_FAIRING_NONE 0
 
 /**
- * New vertices are moved so that the strip bends as a thin plate does and meets both pieces smoothly: the sum of the squared
+ * New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of the squared
  * Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
  */
 #define GUSSET_FAIRING_THIN_PLATE 1
@@ -955,9 +952,9 @@ typedef struct gusset_fill_options {
      */
     uint32_t refine;
     /**
-     * GUSSET_FAIR_..., read if new vertices are asked for.
+     * GUSSET_FAIRING_..., read if new vertices are asked for.
      */
-    uint32_t fair;
+    uint32_t fairing;
     /**
      * 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all loops are asked for. 0 or 1.
      */
@@ -2220,8 +2217,8 @@ gusset_status gusset_meridians_index(uint32_t n,
  * hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not cross itself;
  * whether a patch meets other parts of the surface is not looked at.
  *
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 1,000 vertices:
- * O(n^3) time and 32 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500 vertices:
+ * O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
  * memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole.
  * Source: Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
  */

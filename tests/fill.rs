@@ -16,7 +16,8 @@ const AREA: Options = Options {
     limits: Limits { edges: None, length: None, diameter: None },
     keep_longest: false,
 };
-const REFINED: Options = Options { weight: Weight::BendThenArea, refinement: Refinement::RimDensity(0), ..AREA };
+const REFINED: Options = Options { weight: Weight::AreaAndBend, refinement: Refinement::RimDensity(0), ..AREA };
+const LIEPA: Options = Options { weight: Weight::BendThenArea, ..AREA };
 const FAIR: Options = Options { fairing: Fairing::ThinPlate, ..REFINED };
 
 fn fill(soup: &Soup, options: &Options) -> Filled {
@@ -138,7 +139,7 @@ fn planar_concave_holes_have_no_overlaps() {
     for teeth in [1, 5, 60, 400] {
         let (points, exact) = comb(teeth);
         let soup = cone(&points, [0.3, 0.2, -50.0]);
-        for options in [AREA, Options::default(), REFINED] {
+        for options in [AREA, LIEPA, Options::default(), REFINED] {
             let filled = fill(&soup, &options);
             assert_closed(&soup, &filled);
             let (area, signed) = area_of(&filled, [0.0, 0.0, 1.0]);
@@ -157,7 +158,7 @@ fn a_square_in_a_sheet_with_points_on_its_sides() {
         .enumerate()
         .filter(|(f, _)| !(3..6).contains(&(f % 9)) || !(3..6).contains(&(f / 9)))
         .for_each(|(_, face)| soup.face(face));
-    for options in [AREA, Options::default(), REFINED, FAIR] {
+    for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
         let filled = fill(&soup, &Options { keep_longest: true, ..options });
         let statuses = statuses(&filled);
         assert_eq!(statuses.iter().filter(|&&s| s == HoleStatus::Longest).count(), 1);
@@ -225,7 +226,7 @@ proptest! {
         };
         let tip = [0.4, -0.3, 3.0];
         let renumbered: Vec<_> = (0..n).map(|i| moved(points[(i + start) % n])).collect();
-        for options in [AREA, Options::default(), FAIR] {
+        for options in [AREA, LIEPA, Options::default(), FAIR] {
             let (a, b) = (fill(&cone(&points, tip), &options), fill(&cone(&renumbered, moved(tip)), &options));
             let area = b.quality.area / (scale * scale);
             prop_assert!((area / a.quality.area - 1.0).abs() < 1e-6, "{} {}", area, a.quality.area);
@@ -260,7 +261,7 @@ fn a_saddle_rim() {
         })
         .collect();
     let soup = cone(&points, [0.0, 0.0, -4.0]);
-    for options in [AREA, Options::default(), REFINED, FAIR] {
+    for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
         let filled = fill(&soup, &options);
         assert_closed(&soup, &filled);
         assert_eq!(euler(faces(&filled.mesh)), 2);
@@ -277,7 +278,7 @@ fn no_edge_is_repeated() {
     // Two of the four faces of a tetrahedron: of the two diagonals of the hole one is an edge already.
     let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let soup = Soup::new(corners.clone(), &[&[0, 2, 1], &[0, 1, 3]]);
-    for options in [AREA, Options::default(), REFINED, FAIR] {
+    for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
         let filled = fill(&soup, &options);
         assert_closed(&soup, &filled);
         assert_eq!(euler(faces(&filled.mesh)), 2);
@@ -298,7 +299,7 @@ fn holes_that_touch() {
     for missing in [vec![14, 21], vec![14, 21, 15], vec![7, 8, 14, 21, 22]] {
         let mut soup = Soup { points: all.points.clone(), offsets: vec![0], ..Soup::default() };
         all.faces().enumerate().filter(|(f, _)| !missing.contains(f)).for_each(|(_, face)| soup.face(face));
-        for options in [AREA, Options::default(), REFINED, FAIR] {
+        for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
             let filled = fill(&soup, &Options { keep_longest: true, ..options });
             let (area, signed) = area_of(&filled, [0.0, 0.0, 1.0]);
             assert!((area - missing.len() as f64).abs() < 1e-9 && (signed - area).abs() < 1e-9, "{area}");
@@ -360,7 +361,7 @@ fn sizes_and_degenerate_rims_do_no_harm() {
     for scale in [0.0, 1e-200, 1e200] {
         let mut soup = cap(12, 3, 0.5, 1.0);
         soup.points.iter_mut().flatten().for_each(|x| *x *= scale);
-        for options in [AREA, Options::default(), REFINED, FAIR] {
+        for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
             let filled = fill(&soup, &options);
             assert_closed(&soup, &filled);
             for v in 0..filled.mesh.positions.len() as u32 {
@@ -373,7 +374,7 @@ fn sizes_and_degenerate_rims_do_no_harm() {
         let mut soup = cap(12, 3, 0.5, 1.0);
         let rim = soup.points.len() - 12;
         soup.points[rim..].iter_mut().for_each(|p| *p = [p[0] * flatten[0], p[1] * flatten[1], 0.5]);
-        for options in [AREA, Options::default(), REFINED, FAIR] {
+        for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
             assert_closed(&soup, &fill(&soup, &options));
         }
     }

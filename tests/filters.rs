@@ -151,7 +151,7 @@ fn fill_holes_closes_what_it_may() {
     let both = soups[0].and(&soups[1]);
     // Refined and fair; then the second rim is too long, or is the longest.
     for (values, filled) in
-        [(&[2.0][..], 2), (&[0.0, 1.0, 10.0], 1), (&[1.0, 0.0, 0.0, 6.05], 1), (&[0.0, 0.0, 0.0, 0.0, 1.0], 1)]
+        [(&[2.0][..], 2), (&[0.0, 2.0, 10.0], 1), (&[1.0, 0.0, 0.0, 6.05], 1), (&[0.0, 0.0, 0.0, 0.0, 1.0], 1)]
     {
         let outputs = filter.run(&[Input::Mesh(both.view())], values, &Job::default()).unwrap();
         let [Output::Mesh(mesh), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };

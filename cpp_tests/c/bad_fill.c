@@ -26,13 +26,13 @@ static void options_and_arguments(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &bad, NULL, 0, NULL, &fill));
 
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.struct_size = sizeof options, options.weight = 2;
+    options.struct_size = sizeof options, options.weight = 3;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.weight = GUSSET_WEIGHT_AREA, options.refine = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.refine = GUSSET_REFINE_RIM_DENSITY, options.fair = 2;
+    options.refine = GUSSET_REFINE_RIM_DENSITY, options.fairing = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
-    options.fair = GUSSET_FAIR_THIN_PLATE, options.keep_longest = 2;
+    options.fairing = GUSSET_FAIRING_THIN_PLATE, options.keep_longest = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));
     options.keep_longest = 1, options.max_length = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_fill_create(context, &mesh, NULL, 0, &options, &fill));

@@ -278,6 +278,9 @@ private:
     gusset_mesh_view view_;
 };
 
+/// Where new vertices lie; see the constants.
+enum class Fairing : uint32_t { none = GUSSET_FAIRING_NONE, thin_plate = GUSSET_FAIRING_THIN_PLATE };
+
 } // namespace gusset
 
 #endif // GUSSET_BASE_HPP

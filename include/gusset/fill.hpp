@@ -7,15 +7,18 @@
 namespace gusset {
 
 /// What makes one triangulation of a rim better than another.
-enum class Weight : uint32_t { bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA, area = GUSSET_WEIGHT_AREA };
+enum class Weight : uint32_t {
+    area_and_bend = GUSSET_WEIGHT_AREA_AND_BEND,
+    bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA,
+    area = GUSSET_WEIGHT_AREA
+};
 enum class Refine : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
-enum class Fair : uint32_t { none = GUSSET_FAIR_NONE, thin_plate = GUSSET_FAIR_THIN_PLATE };
 
 /// How to fill holes; see gusset_fill_options. 0 is no limit.
 struct FillOptions {
-    Weight weight = Weight::bend_then_area;
+    Weight weight = Weight::area_and_bend;
     Refine refine = Refine::none;
-    Fair fair = Fair::none;
+    Fairing fairing = Fairing::none;
     bool keep_longest = false;
     uint32_t max_new_vertices = 0;
     uint32_t max_edges = 0;
@@ -29,7 +32,7 @@ inline gusset_fill_options as_c(const FillOptions &options) {
     given.struct_size = sizeof given;
     given.weight = static_cast<uint32_t>(options.weight);
     given.refine = static_cast<uint32_t>(options.refine);
-    given.fair = static_cast<uint32_t>(options.fair);
+    given.fairing = static_cast<uint32_t>(options.fairing);
     given.keep_longest = options.keep_longest ? 1 : 0;
     given.max_new_vertices = options.max_new_vertices;
     given.max_edges = options.max_edges;

@@ -18,7 +18,6 @@ enum class Meridians : uint32_t {
 };
 enum class Search : uint32_t { automatic = GUSSET_SEARCH_AUTO, exact = GUSSET_SEARCH_EXACT };
 enum class Start : uint32_t { automatic = GUSSET_START_AUTO, closest = GUSSET_START_CLOSEST, given = GUSSET_START_GIVEN };
-enum class Fairing : uint32_t { none = GUSSET_FAIRING_NONE, thin_plate = GUSSET_FAIRING_THIN_PLATE };
 enum class Intersections : uint32_t {
     automatic = GUSSET_INTERSECTIONS_AUTO,
     ignore = GUSSET_INTERSECTIONS_IGNORE,

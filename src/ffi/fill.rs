@@ -6,26 +6,25 @@ use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::{Failure, gusset_status};
 use super::stitch::gusset_quality;
+use super::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};
 use crate::alloc;
 use crate::error::Error;
 use crate::fill::{Fairing, Filled, Hole, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
 use crate::mesh::MAX_ELEMENTS;
 use std::ptr;
 
+/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its faces. By
+/// area alone if the rim is planar.
+pub const GUSSET_WEIGHT_AREA_AND_BEND: u32 = 0;
 /// The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
-pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 0;
+pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 1;
 /// The least area, exactly.
-pub const GUSSET_WEIGHT_AREA: u32 = 1;
+pub const GUSSET_WEIGHT_AREA: u32 = 2;
 
 /// No new vertices.
 pub const GUSSET_REFINE_NONE: u32 = 0;
 /// New vertices as dense as those round the hole.
 pub const GUSSET_REFINE_RIM_DENSITY: u32 = 1;
-
-/// New vertices stay on the triangles of the first triangulation.
-pub const GUSSET_FAIR_NONE: u32 = 0;
-/// They go to where a thin plate clamped to the surface round the hole would bend least.
-pub const GUSSET_FAIR_THIN_PLATE: u32 = 1;
 
 /// Filled.
 pub const GUSSET_HOLE_FILLED: u32 = 0;
@@ -62,8 +61,8 @@ pub struct gusset_fill_options {
     pub weight: u32,
     /// GUSSET_REFINE_...
     pub refine: u32,
-    /// GUSSET_FAIR_..., read if new vertices are asked for.
-    pub fair: u32,
+    /// GUSSET_FAIRING_..., read if new vertices are asked for.
+    pub fairing: u32,
     /// 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all loops are asked for. 0 or 1.
     pub keep_longest: u32,
     /// About how many new vertices a hole gets at the most; where more would be needed the triangles are larger. 0 is 50,000.
@@ -132,6 +131,7 @@ const _: () = assert!(
 impl gusset_fill_options {
     pub(super) fn checked(self) -> Result<Options, Failure> {
         let weight = match self.weight {
+            GUSSET_WEIGHT_AREA_AND_BEND => Weight::AreaAndBend,
             GUSSET_WEIGHT_BEND_THEN_AREA => Weight::BendThenArea,
             GUSSET_WEIGHT_AREA => Weight::Area,
             other => return Err(Failure::unknown("weight", other.into())),
@@ -141,10 +141,10 @@ impl gusset_fill_options {
             GUSSET_REFINE_RIM_DENSITY => Refinement::RimDensity(self.max_new_vertices),
             other => return Err(Failure::unknown("refine", other.into())),
         };
-        let fairing = match self.fair {
-            GUSSET_FAIR_NONE => Fairing::None,
-            GUSSET_FAIR_THIN_PLATE => Fairing::ThinPlate,
-            other => return Err(Failure::unknown("fair", other.into())),
+        let fairing = match self.fairing {
+            GUSSET_FAIRING_NONE => Fairing::None,
+            GUSSET_FAIRING_THIN_PLATE => Fairing::ThinPlate,
+            other => return Err(Failure::unknown("fairing", other.into())),
         };
         if self.keep_longest > 1 {
             return Err(Failure::unknown("keep_longest", self.keep_longest.into()));
@@ -213,8 +213,8 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not cross itself;
 /// whether a patch meets other parts of the surface is not looked at.
 ///
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 1,000 vertices:
-/// O(n^3) time and 32 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
+/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500 vertices:
+/// O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
 /// memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole.
 /// Source: Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
 #[unsafe(no_mangle)]

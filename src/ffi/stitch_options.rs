@@ -37,9 +37,10 @@ pub const GUSSET_START_CLOSEST: u32 = 1;
 /// gusset_strip_create only: the first points.
 pub const GUSSET_START_GIVEN: u32 = 2;
 
-/// New vertices divide their meridians evenly, as the paper has it.
+/// New vertices stay where they were first put: those of a strip divide their meridians evenly, as the paper has it, those of a
+/// patch lie on the triangles of its first triangulation.
 pub const GUSSET_FAIRING_NONE: u32 = 0;
-/// New vertices are moved so that the strip bends as a thin plate does and meets both pieces smoothly: the sum of the squared
+/// New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of the squared
 /// Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
 pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
 

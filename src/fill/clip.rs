@@ -115,12 +115,16 @@ fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// The loop seen along its mean normal, by Newell's formula, counter-clockwise.
+/// The unit normal of a loop by Newell's formula; any if it has none.
+pub(super) fn mean_normal(points: &[DVec3]) -> DVec3 {
+    let next = points.iter().cycle().skip(1);
+    let normal: DVec3 = points.iter().zip(next).map(|(&p, &q)| (p - points[0]).cross(q - points[0])).sum();
+    normal.try_normalize().unwrap_or(DVec3::Z)
+}
+
+/// The loop seen along its mean normal, counter-clockwise.
 fn flattened(points: &[DVec3]) -> Result<Vec<DVec2>> {
-    let n = points.len();
-    let origin = points[0];
-    let normal: DVec3 = (0..n).map(|i| (points[i] - origin).cross(points[(i + 1) % n] - origin)).sum();
-    let normal = normal.try_normalize().unwrap_or(DVec3::Z);
+    let (origin, normal) = (points[0], mean_normal(points));
     let x = normal.any_orthonormal_vector();
     let y = normal.cross(x);
     alloc::collect(points.iter().map(|&p| DVec2::new((p - origin).dot(x), (p - origin).dot(y))))

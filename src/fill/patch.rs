@@ -1,9 +1,9 @@
 //! The plan for one hole: new points and triangles.
 
-use super::clip::clip_ears;
+use super::clip::{clip_ears, mean_normal};
 use super::net::Net;
 use super::refine::{refine, relax};
-use super::request::{Fairing, Options, Refinement};
+use super::request::{Fairing, Options, Refinement, Weight};
 use super::triangulate::{Polygon, least_weight};
 use crate::alloc;
 use crate::error::Result;
@@ -13,7 +13,9 @@ use crate::job::Job;
 use glam::DVec3;
 
 /// Loops of at most this many vertices are triangulated as a whole.
-const WHOLE: usize = 1000;
+const WHOLE: usize = 500;
+/// A rim is planar if it deviates from a plane by no more than this part of its size.
+const PLANAR: f64 = 1e-6;
 /// New vertices of a hole at the most, if the caller says nothing.
 const MOST_VERTICES: u32 = 50_000;
 
@@ -45,7 +47,7 @@ pub(crate) struct Patch {
 /// Plans how a hole is filled; `None` if every triangulation would have an edge that is `taken`, which is asked of numbers of rim
 /// vertices.
 ///
-/// O(n^3) for a rim of n <= 1,000 vertices and 32 n^2 bytes; O(n log n), and linear memory, for longer ones. Refinement and fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
+/// O(n^3) for a rim of n <= 500 vertices and 40 n^2 bytes; O(n log n), and linear memory, for longer ones. Refinement and fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
 pub(crate) fn patch(
     rim: &Rim,
     options: &Options,
@@ -100,12 +102,22 @@ fn triangulate(
     let name = |i: usize| ((root + 1 + i) % n) as u32;
     let own = alloc::collect((0..n).map(|i| points[name(i) as usize]))?;
     let across = alloc::collect((0..n).map(|i| unit_vector(rim.across[name(i) as usize])))?;
+    // On a plane the surface beyond the rim has no say.
+    let flat = options.weight == Weight::AreaAndBend && is_planar(points);
+    let weight = if flat { Weight::Area } else { options.weight };
     let polygon = Polygon { points: &own, across: &across };
-    let found = least_weight(&polygon, options.weight, |i, k| taken(name(i), name(k)), job)?;
+    let found = least_weight(&polygon, weight, |i, k| taken(name(i), name(k)), job)?;
     Ok(found.map(|mut triangles| {
         triangles.iter_mut().for_each(|triangle| *triangle = triangle.map(|v| name(v as usize)));
         triangles
     }))
+}
+
+/// True if all points are as near to their mean plane as round-off of single precision may have left them.
+fn is_planar(points: &[DVec3]) -> bool {
+    let normal = mean_normal(points);
+    let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
+    points.iter().all(|&p| (p - points[0]).dot(normal).abs() <= PLANAR * size)
 }
 
 /// The direction of a vector of any length; 0 for 0.

@@ -18,6 +18,8 @@ const MOST_PASSES: usize = 30;
 const MOST_BEND: f64 = 0.5;
 /// Angles whose sum exceeds half a turn by less than this are left alone: the sine.
 const COCIRCULAR: f64 = 1e-9;
+/// No flip makes a triangle whose doubled area is less than this part of its sides' squares.
+const FLAT: f64 = 1e-6;
 
 /// Refines `net`, whose first vertices are the rim's. `scale`: of each rim vertex. `taken`: true of two rim vertices that must
 /// not get an edge. There will be about `limit` new vertices at the most: where more would be needed, all scales grow.
@@ -106,9 +108,13 @@ fn relax_side(net: &mut Net, rim: usize, taken: &impl Fn(u32, u32) -> bool, t: u
     if rims && taken(u, v) || net.has_edge(t, (k + 2) % 3, v) {
         return false;
     }
+    let new_normals = [(d - p).cross(c - p), (q - d).cross(c - d)];
+    if new_normals.iter().any(|normal| normal.length() <= FLAT * size.sqrt()) {
+        return false;
+    }
     let bend = |a: DVec3, b: DVec3| 1.0 - a.normalize_or_zero().dot(b.normalize_or_zero());
     let old = bend((q - p).cross(c - p), (d - p).cross(q - p));
-    let new = bend((d - p).cross(c - p), (q - d).cross(c - d));
+    let new = bend(new_normals[0], new_normals[1]);
     if new > old && new > MOST_BEND {
         return false;
     }

@@ -7,9 +7,12 @@ use std::ops::Range;
 /// What makes one triangulation of a rim better than another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Weight {
-    /// The largest angle between neighbouring faces, those beyond the rim included, and then the area, as Liepa has it: the patch
-    /// goes on as the surface does.
+    /// The area, and for each edge, those of the rim included, its squared length times 1 - cosine of the angle between its faces:
+    /// the patch goes on as the surface does where that costs little. By area alone if the rim is planar.
     #[default]
+    AreaAndBend,
+    /// The largest angle between neighbouring faces, those beyond the rim included, and then the area, as Liepa has it. One bend
+    /// that cannot be avoided hides all smaller ones.
     BendThenArea,
     /// The area, as Barequet and Sharir have it.
     Area,

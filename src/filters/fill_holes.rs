@@ -42,6 +42,10 @@ pub(super) const FILTER: Filter = Filter {
             "What makes one triangulation of a rim better than another.",
             &[
                 Choice {
+                    label: "Least area and bend",
+                    help: "The area, and the bends along edges by their squared length.",
+                },
+                Choice {
                     label: "Least bend",
                     help: "The largest angle between neighbouring faces, and then the area.",
                 },
@@ -82,7 +86,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let (edges, length) = (values.number("max_edges"), values.number("max_length"));
     let inside = values.chosen("inside");
     let options = Options {
-        weight: [Weight::BendThenArea, Weight::Area][values.chosen("weight")],
+        weight: [Weight::AreaAndBend, Weight::BendThenArea, Weight::Area][values.chosen("weight")],
         refinement: if inside > 0 { Refinement::RimDensity(0) } else { Refinement::None },
         fairing: if inside > 1 { Fairing::ThinPlate } else { Fairing::None },
         limits: Limits {
