@@ -168,7 +168,11 @@ private:
     nlohmann::json report_ = nlohmann::json::array();
 };
 
-void boundary(Bench &bench, const std::string &name, const Triangles &mesh) {
+void boundary(Bench &bench, const std::string &name, const std::string &file) {
+    if (!bench.wants("boundary-full/" + name) && !bench.wants("boundary/" + name) && !bench.wants("winged/" + name)) {
+        return;
+    }
+    const Triangles mesh = read_triangles(file);
     const std::string what = std::to_string(mesh.face_count()) + " triangles, all loops from the arrays";
     if (bench.wants("boundary-full/" + name)) {
         bench.compare<Found>("boundary-full/" + name, what + ", and everything unusual",
@@ -196,9 +200,10 @@ void boundary(Bench &bench, const std::string &name, const Triangles &mesh) {
 
 int main(int argc, char **argv) {
     CLI::App app("Benchmarks against OpenMesh and CGAL; ratio = peer / ours");
-    std::string mesh, only, out = "report.json";
+    std::vector<std::string> meshes;
+    std::string only, out = "report.json";
     int runs = 7;
-    app.add_option("--mesh", mesh, "a closed triangle mesh to start from")->required()->check(CLI::ExistingFile);
+    app.add_option("--mesh", meshes, "name=file: the cases boundary/name, boundary-full/name and winged/name");
     app.add_option("--only", only, "cases whose names contain this");
     app.add_option("--runs", runs, "runs of each; medians are reported")->check(CLI::Range(1, 1000));
     app.add_option("--out", out, "the report");
@@ -233,12 +238,12 @@ int main(int argc, char **argv) {
                                                        return row;
                                                    }}});
         }
-        const Triangles open = without_slab(read_triangles(mesh), 0.45, 0.5);
-        const Triangles million = subdivided(open, 4);
-        boundary(bench, "coherent-1M", million);
-        boundary(bench, "shuffled-1M", shuffled(million));
-        if (bench.wants("boundary/coherent-4M") || bench.wants("winged/coherent-4M")) {
-            boundary(bench, "coherent-4M", subdivided(million, 1));
+        for (const std::string &given : meshes) {
+            const std::size_t equals = given.find('=');
+            if (equals == std::string::npos) {
+                throw std::runtime_error(given + " is not name=file");
+            }
+            boundary(bench, given.substr(0, equals), given.substr(equals + 1));
         }
         bench.write(out);
     } catch (const std::exception &error) {
