@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from peers import wanted
+from peers import Peer
 from timing import Contender
 
-bpy = wanted("bpy")
-bmesh = wanted("bmesh") if not hasattr(bpy, "_said") else bpy
+bpy = Peer("bpy")
+bmesh = Peer("bmesh", after="bpy")
 
 
 class Model:
@@ -65,7 +65,7 @@ def whole_contender(gap):
         model.arrays()
         return model
 
-    return Contender("blender", work, mesh=mesh)
+    return Contender("blender", work, lambda: bmesh.new, mesh)
 
 
 def step_contender(gap):

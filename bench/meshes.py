@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-BUNNY = Path("/tmp/bench/deb/usr/share/glmark2/models/bunny.obj")
+BUNNY = Path("/usr/share/glmark2/models/bunny.obj")
 LOW, HIGH = -0.30, -0.20
 
 

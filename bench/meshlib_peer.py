@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from peers import wanted
+from peers import Peer
 from timing import Contender
 
-mm = wanted("meshlib.mrmeshpy")
-mn = wanted("meshlib.mrmeshnumpy")
+mm = Peer("meshlib.mrmeshpy")
+mn = Peer("meshlib.mrmeshnumpy", after="meshlib.mrmeshpy")
 
 METRICS = {"complex": "getComplexStitchMetric", "edge-length": "getEdgeLengthStitchMetric"}
 
@@ -82,7 +82,7 @@ def whole_contender(gap, metric):
         arrays(built)
         return result
 
-    return Contender(f"meshlib-{metric}", work, mesh=mesh)
+    return Contender(f"meshlib-{metric}", work, lambda: mn.meshFromFacesVerts, mesh)
 
 
 def step_contender(gap, metric):

@@ -1,20 +1,20 @@
-"""The peers in Python: what is imported if it is there. A peer that is absent fails with a plain message in every case."""
+"""The peers in Python. One is imported when it is first used, so that who works alone has nobody else in memory; one that is absent
+fails with a plain message in every case."""
 
 import importlib
 
 
-class Missing:
-    """Stands for a module that could not be imported."""
+class Peer:
+    """Stands for a module until something of it is asked for."""
 
-    def __init__(self, name, error):
-        self._said = f"{name} is not installed: {error}"
+    def __init__(self, module, after=None):
+        self._module, self._after = module, after
 
-    def __getattr__(self, _):
-        raise ModuleNotFoundError(self._said)
-
-
-def wanted(name):
-    try:
-        return importlib.import_module(name)
-    except Exception as error:  # A wheel may also fail to load.
-        return Missing(name.split(".")[0], error)
+    def __getattr__(self, name):
+        try:
+            if self._after:
+                importlib.import_module(self._after)
+            module = importlib.import_module(self._module)
+        except Exception as error:  # A wheel may also fail to load.
+            raise ModuleNotFoundError(f"{self._module} is not installed: {error}") from error
+        return getattr(module, name)

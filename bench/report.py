@@ -14,7 +14,10 @@ def plain(value):
 
 
 def number(value):
-    return "-" if value is None else f"{value:,.2f}" if abs(value) < 100 else f"{value:,.0f}"
+    """Three digits, without an exponent where that can be."""
+    if value is None:
+        return "-"
+    return f"{value:,.0f}" if abs(value) >= 100 else f"{value:#.3g}".rstrip(".")
 
 
 class Report:

@@ -25,7 +25,7 @@ def in_cpp(report, tools, folder, only):
     if wanted or only in "meridians/index-100000":
         out = folder / "cpp.json"
         sys.stdout.flush()
-        subprocess.run([tools / "bench", *wanted, "--only", only, "--out", out], check=True)
+        subprocess.run([tools / "bench", *wanted, "--only", only, "--runs", "5", "--out", out], check=True)
         report.merge(out)
 
 

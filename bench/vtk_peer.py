@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from peers import wanted
+from peers import Peer
 from timing import Contender
 
-vtk = wanted("vtk")
-support = wanted("vtkmodules.util.numpy_support")
+vtk = Peer("vtk")
+support = Peer("vtkmodules.util.numpy_support")
 
 
 def points_of(mesh):
@@ -15,9 +15,9 @@ def points_of(mesh):
     return points
 
 
-def cells_of(offsets, corners):
+def cells_of(offsets, corners, to_vtk):
     cells = vtk.vtkCellArray()
-    cells.SetData(support.numpy_to_vtk(offsets), support.numpy_to_vtk(corners))
+    cells.SetData(to_vtk(offsets), to_vtk(corners))
     return cells
 
 
@@ -25,7 +25,7 @@ def build(mesh):
     data = vtk.vtkPolyData()
     data.SetPoints(points_of(mesh))
     offsets = np.arange(0, mesh.faces.size + 1, 3, dtype=np.int32)
-    data.SetPolys(cells_of(offsets, mesh.faces.view(np.int32).ravel()))
+    data.SetPolys(cells_of(offsets, mesh.faces.view(np.int32).ravel(), support.numpy_to_vtk))
     data._kept = (mesh, offsets)
     return data
 
@@ -48,23 +48,26 @@ def loops(mesh):
 
 
 def lines_of(gap):
-    """The two rims as closed lines on the points of the whole mesh. The ruled surface is empty unless indices have 64 bits."""
-    closed = [np.append(rim, rim[0]).astype(np.int64) for rim in gap.rims]
+    """The two rims as closed lines on the points of the whole mesh. They run alike, so that the strip is oriented as the mesh. The
+    ruled surface is empty unless indices are vtkIdTypes."""
+    alike = gap.rims[0][::-1], gap.rims[1]
+    closed = [np.append(rim, rim[0]).astype(np.int64) for rim in alike]
     corners = np.concatenate(closed)
     offsets = np.array([0, len(closed[0]), len(corners)], dtype=np.int64)
     data = vtk.vtkPolyData()
     data.SetPoints(points_of(gap.whole))
-    data.SetLines(cells_of(offsets, corners))
+    data.SetLines(cells_of(offsets, corners, support.numpy_to_vtkIdTypeArray))
     data._kept = (gap, corners, offsets)
     return data
 
 
 def ruled(data, orient):
-    """The lines are joined by walking along both, each time by the shorter diagonal."""
+    """The lines are joined by walking along both, each time by the shorter diagonal, wherever that leads: nothing is torn."""
     ruled = vtk.vtkRuledSurfaceFilter()
     ruled.SetInputData(data)
     ruled.SetRuledModeToPointWalk()
     ruled.SetOrientLoops(orient)
+    ruled.SetDistanceFactor(1e9)
     ruled.SetCloseSurface(False)
     ruled.Update()
     return ruled.GetOutput()
