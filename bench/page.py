@@ -41,7 +41,8 @@ Everything else is known: for gusset two rims and their first meridian, for the 
     "rows": """## Rows of new vertices
 
 gusset from arrays to arrays, at its best with five rows, thin-plate fairing and intersections backed off; MeshLib's stitchHolesNicely
-on a mesh with its holes found, subdivided to the mean edge and smoothed.""",
+on a mesh with its holes found, subdivided to the mean edge and smoothed. `-mean-edge`: as many rows as the mean edge asks for. `-unfair`: without fairing.
+`-area`: least-area meridians, without fairing.""",
     "assemble": "## Assembly",
     "meridians": "## The paper's rule by index\n\nBeside its loops as printed, mended, and beside the bare closed form.",
 }
@@ -66,6 +67,9 @@ def split(entry):
 
 
 def times(entries):
+    # Hosts in C++ and in Python come from two programs: a case's peers together.
+    names = [split(e)[1] for e in entries]
+    entries = sorted(entries, key=lambda e: names.index(split(e)[1]))
     return table(
         ["case", "peer", "ours", "peer", "ratio", ""],
         [[f"`{module}/{name}`", peer, f"{number(e['ours'])} {e['unit']}", f"{number(e['peer'])} {e['unit']}", number(e["ratio"]),

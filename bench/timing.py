@@ -2,7 +2,9 @@
 
 import gc
 import json
+import os
 import resource
+import signal
 import statistics
 import subprocess
 import sys
@@ -49,7 +51,7 @@ def once(contender, outcome):
         outcome.failed, outcome.result = describe(error), None
 
 
-def by_turns(contenders, runs=7, patience=15.0):
+def by_turns(contenders, runs=7, patience=10.0):
     """All contenders by turns, `runs` times, or as often as takes `patience` seconds, but at least once."""
     outcomes = {contender.name: Outcome() for contender in contenders}
     gc.disable()
@@ -75,15 +77,18 @@ def apart(case, contender, seconds):
     """A contender in a process of its own with bounds on time and memory. It prints its Outcome."""
     command = [sys.executable, sys.argv[0], *sys.argv[1:], "--apart", f"{case}/{contender}"]
     outcome = Outcome()
+    child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=seconds)
+        printed, complaints = child.communicate(timeout=seconds)
     except subprocess.TimeoutExpired:
+        os.killpg(child.pid, signal.SIGKILL)  # And whatever it started.
+        child.communicate()
         outcome.failed = f"not done in {seconds:.0f} s"
         return outcome, {}
     try:
-        said = json.loads(done.stdout.splitlines()[-1])
+        said = json.loads(printed.splitlines()[-1])
     except (IndexError, ValueError):
-        ending = done.stderr.strip().splitlines() or [f"exit status {done.returncode}"]
+        ending = complaints.strip().splitlines() or [f"exit status {child.returncode}"]
         outcome.failed = f"died: {ending[-1]}"
         return outcome, {}
     outcome.times, outcome.failed = said["times"], said["failed"]

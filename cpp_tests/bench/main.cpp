@@ -138,7 +138,7 @@ public:
         }
         for (auto &[name, times] : others) {
             const double mine = median(own), theirs = median(times);
-            std::printf("%-28s %-10s %10.2f %10.2f %9.2f   %s%s\n", id.c_str(), name.c_str(), mine, theirs, theirs / mine,
+            std::printf("%-30s %-22s %10.2f %10.2f ms  %9.2f   %s%s\n", id.c_str(), name.c_str(), mine, theirs, theirs / mine,
                         what.c_str(), agree ? "" : "  RESULTS DIFFER");
             std::fflush(stdout);
             report_.push_back({{"id", id + "/" + name},
@@ -210,7 +210,7 @@ int main(int argc, char **argv) {
     CLI11_PARSE(app, argc, argv);
     try {
         Bench bench(runs, only);
-        std::printf("%-28s %-10s %10s %10s %9s\n", "case", "peer", "ours [ms]", "peer [ms]", "ratio");
+        std::printf("%-30s %-22s %10s %10s     %9s\n", "case", "peer", "ours", "peer", "ratio");
         if (bench.wants("meridians/index-100000")) {
             // The paper's double loop, with its bounds and braces mended, beside the closed form.
             const auto literal = [] {
