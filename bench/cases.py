@@ -103,7 +103,8 @@ class Cases:
         ]
 
     def steps(self, name):
-        """The strip alone, where everything else is known: for ours two rims of a given start, for the peers a mesh with its holes."""
+        """The strip alone, where everything else is known: for ours two rims from a given start, for the peers a mesh with its
+        holes."""
         gap = JOINS[name]()
         rims = []
 

@@ -26,30 +26,30 @@ slab itself, cut exactly; sizes in names are faces or the vertices of the two ri
 SECTIONS = {
     "boundary": """## Boundary loops
 
-From arrays to ordered loops. `read` is one pass over the indices, the limit of the hardware. `meshlib-prebuilt` walks a mesh that is
-built already. `boundary` is GUSSET_SURVEY_BOUNDARY_ONLY, `boundary-full` the default, which reports everything unusual.""",
+From arrays to ordered loops. `read` is one pass over the indices, the limit of the hardware. `meshlib-prebuilt` walks a mesh
+that is built already. `boundary` is GUSSET_SURVEY_BOUNDARY_ONLY, `boundary-full` the default, which reports everything unusual.""",
     "boundary-full": "",
     "winged": "## Winged-edge tables\n\nFrom arrays to the table; the peers build their half-edges.",
     "join": """## Joins, from arrays to arrays
 
-Loops found, the strip made, the whole mesh handed back. `gusset-index` and the like are other choices of meridians of our own beside
-the default, the least area.""",
+Loops found, the strip made, the whole mesh handed back. `gusset-index` and the like are other choices of meridians of our own
+beside the default, the least area.""",
     "join-strip": """## Joins, the strip alone
 
 Everything else is known: for gusset two rims and their first meridian, for the peers a mesh with its holes found.""",
     "join-memory": "## Memory of joins\n\nHow far memory rises above what is held before, in a process of its own.",
     "rows": """## Rows of new vertices
 
-gusset from arrays to arrays, at its best with five rows, thin-plate fairing and intersections backed off; MeshLib's stitchHolesNicely
-on a mesh with its holes found, subdivided to the mean edge and smoothed. `-mean-edge`: as many rows as the mean edge asks for. `-unfair`: without fairing.
-`-area`: least-area meridians, without fairing.""",
+gusset from arrays to arrays, at its best with five rows, thin-plate fairing and intersections backed off; MeshLib's
+stitchHolesNicely on a mesh with its holes found, subdivided to the mean edge and smoothed. `-mean-edge`: as many rows as the
+mean edge asks for. `-unfair`: without fairing. `-area`: least-area meridians, without fairing.""",
     "assemble": "## Assembly",
     "meridians": "## The paper's rule by index\n\nBeside its loops as printed, mended, and beside the bare closed form.",
 }
 CAPTION = """
 Strips judged by CGAL and elementary geometry: pairs of intersecting triangles with a new face among them; every edge of the
-strip with two faces; degrees; aspect = circumradius / (2 inradius), "-" for a degenerate triangle; dihedral = the bend at edges of the
-strip.
+strip with two faces; degrees; aspect = circumradius / (2 inradius), "-" for a degenerate triangle; dihedral = the bend at edges
+of the strip.
 """
 
 

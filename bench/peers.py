@@ -16,5 +16,5 @@ class Peer:
                 importlib.import_module(self._after)
             module = importlib.import_module(self._module)
         except Exception as error:  # A wheel may also fail to load.
-            raise ModuleNotFoundError(f"{self._module} is not installed: {error}") from error
+            raise ModuleNotFoundError(f"{(self._after or self._module).split('.')[0]} is not installed: {error}") from error
         return getattr(module, name)
