@@ -14,7 +14,7 @@ incdir  := $(DESTDIR)$(PREFIX)/include
 build_packages := cmake g++ pkg-config
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev
 test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind
-bench_packages := $(host_packages) libcgal-demo nlohmann-json3-dev
+bench_packages := $(host_packages) glmark2-data nlohmann-json3-dev python3-venv
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
 .PHONY: help build test check demo bench install stage clean
@@ -25,7 +25,8 @@ help:
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
 	@echo 'make test                         all tests: Rust, lints, header drift, C and C++'
 	@echo 'make check                        the quick part of them: Rust tests and lints'
-	@echo 'make bench [ONLY=boundary]        times beside OpenMesh and CGAL, into target/bench/report.json'
+	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
+	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
 	@echo 'make build                        the libraries, in target/release'
 	@echo 'make install [PREFIX=/usr/local] [DESTDIR=]   libraries, headers, pkg-config file, licences'
 	@echo 'make clean                        remove build and target'
@@ -49,7 +50,7 @@ demo: stage
 	@scripts/demo.sh '$(stage)' '$(A)' '$(B)' $(demo_packages)
 
 bench: stage
-	@scripts/bench.sh '$(stage)' '$(ONLY)' $(bench_packages)
+	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' $(bench_packages)
 
 install: build
 	install -d $(libdir)/pkgconfig $(incdir)/gusset $(DESTDIR)$(PREFIX)/share/doc/gusset

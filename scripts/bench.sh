@@ -1,17 +1,31 @@
 #!/usr/bin/env bash
-# make bench: builds the benchmarks against the installation in $1 and runs those whose names contain $2. The remaining
-# arguments are the Debian packages it needs.
+# make bench: builds the benchmarks against the installation in $1 and runs those whose names contain $2; if $3 is not empty, also
+# what is skipped for its length. The remaining arguments are the Debian packages it needs. Peers in Python go into a virtual
+# environment; one that cannot be had is reported as absent. A full run also writes docs/benchmarks.md and docs/benchmarks.svg.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-stage=$1 only=$2
-shift 2
+stage=$1 only=$2 slow=$3
+shift 3
 scripts/install-packages.sh "$@"
 cmake -S cpp_tests/bench -B build/bench -DGUSSET_PREFIX="$stage" >build/bench.log 2>&1 &&
   env -u MAKELEVEL -u MAKEFLAGS cmake --build build/bench --parallel 2 >>build/bench.log 2>&1 ||
   { tail -n 40 build/bench.log; exit 1; }
+
+venv=build/bench-peers
+if ! cmp -s bench/pins.txt "$venv/pins.txt"; then
+  echo "gusset: about to install from PyPI into $venv, with their pinned versions: numpy matplotlib meshlib vtk bpy"
+  rm -rf "$venv"
+  python3 -m venv "$venv"
+  peers() { "$venv/bin/pip" install -q --disable-pip-version-check --only-binary :all: -c bench/pins.txt "$@" >>"$venv/log" 2>&1; }
+  peers numpy matplotlib || { tail -n 5 "$venv/log"; exit 1; }
+  for peer in meshlib vtk bpy; do
+    peers "$peer" || echo "gusset: $peer cannot be installed for $(python3 --version), and will be reported as absent: $venv/log"
+  done
+  cp bench/pins.txt "$venv/pins.txt"
+fi
+
 mkdir -p target/bench
-# A real mesh under CC0, from CGAL's own collection.
-archive=$(dpkg -L libcgal-demo libcgal-dev | grep '/data\.tar\.gz$' | head -n 1)
-tar -xzf "$archive" -C target/bench --strip-components=2 data/meshes/elephant.off
-build/bench/bench --mesh target/bench/elephant.off --only "$only" --out target/bench/report.json
-echo "the report is $PWD/target/bench/report.json"
+options=(--only "$only")
+[ -z "$slow" ] || options+=(--slow)
+[ -n "$only" ] || options+=(--docs docs)
+"$venv/bin/python" bench/run.py --prefix "$stage" --tools build/bench --out target/bench/report.json "${options[@]}"

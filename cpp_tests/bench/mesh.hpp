@@ -1,4 +1,4 @@
-// Meshes for the benchmarks: real, open, and of any size.
+// The meshes of the benchmarks, as bench/meshes.py writes them.
 #pragma once
 
 #include <array>
@@ -13,11 +13,5 @@ struct Triangles {
     std::size_t face_count() const { return corners.size() / 3; }
 };
 
-/// A triangle mesh from a file.
+/// A file of two 64-bit counts, the points and the triangles.
 Triangles read_triangles(const std::string &path);
-/// Without the faces that reach into the slab low < y < high (parts of the height, 0 to 1): jagged rims.
-Triangles without_slab(const Triangles &mesh, double low, double high);
-/// Each triangle cut into four, `times` times; neighbours stay near each other in memory.
-Triangles subdivided(Triangles mesh, int times);
-/// Vertices and faces in random order.
-Triangles shuffled(const Triangles &mesh);

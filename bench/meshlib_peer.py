@@ -1,0 +1,93 @@
+"""MeshLib: half-edge meshes, boundary loops, and stitchHoles by dynamic programming."""
+
+import numpy as np
+
+from peers import Peer
+from timing import Contender
+
+mm = Peer("meshlib.mrmeshpy")
+mn = Peer("meshlib.mrmeshnumpy", after="meshlib.mrmeshpy")
+
+METRICS = {"complex": "getComplexStitchMetric", "edge-length": "getEdgeLengthStitchMetric"}
+
+
+def build(mesh):
+    return mn.meshFromFacesVerts(mesh.faces, mesh.points)
+
+
+def loops(mesh):
+    """From arrays to loops."""
+    built = build(mesh)
+    return built, mm.findRightBoundary(built.topology)
+
+
+def holes(built, gap):
+    """An edge of each of the two holes that are to be joined: the one that the rim's first vertices lie on."""
+    on = [np.zeros(len(gap.whole.points), dtype=bool) for _ in gap.rims]
+    for mark, rim in zip(on, gap.rims):
+        mark[rim] = True
+    edges = list(built.topology.findHoleRepresentiveEdges())
+    return [next(e for e in edges if mark[built.topology.org(e).get()]) for mark in on]
+
+
+def stitch(built, ends, metric):
+    new = mm.FaceBitSet()
+    options = mm.StitchHolesParams()
+    options.metric = getattr(mm, METRICS[metric])(built)
+    options.outNewFaces = new
+    mm.stitchHoles(built, *ends, options)
+    return built, new
+
+
+def nicely(built, ends, edge):
+    """Stitched with the default metric, subdivided to a length of edge, and smoothed."""
+    settings = mm.StitchHolesNicelySettings()
+    settings.triangulateParams.metric = mm.getComplexStitchMetric(built)
+    settings.subdivideSettings.maxEdgeLen = edge
+    settings.subdivideSettings.maxEdgeSplits = 1_000_000
+    settings.smoothCurvature = True
+    return built, mm.stitchHolesNicely(built, *ends, settings)
+
+
+def arrays(built):
+    return mn.getNumpyVerts(built), mn.getNumpyFaces(built.topology)
+
+
+def mesh(result):
+    built, new = result
+    points, faces = arrays(built)
+    marks = np.zeros(len(faces), dtype=bool)
+    bits = mn.getNumpyBitSet(new)
+    marks[: len(bits)] = bits[: len(faces)]
+    return points, np.concatenate([faces[~marks], faces[marks]]), int((~marks).sum())
+
+
+def ready(gap):
+    """Prepares the step alone: a fresh copy of the mesh, with the holes known."""
+    kept = []
+
+    def prepare():
+        if not kept:
+            kept.append(build(gap.whole))
+            kept.append(holes(kept[0], gap))
+        return mm.Mesh(kept[0]), kept[1]
+
+    return prepare
+
+
+def whole_contender(gap, metric):
+    def work(_):
+        built = build(gap.whole)
+        result = stitch(built, holes(built, gap), metric)
+        arrays(built)
+        return result
+
+    return Contender(f"meshlib-{metric}", work, lambda: mn.meshFromFacesVerts, mesh)
+
+
+def step_contender(gap, metric):
+    return Contender(f"meshlib-{metric}", lambda state: stitch(*state, metric), ready(gap), mesh)
+
+
+def rows_contender(gap, edge):
+    return Contender("meshlib-nicely", lambda state: nicely(*state, edge), ready(gap), mesh)

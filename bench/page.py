@@ -1,0 +1,130 @@
+"""docs/benchmarks.md and docs/benchmarks.svg, from the entries of one full run."""
+
+import subprocess
+import time
+from importlib.metadata import PackageNotFoundError, version
+
+from plot import write_plot
+from report import number
+
+QUALITIES = {
+    "faces": "new faces", "intersections": "intersections", "closed": "closed", "min_angle": "least angle",
+    "aspect": "worst aspect", "dihedral_p95": "dihedral p95", "dihedral_max": "dihedral max", "area": "area",
+}
+HEAD = """# Benchmarks
+
+Written by `make bench`; do not edit. {date}, {cpu}, {cores} cores, {memory}.
+gusset {gusset}; {peers}.
+
+Ours and the peers run by turns in one process on the same arrays; medians; ratio = peer / ours, so that above 1 gusset is
+faster. The machine is shared: absolute times move, ratios within one run are what to trust. Meshes are made at run time from
+the bunny of the Debian package glmark2-data: `jagged` lacks the faces whose middle lies in -0.3 < y < -0.2, `planar` lacks the
+slab itself, cut exactly; sizes in names are faces or the vertices of the two rims.
+
+![Time against size](benchmarks.svg)
+"""
+SECTIONS = {
+    "boundary": """## Boundary loops
+
+From arrays to ordered loops. `read` is one pass over the indices, the limit of the hardware. `meshlib-prebuilt` walks a mesh
+that is built already. `boundary` is GUSSET_SURVEY_BOUNDARY_ONLY, `boundary-full` the default, which reports everything unusual.""",
+    "boundary-full": "",
+    "winged": "## Winged-edge tables\n\nFrom arrays to the table; the peers build their half-edges.",
+    "join": """## Joins, from arrays to arrays
+
+Loops found, the strip made, the whole mesh handed back. `gusset-index` and the like are other choices of meridians of our own
+beside the default, the least area.""",
+    "join-strip": """## Joins, the strip alone
+
+Everything else is known: for gusset two rims and their first meridian, for the peers a mesh with its holes found.""",
+    "join-memory": "## Memory of joins\n\nHow far memory rises above what is held before, in a process of its own.",
+    "rows": """## Rows of new vertices
+
+gusset from arrays to arrays, at its best with five rows, thin-plate fairing and intersections backed off; MeshLib's
+stitchHolesNicely on a mesh with its holes found, subdivided to the mean edge and smoothed. `-mean-edge`: as many rows as the
+mean edge asks for. `-unfair`: without fairing. `-area`: least-area meridians, without fairing.""",
+    "assemble": "## Assembly",
+    "meridians": "## The paper's rule by index\n\nBeside its loops as printed, mended, and beside the bare closed form.",
+}
+CAPTION = """
+Strips judged by CGAL and elementary geometry: pairs of intersecting triangles with a new face among them; every edge of the
+strip with two faces; degrees; aspect = circumradius / (2 inradius), "-" for a degenerate triangle; dihedral = the bend at edges
+of the strip.
+"""
+
+
+def line(cells):
+    return "| " + " | ".join(str(cell).replace("|", "\\|") for cell in cells) + " |"
+
+
+def table(head, rows):
+    return "\n".join([line(head), line(["---"] * len(head)), *map(line, rows)]) + "\n"
+
+
+def split(entry):
+    module, name, peer = entry["id"].split("/")
+    return module, name, peer
+
+
+def times(entries):
+    # Hosts in C++ and in Python come from two programs: a case's peers together.
+    names = [split(e)[1] for e in entries]
+    entries = sorted(entries, key=lambda e: names.index(split(e)[1]))
+    return table(
+        ["case", "peer", "ours", "peer", "ratio", ""],
+        [[f"`{module}/{name}`", peer, f"{number(e['ours'])} {e['unit']}", f"{number(e['peer'])} {e['unit']}", number(e["ratio"]),
+          e.get("failed", "")] for e in entries for module, name, peer in [split(e)]])
+
+
+def shown(value):
+    return ("yes" if value else "no") if isinstance(value, bool) else number(value) if isinstance(value, float) else value
+
+
+def qualities(entries):
+    """One row for each case and contender, ours first."""
+    rows = {}
+    for e in entries:
+        _, name, peer = split(e)
+        own, theirs = e["quality"], e["quality"].get("peer")
+        for who, quality in (("gusset", own), (peer, theirs)):
+            if quality and "faces" in quality:
+                rows[name, who] = [f"`{name}`", who, *("-" if quality.get(q) is None else shown(quality[q]) for q in QUALITIES)]
+    # Cases in their order, ours first in each.
+    cases = list(dict.fromkeys(name for name, _ in rows))
+    ordered = sorted(rows, key=lambda key: (cases.index(key[0]), not key[1].startswith("gusset")))
+    return table(["case", "by", *QUALITIES.values()], [rows[key] for key in ordered]) + CAPTION if rows else ""
+
+
+def versions():
+    said = []
+    for package, name in ("meshlib", "MeshLib"), ("vtk", "VTK"), ("bpy", "Blender"):
+        try:
+            said.append(f"{name} {version(package)}")
+        except PackageNotFoundError:
+            said.append(f"{name} not installed")
+    for package, name in ("libopenmesh-dev", "OpenMesh"), ("libcgal-dev", "CGAL"):
+        found = subprocess.run(["dpkg-query", "-W", "-f=${Version}", package], capture_output=True, text=True).stdout
+        said.append(f"{name} {found} (Debian)")
+    return ", ".join(said)
+
+
+def machine():
+    with open("/proc/cpuinfo") as file:
+        lines = [line.split(":", 1)[1].strip() for line in file if line.startswith("model name")]
+    with open("/proc/meminfo") as file:
+        kibibytes = int(file.readline().split()[1])
+    return dict(cpu=lines[0], cores=len(lines), memory=f"{kibibytes / 2**20:.0f} GiB")
+
+
+def write_page(entries, folder, gusset):
+    folder.mkdir(exist_ok=True)
+    write_plot(entries, folder / "benchmarks.svg")
+    parts = [HEAD.format(date=time.strftime("%Y-%m-%d"), gusset=gusset, peers=versions(), **machine())]
+    for module, text in SECTIONS.items():
+        mine = [e for e in entries if split(e)[0] == module]
+        if mine:
+            parts += [text + "\n" if text else "", times(mine)]
+        if mine and module in ("join-strip", "rows", "assemble"):
+            judged = [e for e in entries if split(e)[0] in (module, module.removesuffix("-strip"))]
+            parts.append(qualities(judged))
+    (folder / "benchmarks.md").write_text("\n".join(part for part in parts if part))

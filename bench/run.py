@@ -1,0 +1,60 @@
+"""All benchmarks, or those whose case contains --only. See `make bench`."""
+
+import argparse
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import meshes
+from cases import BOUNDARIES, Cases
+from gusset import Library
+from page import write_page
+from report import Report
+
+
+def in_cpp(report, tools, folder, only):
+    """The hosts in C++, on the same meshes by way of files."""
+    wanted = []
+    for name, mesh in BOUNDARIES.items():
+        if any(only in f"{module}/{name}" for module in ("boundary", "boundary-full", "winged")):
+            path = folder / f"{name}.mesh"
+            if not path.exists():
+                meshes.write(mesh(), path)
+            wanted += ["--mesh", f"{name}={path}"]
+    if wanted or only in "meridians/index-100000":
+        out = folder / "cpp.json"
+        sys.stdout.flush()
+        subprocess.run([tools / "bench", *wanted, "--only", only, "--runs", "5", "--out", out], check=True)
+        report.merge(out)
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument("--prefix", type=Path, required=True, help="where gusset is installed")
+    options.add_argument("--tools", type=Path, required=True, help="where the programs in C++ are")
+    options.add_argument("--out", type=Path, required=True, help="the report")
+    options.add_argument("--docs", type=Path, help="also write the page and the plot into this folder")
+    options.add_argument("--only", default="", help="cases that contain this")
+    options.add_argument("--slow", action="store_true", help="also what takes half a minute a run")
+    options.add_argument("--apart", help="internal: one contender of one case, in this process")
+    options = options.parse_args()
+    start = time.time()
+    folder = options.tools / "meshes"
+    folder.mkdir(parents=True, exist_ok=True)
+    library = Library(options.prefix)
+    if options.apart:
+        Cases(library, None, options.tools, folder, "", True).apart(options.apart)
+        return
+    report = Report()
+    in_cpp(report, options.tools, folder, options.only)
+    Cases(library, report, options.tools, folder, options.only, options.slow).run()
+    report.write(options.out)
+    print(f"the report is {options.out}; it took {(time.time() - start) / 60:.0f} min")
+    if options.docs:
+        write_page(report.entries, options.docs, library.version)
+        print(f"the page is {options.docs / 'benchmarks.md'}")
+
+
+if __name__ == "__main__":
+    main()
