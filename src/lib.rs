@@ -30,7 +30,7 @@
 //! | [`winged`] | winged-edge tables, and loops on them |
 //! | [`check`] | everything wrong or unusual in a mesh |
 //! | [`repair`] | vertices that lie together made one, orientation made consistent |
-//! | [`stitch`] | a strip of new faces between two loops |
+//! | [`stitch`] | a strip of new faces between two loops, and many pieces in one mesh |
 //! | [`fill`] | holes closed by new faces |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |

@@ -22,10 +22,11 @@ use crate::mesh::{MeshView, Sets, concat};
 /// Loops that are left open are chosen as the two nearest ones: the least mean distance from the vertices of each to the
 /// nearest vertex of the other. Old positions are never changed, and every old face is kept.
 ///
-/// O(H log d) for the meshes' H half-edges, plus O(N M) ([`Meridians::MinArea`]) or O(N + M) ([`Meridians::Index`]) and O((N + M) log M), and
-/// the size of the strip, and a box test for each pair of loops where the choice is left open. Extra memory is linear in the
-/// meshes and the strip, but for [`Meridians::MinArea`]: one byte for each of N M pairs, at most 64 MiB, and 48 (M + 1) bytes for each
-/// 2^26 pairs begun, where N is rim A; hence a rim B that is the shorter one saves memory on very long rims.
+/// O(H log d) for the meshes' H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of
+/// vertices, beyond that and for the simple choices O((N + M) log M); plus the size of the strip, and a box test for each pair of
+/// loops where the choice is left open. Fairing n new vertices in k rows takes O(n k^2), intersection tests O((n + F) log n) for F
+/// old faces in the box round the strip. Extra memory is linear in the meshes and the strip, but for what [`Search::Exact`](super::Search)
+/// says.
 ///
 /// An arc of a single vertex gets a fan of triangles, which touches its piece at that vertex only; two arcs of one vertex each
 /// get one meridian and no face.

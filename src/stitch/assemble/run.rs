@@ -11,7 +11,7 @@ use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{Defect, Mesh, MeshView, NONE, Sets, concat};
 use crate::repair::{orient, weld};
-use crate::stitch::IndexMap;
+use crate::stitch::{self, IndexMap};
 use crate::stitch::combine::append_strip;
 use crate::stitch::pairing::mean_gap;
 use crate::stitch::rim::{Bridges, Rim, is_usable, shared_vertex};
@@ -49,6 +49,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     let mut tried = alloc::filled(false, loops.rims.len())?;
     let edges = loops.edges_between(&base.mesh)?;
     let mean_side = std::cell::OnceCell::new();
+    let strips = stitch::Options { twist: 0, ..options.strip };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
         let part = job.part(0.5 + 0.3 * k as f64 / found.len() as f64, 0.5 + 0.3 * (k + 1) as f64 / found.len() as f64);
         let sides = loops.sides(facing)?;
@@ -70,11 +71,11 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             b.reverse();
             let bridges = edges.between(facing.rims);
             let mean = || *mean_side.get_or_init(|| base.mesh.mean_side()) / loops.unit;
-            match Strip::between(a, b, &bridges, &options.strip, mean, &part) {
+            match Strip::between(a, b, &bridges, &strips, mean, &part) {
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
-                    let settled = settle(&base.mesh, &mut strip, loops.unit, &options.strip, &part)?;
+                    let settled = settle(&base.mesh, &mut strip, loops.unit, &strips, &part)?;
                     let hung = append_strip(&mut base.mesh, &strip, loops.unit)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];
                     joint.vertices = hung.vertices;
