@@ -50,9 +50,12 @@ pub(super) fn settle(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Optio
     }
     let mut settled = Settled { intersections: None, back_offs: 0 };
     if looks {
-        let look = job.part(0.4, 1.0);
+        let look = |round: u32| {
+            let done = |rounds: u32| 0.4 + 0.6 * f64::from(rounds) / f64::from(ROUNDS + 1);
+            job.part(done(round), done(round + 1))
+        };
         let old = scene.near(&straight)?;
-        let mut found = scene.cuts(&old, &look)?;
+        let mut found = scene.cuts(&old, &look(0))?;
         let plate = alloc::copied(&scene.points)?;
         let mut share = alloc::filled(1.0, plate.len())?;
         while faired && settled.back_offs < ROUNDS && scene.take_back(&found, &mut share)? {
@@ -60,7 +63,7 @@ pub(super) fn settle(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Optio
                 *point = straight[k].lerp(plate[k], share[k]);
             }
             settled.back_offs += 1;
-            found = scene.cuts(&old, &look)?;
+            found = scene.cuts(&old, &look(settled.back_offs))?;
         }
         settled.intersections = Some(scene.faces(&old, &found)?);
     }

@@ -71,11 +71,11 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
             b.reverse();
             let bridges = edges.between(facing.rims);
             let mean = || *mean_side.get_or_init(|| base.mesh.mean_side()) / loops.unit;
-            match Strip::between(a, b, &bridges, &strips, mean, &part) {
+            match Strip::between(a, b, &bridges, &strips, mean, &part.part(0.0, 0.6)) {
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
-                    let settled = settle(&base.mesh, &mut strip, loops.unit, &strips, &part)?;
+                    let settled = settle(&base.mesh, &mut strip, loops.unit, &strips, &part.part(0.6, 1.0))?;
                     let hung = append_strip(&mut base.mesh, &strip, loops.unit)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];
                     joint.vertices = hung.vertices;

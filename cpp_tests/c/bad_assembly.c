@@ -1,0 +1,407 @@
+/* What a host can get wrong with strips, with the later fields of the stitch options and with the assembly of pieces. */
+#include "check.h"
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+static gusset_context *context;
+
+/* What the last call reported, against what it should have. */
+static void expect_report(int line, int32_t status, gusset_element element, uint64_t index, uint32_t input) {
+    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    if (report.status != status || report.element != element || report.index != index || report.input != input) {
+        printf("%s:%d: report says %d %u %lu %u\n", __FILE__, line, (int)report.status, (unsigned)report.element,
+               (unsigned long)report.index, (unsigned)report.input);
+        ++failures;
+    }
+}
+
+static double reported_value(void) {
+    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    return report.value;
+}
+
+#define REPORT(status, element, index, input) expect_report(__LINE__, status, element, index, input)
+
+/* A call that must fail, and leave NULL where its result would have gone. */
+#define FAILS(expected, out, call)                                                                                     \
+    do {                                                                                                               \
+        (out) = misaligned();                                                                                          \
+        EXPECT(expected, call);                                                                                        \
+        CHECK((out) == NULL);                                                                                          \
+    } while (0)
+
+static const double square[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+static const double above[4][3] = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+
+static void strips_refused(void) {
+    gusset_strip_options options = {sizeof options, 0, 0, 0, 1};
+    gusset_strip_parts parts = {0};
+    gusset_strip *strip = NULL;
+    const double *a = square[0], *b = above[0];
+    double wrong[4][3];
+
+    FAILS(GUSSET_ERROR_NULL_ARGUMENT, strip, gusset_strip_create(context, NULL, 4, b, 4, NULL, &strip));
+    REPORT(GUSSET_ERROR_NULL_ARGUMENT, GUSSET_ELEMENT_NONE, 0, 0);
+    FAILS(GUSSET_ERROR_NULL_ARGUMENT, strip, gusset_strip_create(context, a, 4, NULL, 4, NULL, &strip));
+    REPORT(GUSSET_ERROR_NULL_ARGUMENT, GUSSET_ELEMENT_NONE, 0, 1);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_create(context, a, 4, b, 4, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_strip_create(context, a, 4, b, 4, NULL, misaligned()));
+    FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, strip, gusset_strip_create(misaligned(), a, 4, b, 4, NULL, &strip));
+    FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, strip, gusset_strip_create(context, a, 4, b, 4, misaligned(), &strip));
+    for (options.struct_size = 0; options.struct_size < 24; ++options.struct_size) {
+        FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    }
+    options.struct_size = SIZE_MAX;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    options.struct_size = sizeof options, options.meridians = 7;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    CHECK(reported_value() == 7.0);
+    options.meridians = 0, options.search = 2;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    options.search = 0, options.start = 3;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    options.start = 0, options.closed = 2;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    options.closed = 1;
+
+    /* Too few points, closed and open, and too many. */
+    FAILS(GUSSET_ERROR_LOOP_TOO_SHORT, strip, gusset_strip_create(context, a, 2, b, 4, &options, &strip));
+    REPORT(GUSSET_ERROR_LOOP_TOO_SHORT, GUSSET_ELEMENT_COUNT, 2, 0);
+    FAILS(GUSSET_ERROR_LOOP_TOO_SHORT, strip, gusset_strip_create(context, a, 3, b, 0, &options, &strip));
+    REPORT(GUSSET_ERROR_LOOP_TOO_SHORT, GUSSET_ELEMENT_COUNT, 0, 1);
+    FAILS(GUSSET_ERROR_LOOP_TOO_SHORT, strip, gusset_strip_create(context, NULL, 0, b, 4, NULL, &strip));
+    FAILS(GUSSET_ERROR_TOO_LARGE, strip, gusset_strip_create(context, a, SIZE_MAX, b, 4, &options, &strip));
+    FAILS(GUSSET_ERROR_TOO_LARGE, strip, gusset_strip_create(context, a, 4, b, UINT32_MAX, &options, &strip));
+    REPORT(GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, UINT32_MAX, 1);
+
+    /* Points that are no points, on either side, in any place and coordinate. */
+    for (int place = 0; place < 4; ++place) {
+        memcpy(wrong, square, sizeof wrong);
+        wrong[place][place % 3] = place % 2 ? -INFINITY : NAN;
+        FAILS(GUSSET_ERROR_NOT_FINITE, strip, gusset_strip_create(context, wrong[0], 4, b, 4, &options, &strip));
+        REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_LOOP_PLACE, (uint64_t)place, 0);
+        FAILS(GUSSET_ERROR_NOT_FINITE, strip, gusset_strip_create(context, a, 4, wrong[0], 4, NULL, &strip));
+        REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_LOOP_PLACE, (uint64_t)place, 1);
+        CHECK(place % 2 ? reported_value() == -INFINITY : isnan(reported_value()));
+    }
+    gusset_context_cancel(context);
+    FAILS(GUSSET_ERROR_CANCELLED, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
+    gusset_context_reset(context);
+
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_strip_view(NULL, &parts));
+    parts.struct_size = sizeof parts, parts.start[0] = 9, parts.meridians.count = 9;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_view(NULL, &parts));
+    CHECK(parts.start[0] == 0 && parts.meridians.count == 0 && parts.struct_size == sizeof parts);
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_strip_view(misaligned(), &parts));
+    gusset_strip_destroy(NULL);
+}
+
+static void strips_made(void) {
+    struct {
+        gusset_strip_options known;
+        uint64_t tail[2];
+    } larger = {{sizeof larger, 0, 0, GUSSET_START_GIVEN, 1}, {0, 0}};
+    gusset_strip_parts parts = {sizeof parts, {0, 0}, {NULL, 0}, {NULL, 0}};
+    gusset_strip *strip = NULL;
+    char bytes[1 + sizeof square];
+
+    /* A struct of a later version: unknown fields must be 0. Points may lie anywhere. */
+    memcpy(bytes + 1, square, sizeof square);
+    larger.tail[1] = 1;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, strip,
+          gusset_strip_create(context, square[0], 4, above[0], 4, &larger.known, &strip));
+    larger.tail[1] = 0;
+    EXPECT(GUSSET_OK, gusset_strip_create(context, (const double *)(const void *)(bytes + 1), 4, above[0], 3,
+                                          &larger.known, &strip));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_view(strip, NULL));
+    EXPECT(GUSSET_OK, gusset_strip_view(strip, &parts));
+    CHECK(parts.start[0] == 0 && parts.start[1] == 0 && parts.triangles.count == 3 * 7);
+    CHECK(parts.meridians.count == 2 * 8 && parts.meridians.data[14] == 4 && parts.meridians.data[15] == 3);
+    gusset_strip_destroy(strip);
+
+    /* Open by default; two single points are one meridian and no triangle. Without a context. */
+    EXPECT(GUSSET_OK, gusset_strip_create(NULL, square[0], 1, above[0], 1, NULL, &strip));
+    EXPECT(GUSSET_OK, gusset_strip_view(strip, &parts));
+    CHECK(parts.triangles.count == 0 && parts.triangles.data == NULL && parts.meridians.count == 2);
+    gusset_strip_destroy(strip);
+}
+
+static void stitch_options(void) {
+    const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
+    const size_t first_version = offsetof(gusset_stitch_options, search);
+    gusset_stitch_options options = {0};
+    gusset_stitch_parts parts = {0};
+    gusset_stitch *stitch = NULL;
+
+    CHECK(sizeof(void *) != 8 || first_version == 72);
+    options.struct_size = sizeof options;
+    for (int field = 0; field < 4; ++field) {
+        uint32_t *fields[4];
+        static const uint32_t unknown[4] = {2, 2, 2, 3};
+        fields[0] = &options.search, fields[1] = &options.start;
+        fields[2] = &options.fairing, fields[3] = &options.intersections;
+        *fields[field] = unknown[field];
+        FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
+              gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+        CHECK(reported_value() == unknown[field]);
+        *fields[field] = UINT32_MAX;
+        FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
+              gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+        *fields[field] = 0;
+    }
+    /* A caller of the first version has none of the later fields: nothing behind its struct is read. */
+    gusset_stitch_options *shorter = malloc(first_version);
+    if (shorter == NULL) {
+        exit(1);
+    }
+    memset(shorter, 0, first_version);
+    shorter->struct_size = first_version - 1;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, stitch,
+          gusset_stitch_create(context, &up, NULL, &down, NULL, shorter, &stitch));
+    shorter->struct_size = first_version;
+    EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, shorter, &stitch));
+    free(shorter);
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_stitch_view(stitch, &parts));
+    CHECK(parts.strip_face_count == 8 && parts.intersections_known == 0 && parts.intersections.data == NULL);
+    gusset_stitch_destroy(stitch);
+
+    /* Each field counts from the size on that holds it. */
+    memset(&options, 0xff, sizeof options);
+    memset(&options, 0, first_version);
+    options.search = GUSSET_SEARCH_EXACT, options.start = GUSSET_START_CLOSEST;
+    options.struct_size = offsetof(gusset_stitch_options, fairing);
+    EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    gusset_stitch_destroy(stitch);
+    options.struct_size = offsetof(gusset_stitch_options, intersections);
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
+          gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    options.struct_size = sizeof options, options.fairing = GUSSET_FAIRING_THIN_PLATE;
+    options.rows = GUSSET_ROWS_COUNT, options.row_count = 2, options.intersections = GUSSET_INTERSECTIONS_REPORT;
+    EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
+    EXPECT(GUSSET_OK, gusset_stitch_view(stitch, &parts));
+    CHECK(parts.intersections_known == 1 && parts.intersections.count == 0 && parts.row_count == 2);
+    gusset_stitch_destroy(stitch);
+}
+
+static gusset_status assemble(const gusset_mesh_view *pieces, size_t count, const gusset_assembly_options *options,
+                              gusset_assembly **assembly) {
+    return gusset_assembly_create(context, pieces, count, options, assembly);
+}
+
+static void assembly_arguments(void) {
+    gusset_mesh_view pieces[2];
+    gusset_assembly_options options = {0};
+    gusset_assembly *done = NULL;
+    gusset_weld_options weld = {0};
+    gusset_stitch_options strips = {0};
+    gusset_fill_options fill = {0};
+    double points[5][3];
+
+    pieces[0] = pyramid(pyramid_up), pieces[1] = pyramid(pyramid_down);
+    FAILS(GUSSET_ERROR_NULL_ARGUMENT, done, assemble(NULL, 2, NULL, &done));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, assemble(pieces, 2, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, assemble(pieces, 2, NULL, misaligned()));
+    FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, assemble(misaligned(), 2, NULL, &done));
+    FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, assemble(pieces, 2, misaligned(), &done));
+    FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, gusset_assembly_create(misaligned(), pieces, 2, NULL, &done));
+    FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(pieces, 0, NULL, &done));
+    FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(NULL, 0, NULL, &done));
+    FAILS(GUSSET_ERROR_SIZE_OVERFLOW, done, assemble(pieces, SIZE_MAX, NULL, &done));
+    pieces[0].struct_size = 8;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
+    pieces[0].struct_size = sizeof pieces[0], pieces[1].struct_size = 8;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, NULL, &done));
+    REPORT(GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ELEMENT_NONE, 0, 1);
+
+    /* What is wrong with a mesh is reported with the number of the piece. */
+    pieces[1] = pyramid(pyramid_down), pieces[1].vertex_count = 4;
+    FAILS(GUSSET_ERROR_INDEX_OUT_OF_RANGE, done, assemble(pieces, 2, NULL, &done));
+    REPORT(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, 8, 1);
+    CHECK(reported_value() == 4.0);
+    memcpy(points, pyramid_down, sizeof points);
+    points[3][2] = NAN;
+    pieces[1] = pyramid((const double (*)[3])points);
+    FAILS(GUSSET_ERROR_NOT_FINITE, done, assemble(pieces, 2, NULL, &done));
+    REPORT(GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, 3, 1);
+    pieces[1].face_count = 0;
+    FAILS(GUSSET_ERROR_EMPTY_MESH, done, assemble(pieces, 2, NULL, &done));
+    REPORT(GUSSET_ERROR_EMPTY_MESH, GUSSET_ELEMENT_NONE, 0, 1);
+    pieces[1] = pyramid(pyramid_down), pieces[1].face_count = SIZE_MAX / 2;
+    FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, 2, NULL, &done));
+    pieces[1] = pyramid(pyramid_down), pieces[1].positions = NULL;
+    FAILS(GUSSET_ERROR_NULL_ARGUMENT, done, assemble(pieces, 2, NULL, &done));
+    pieces[1] = pyramid(pyramid_down), pieces[0].scalar = GUSSET_F32;
+    FAILS(GUSSET_ERROR_MIXED_SCALARS, done, assemble(pieces, 2, NULL, &done));
+    pieces[0].scalar = GUSSET_F64;
+
+    /* Every field of the options. */
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
+    options.struct_size = sizeof options - 1;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
+    options.struct_size = sizeof options;
+    for (int field = 0; field < 6; ++field) {
+        static const uint32_t unknown[6] = {2, GUSSET_ORIENTATION_REFUSE, 2, 2, 2, 2};
+        uint32_t *fields[6];
+        fields[0] = &options.weld, fields[1] = &options.orientation, fields[2] = &options.gap;
+        fields[3] = &options.whole_loops_only, fields[4] = &options.within_components, fields[5] = &options.fill;
+        *fields[field] = unknown[field];
+        FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
+        CHECK(reported_value() == unknown[field]);
+        *fields[field] = 0;
+    }
+    options.gap = GUSSET_GAP_GIVEN, options.max_gap = -1e-300;
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+    CHECK(reported_value() == -1e-300);
+    options.max_gap = INFINITY;
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+    options.max_gap = NAN;
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+    CHECK(isnan(reported_value()));
+    options.gap = GUSSET_GAP_AUTO;
+    EXPECT(GUSSET_OK, assemble(pieces, 2, &options, &done));
+    gusset_assembly_destroy(done);
+
+    /* The options of the parts, each with a mistake of its own. */
+    options.weld_options = &weld;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
+    weld.struct_size = sizeof weld, weld.tolerance_mode = GUSSET_TOLERANCE_GIVEN, weld.tolerance = NAN;
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+    options.weld_options = misaligned();
+    FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, assemble(pieces, 2, &options, &done));
+    options.weld_options = NULL, options.strip_options = &strips;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
+    strips.struct_size = sizeof strips, strips.extent = 9;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
+    strips.extent = 0, strips.fairing = 9;
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &options, &done));
+    options.strip_options = misaligned();
+    FAILS(GUSSET_ERROR_MISALIGNED_ARGUMENT, done, assemble(pieces, 2, &options, &done));
+    options.strip_options = NULL, options.fill_options = &fill, options.fill = 1;
+    FAILS(GUSSET_ERROR_BAD_STRUCT_SIZE, done, assemble(pieces, 2, &options, &done));
+    fill.struct_size = sizeof fill, fill.max_length = -1.0;
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+    options.fill_options = NULL;
+    gusset_context_cancel(context);
+    FAILS(GUSSET_ERROR_CANCELLED, done, assemble(pieces, 2, &options, &done));
+    gusset_context_reset(context);
+    gusset_assembly_destroy(NULL);
+}
+
+static void assembly_pairs(void) {
+    /* A piece, its vertex, another piece, its vertex: both pyramids have their rims at 1 2 3 4. */
+    static const gusset_loop_pair wrong[] = {
+        {{0, 2}, {1, 1}},          {{UINT32_MAX, 1}, {1, 1}}, {{0, 1}, {0, 1}}, {{0, 1}, {1, 5}},
+        {{0, 1}, {UINT32_MAX, 1}}, {{0, 0}, {1, 2}},          {{1, 1}, {4, 4}},
+    };
+    const gusset_loop_pair right = {{1, 0}, {3, 2}};
+    gusset_mesh_view pieces[2];
+    gusset_assembly_options options = {0};
+    gusset_loop_pair list[2];
+    gusset_assembly *done = NULL;
+    gusset_assembly_parts parts = {0};
+
+    parts.struct_size = sizeof parts;
+    pieces[0] = pyramid(pyramid_up), pieces[1] = pyramid(pyramid_down);
+    options.struct_size = sizeof options, options.pairs = list, options.pair_count = 2;
+    /* The pair to blame is named, wherever it stands. */
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; ++k) {
+        list[0] = right, list[1] = wrong[k];
+        FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+        CHECK(reported_value() == 1.0);
+        list[0] = wrong[k], list[1] = right;
+        FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+        CHECK(reported_value() == 0.0);
+    }
+    list[0] = list[1] = right;
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+    CHECK(reported_value() == 1.0);
+    options.pair_count = SIZE_MAX;
+    FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, 2, &options, &done));
+    options.pair_count = 1, options.pairs = NULL;
+    FAILS(GUSSET_ERROR_NULL_ARGUMENT, done, assemble(pieces, 2, &options, &done));
+    options.pair_count = 0, options.excluded_count = SIZE_MAX, options.excluded = list;
+    FAILS(GUSSET_ERROR_TOO_LARGE, done, assemble(pieces, 2, &options, &done));
+    options.excluded_count = 1, options.excluded = NULL;
+    FAILS(GUSSET_ERROR_NULL_ARGUMENT, done, assemble(pieces, 2, &options, &done));
+    options.excluded = list;
+    for (size_t k = 0; k < 2; ++k) {
+        list[0] = wrong[k];
+        FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+    }
+    list[0] = wrong[3];
+    FAILS(GUSSET_ERROR_OUT_OF_RANGE, done, assemble(pieces, 2, &options, &done));
+
+    /* An exclusion holds, by loop or by piece, where the gap is narrow enough, and a given pair is joined however wide it is. */
+    list[0] = right, options.gap = GUSSET_GAP_GIVEN, options.max_gap = 2.0;
+    for (int by_piece = 0; by_piece < 2; ++by_piece) {
+        EXPECT(GUSSET_OK, assemble(pieces, 2, &options, &done));
+        EXPECT(GUSSET_OK, gusset_assembly_view(done, &parts));
+        CHECK(parts.joint_count == 0 && parts.joints == NULL && parts.left_count == 2 && parts.loops_left == 2);
+        CHECK(parts.left[0].reason == GUSSET_LEFT_FACES_NOTHING && parts.left[1].vertices.count == 4);
+        gusset_assembly_destroy(done);
+        list[0].vertex[0] = list[0].vertex[1] = UINT32_MAX;
+    }
+    list[0] = right, options.excluded = NULL, options.excluded_count = 0;
+    options.pairs = list, options.pair_count = 1, options.max_gap = 0.0;
+    EXPECT(GUSSET_OK, assemble(pieces, 2, &options, &done));
+    EXPECT(GUSSET_OK, gusset_assembly_view(done, &parts));
+    CHECK(parts.joint_count == 1 && parts.joints[0].outcome == GUSSET_JOINT_JOINED && parts.joints[0].whole == 1);
+    CHECK(parts.joints[0].face_first == 8 && parts.joints[0].face_count == 8 && parts.loops_left == 0);
+    gusset_assembly_destroy(done);
+}
+
+static void assembly_results(void) {
+    struct {
+        gusset_assembly_options known;
+        uint64_t tail;
+    } larger;
+    gusset_mesh_view pieces[2], view = {0};
+    gusset_assembly_parts parts = {0};
+    gusset_assembly *done = NULL;
+
+    memset(&larger, 0, sizeof larger);
+    larger.known.struct_size = sizeof larger, larger.tail = 1;
+    larger.known.gap = GUSSET_GAP_GIVEN, larger.known.max_gap = 2.0;
+    pieces[0] = pyramid(pyramid_up), pieces[1] = pyramid(pyramid_down);
+    FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &larger.known, &done));
+    larger.tail = 0;
+    EXPECT(GUSSET_OK, assemble(pieces, 2, &larger.known, &done));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_assembly_mesh(done, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_assembly_view(done, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_mesh(done, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_view(done, NULL));
+    view.struct_size = sizeof view, view.face_count = 7;
+    parts.struct_size = sizeof parts, parts.joint_count = 7;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_mesh(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_view(NULL, &parts));
+    CHECK(view.face_count == 0 && parts.joint_count == 0);
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_assembly_mesh(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_assembly_view(done, misaligned()));
+    EXPECT(GUSSET_OK, gusset_assembly_mesh(done, &view));
+    EXPECT(GUSSET_OK, gusset_assembly_view(done, &parts));
+    CHECK(view.vertex_count == 10 && view.face_count == 16 && parts.piece_count == 2);
+    for (uint32_t k = 0; k < 10; ++k) {
+        CHECK(parts.pieces[k / 5].vertices.count == 5 && parts.pieces[k / 5].vertices.data[k % 5] == k);
+        CHECK(memcmp((const double(*)[3])view.positions + k, k < 5 ? pyramid_up[k] : pyramid_down[k - 5], 24) == 0);
+    }
+    CHECK(parts.turned.count == 0 && parts.one_sided.count == 0 && parts.non_manifold_edges == 0);
+    gusset_assembly_destroy(done);
+}
+
+int main(void) {
+    if (gusset_context_create(&context) != GUSSET_OK) {
+        return 1;
+    }
+    strips_refused();
+    strips_made();
+    stitch_options();
+    assembly_arguments();
+    assembly_pairs();
+    assembly_results();
+    gusset_context_destroy(context);
+    return failures != 0;
+}
