@@ -47,7 +47,8 @@ pub(crate) struct Patch {
 /// Plans how a hole is filled; `None` if every triangulation would have an edge that is `taken`, which is asked of numbers of rim
 /// vertices.
 ///
-/// O(n^3) for a rim of n <= 500 vertices and 40 n^2 bytes; O(n log n), and linear memory, for longer ones. Refinement and fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
+/// O(n^3) for a rim of n <= 500 vertices and 40 n^2 bytes; O(n log n), and linear memory, for longer ones. Refinement and
+/// fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse factor.
 pub(crate) fn patch(
     rim: &Rim,
     options: &Options,
