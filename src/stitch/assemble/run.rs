@@ -11,13 +11,13 @@ use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::mesh::{Defect, Mesh, MeshView, NONE, Sets, concat};
 use crate::repair::{orient, weld};
-use crate::stitch::{self, IndexMap};
 use crate::stitch::combine::append_strip;
 use crate::stitch::pairing::mean_gap;
 use crate::stitch::rim::{Bridges, Rim, is_usable, shared_vertex};
 use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
 use crate::stitch::settle::settle;
 use crate::stitch::strip::Strip;
+use crate::stitch::{self, IndexMap};
 
 /// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other across
 /// a gap stitched, and holes filled, as the options say.
