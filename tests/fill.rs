@@ -283,6 +283,31 @@ fn no_edge_is_repeated() {
         assert_closed(&soup, &filled);
         assert_eq!(euler(faces(&filled.mesh)), 2);
     }
+    // The same with an old edge that Delaunay's rule would like to have.
+    let thin = vec![[0.0, 0.0, 0.0], [0.2, 0.0, 0.0], [0.1, 1.0, 0.0], [0.1, -1.0, 0.1]];
+    let soup = Soup::new(thin, &[&[0, 2, 1], &[0, 1, 3]]);
+    for options in [REFINED, FAIR] {
+        assert_closed(&soup, &fill(&soup, &options));
+    }
+    // Two holes that share two vertices: the edge between them is the best for both.
+    let (a, b) = ([0, 2, 1, 3], [0, 4, 1, 5]);
+    let mut soup = Soup { points: vec![[-0.1, 0.0, 0.0], [0.1, 0.0, 0.0]], offsets: vec![0], ..Soup::default() };
+    soup.points.extend([
+        [0.0, -1.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, -1.0, 2.0],
+        [0.0, 1.0, 2.0],
+        [0.0, 0.0, -3.0],
+        [0.0, 0.0, 8.0],
+    ]);
+    for (rim, tip) in [(a, 6), (b, 7)] {
+        (0..4).for_each(|i| soup.face(&[rim[(i + 1) % 4], rim[i], tip]));
+    }
+    for options in [AREA, LIEPA, Options::default(), REFINED, FAIR] {
+        let filled = fill(&soup, &options);
+        assert_eq!(statuses(&filled), [HoleStatus::Filled; 2]);
+        assert_closed(&soup, &filled);
+    }
     // Both diagonals of the hole are edges of a second sheet through the same vertices.
     let mut soup = Soup::new(corners, &[&[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4], &[0, 2, 5], &[1, 3, 6]]);
     soup.points.extend([[0.3, 0.3, -3.0], [5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]);

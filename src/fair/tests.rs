@@ -277,6 +277,23 @@ fn vertices_that_nothing_determines_stay() {
 }
 
 #[test]
+fn equations_fewer_than_unknowns() {
+    // One centre among seven free vertices: one of them makes the sum 0, and the others stay.
+    for weights in ALL {
+        let mut patch = disk(3);
+        for (i, p) in patch.points.iter_mut().enumerate() {
+            *p += DVec3::new(noise(i), noise(i + 1000), noise(i + 2000)) * 0.1;
+        }
+        let before = patch.points.clone();
+        let centres: Vec<bool> = (0..before.len()).map(|v| v == 0).collect();
+        thin_plate(&mut patch.points, &patch.triangles, &patch.free, &centres, weights, &Job::default()).unwrap();
+        let moved: Vec<f64> = before.iter().zip(&patch.points).map(|(p, q)| p.distance(*q)).collect();
+        assert_eq!(moved.iter().filter(|&&by| by > 1e-12).count(), 1, "{weights:?} {moved:?}");
+        assert!(moved.iter().all(|&by| by < 2.0), "{weights:?} {moved:?}");
+    }
+}
+
+#[test]
 fn degenerate_patches_do_no_harm() {
     for weights in ALL {
         for size in [0.0, 1e-300, 1e300] {
