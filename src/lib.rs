@@ -45,7 +45,6 @@ pub mod boundary;
 pub mod check;
 pub mod error;
 mod fair;
-#[allow(dead_code, unused_imports)]
 pub mod ffi;
 pub mod fill;
 pub mod filters;

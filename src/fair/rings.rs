@@ -6,12 +6,9 @@ use glam::DVec3;
 
 /// The discrete Laplacian L x(v) = s(v) sum over neighbours w of weight(v, w) (x(w) - x(v)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(dead_code, reason = "strips and holes each use their own")]
 pub(crate) enum Weights {
     /// Every neighbour weighs the same. The result depends on the connectivity alone, and vertices spread evenly.
     Uniform,
-    /// 1 / length of the edge.
-    InverseLength,
     /// The cotangent weights of the triangles as they are, over the vertex's share of the area: the Laplacian of the surface.
     /// The shape of the result hardly depends on the triangulation.
     Cotangent,
@@ -31,7 +28,7 @@ pub(super) struct Rings {
 const MAX_COTANGENT: f64 = 20.0;
 /// An edge weighs at least this much, so that no vertex is let go by its neighbours.
 const MIN_COTANGENT: f64 = 1e-3;
-/// Lengths and areas below this part of the mean are taken to be this part.
+/// Areas below this part of the mean are taken to be this part.
 const LEAST_PART: f64 = 1e-3;
 
 impl Rings {
@@ -64,7 +61,7 @@ impl Rings {
         }
         let mut rings = Rings { start, entries, middle: Vec::new(), scale: area };
         rings.merge();
-        rings.weigh(points, weights)?;
+        rings.weigh(points.len(), weights)?;
         Ok(rings)
     }
 
@@ -93,38 +90,24 @@ impl Rings {
     }
 
     /// Replaces the cotangents by the weights asked for, and the areas by scales.
-    fn weigh(&mut self, points: &[DVec3], weights: Weights) -> Result<()> {
-        let count = self.entries.len().max(1) as f64;
-        let length = |v: usize, w: u32| points[v].distance(points[w as usize]);
-        let total: f64 = (0..points.len()).flat_map(|v| self.ring(v).iter().map(move |e| length(v, e.0))).sum();
-        let least = (LEAST_PART * total / count).max(f64::MIN_POSITIVE);
+    fn weigh(&mut self, count: usize, weights: Weights) -> Result<()> {
         let used = self.scale.iter().filter(|&&area| area > 0.0).count().max(1) as f64;
         let least_area = (LEAST_PART * self.scale.iter().sum::<f64>() / used).max(f64::MIN_POSITIVE);
-        self.middle = alloc::with_capacity(points.len())?;
-        for v in 0..points.len() {
+        self.middle = alloc::with_capacity(count)?;
+        for v in 0..count {
             let range = self.start[v] as usize..self.start[v + 1] as usize;
             let valence = range.len().max(1) as f64;
-            let mut lengths = 0.0;
             for entry in &mut self.entries[range.clone()] {
-                let length = length(v, entry.0).max(least);
-                lengths += length;
                 entry.1 = match weights {
                     Weights::Uniform => 1.0,
-                    Weights::InverseLength => 1.0 / length,
                     Weights::Cotangent => entry.1.max(MIN_COTANGENT),
                 };
             }
             let sum = self.entries[range].iter().map(|e| e.1).sum::<f64>();
             self.middle.push(-sum);
-            let scale = match weights {
-                Weights::Uniform => 1.0 / valence,
-                Weights::InverseLength => 2.0 / lengths,
-                Weights::Cotangent => 1.0 / self.scale[v].max(least_area),
-            };
             self.scale[v] = match weights {
-                Weights::Uniform => scale * scale,
-                Weights::InverseLength => scale * scale * (lengths / valence).powi(2),
-                Weights::Cotangent => scale,
+                Weights::Uniform => 1.0 / (valence * valence),
+                Weights::Cotangent => 1.0 / self.scale[v].max(least_area),
             };
         }
         Ok(())

@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-const ALL: [Weights; 3] = [Weights::Uniform, Weights::InverseLength, Weights::Cotangent];
+const ALL: [Weights; 2] = [Weights::Uniform, Weights::Cotangent];
 
 /// A patch with the vertices that may move.
 #[derive(Clone)]

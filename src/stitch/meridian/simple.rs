@@ -26,9 +26,9 @@ fn walk(rails: &Rails<'_>, on_a: impl Fn(usize, usize) -> bool) -> Result<Vec<Pa
     pairs.push([0, 0]);
     while (i, j) != (n, m) {
         if j == m || (i < n && on_a(i, j)) {
-            i += 1
+            i += 1;
         } else {
-            j += 1
+            j += 1;
         }
         pairs.push([i as u32, j as u32]);
     }

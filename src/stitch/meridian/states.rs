@@ -56,7 +56,7 @@ fn advance(rails: &Rails<'_>, by: By, i: usize, j: usize, bends: bool) -> usize 
     let within_b = by != By::B && j_before < m && j > 0;
     let within_a = by != By::A && i_before < n && i > 0;
     let last = if bends && by == By::B { LAST_B } else { 0 };
-    usize::from(within_b) * WITHIN_B | usize::from(within_a) * WITHIN_A | last
+    (usize::from(within_b) * WITHIN_B) | (usize::from(within_a) * WITHIN_A) | last
 }
 
 /// True if no meridian of the path is used twice. A path between open rims has none.

@@ -111,7 +111,7 @@ fn check(rails: &Rails<'_>) {
                 );
                 let cost = measure(&chosen.pairs);
                 let round_off = 1e-12 * (1.0 + least.abs());
-                assert!(cost >= least - round_off && !(cost > least + slack + round_off), "{choice:?} {cost} {least}");
+                assert!((least - round_off..=least + slack + round_off).contains(&cost), "{choice:?} {cost} {least}");
             }
         }
     }
