@@ -91,7 +91,7 @@ pub(super) fn cut(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
             |k: usize| if from.contains(&others[k]) { None } else { Some(volume(t[0], t[1], t[2], at(others[k]))) };
         let mut sides = (0..3).filter_map(side);
         let first = sides.next().unwrap_or(0.0);
-        first != 0.0 && sides.all(|s| same_side(s, first))
+        sides.all(|s| same_side(s, first))
     };
     if shared < 2 && (apart(p, v, w) || apart(q, w, v)) {
         return false;

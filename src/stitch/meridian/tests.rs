@@ -159,6 +159,43 @@ proptest! {
         }
     }
 
+    /// Both searches within any band find the cheapest path that stays within it.
+    #[test]
+    fn bands_are_searched_exactly(
+        a in prop::collection::vec(any::<(i8, i8, i8)>(), 3..7),
+        b in prop::collection::vec(any::<(i8, i8, i8)>(), 3..7),
+        path in prop::collection::vec(any::<bool>(), 12),
+        width in 0usize..2,
+    ) {
+        let (a, b) = (polyline(&a), polyline(&b));
+        let (n, m) = (a.len() - 1, b.len() - 1);
+        let mut middle = vec![[0, 0]];
+        for on_a in path {
+            let [i, j] = middle[middle.len() - 1];
+            let (on_a, on_b) = if on_a { (i < n as u32, i == n as u32) } else { (j == m as u32, j < m as u32) };
+            if i < n as u32 || j < m as u32 {
+                middle.push([i + u32::from(on_a), j + u32::from(on_b)]);
+            }
+        }
+        let band = Band::around(&middle, n, m, width).unwrap();
+        let rails = Rails { a: &a, b: &b, closed: false, forbidden: &[], sides: None };
+        let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
+        for (metric, steps) in [(Metric::Diagonal, &[[1, 0], [0, 1]][..]), (Metric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
+            let mut least = f64::INFINITY;
+            all_paths(&rails, steps, |path| {
+                if within(path) {
+                    least = least.min(metric.of_path(&a, &b, path));
+                }
+            });
+            let plain = lattice::cheapest(&rails, metric, &band, &Job::default()).unwrap().unwrap();
+            let (_, by_states) = cheapest(&rails, &Cost::Steps(metric), &band, false, &Job::default()).unwrap().unwrap();
+            for path in [plain, by_states] {
+                let cost = metric.of_path(&a, &b, &path);
+                prop_assert!(within(&path) && (cost - least).abs() < 1e-12, "{metric:?} {cost} {least} {path:?}");
+            }
+        }
+    }
+
     #[test]
     fn open_polylines_of_few_points(
         a in prop::collection::vec(any::<(i8, i8, i8)>(), 1..4),
