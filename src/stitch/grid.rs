@@ -99,7 +99,7 @@ impl Grid {
             bridges.is_some_and(|bridges| bridges.has(a.vertices[i as usize], b.vertices[(j - n) as usize]))
         };
         let blocked = |p: u32| Err(Error::NoStrip { vertex: a.vertices[p.min(n - 1) as usize] });
-        let squared = |p: u32, q: u32| self.points[p as usize].distance_squared(self.points[q as usize]);
+        let flipped = if self.rows == 0 && a.closed && !quads { self.flipped(n, &taken) } else { None };
 
         let cells = (self.columns - 1) * (self.rows + 1);
         let mut list =
@@ -119,22 +119,58 @@ impl Grid {
                     (true, false) => list.push(&[q, r, s]),
                     (false, true) => list.push(&[p, q, r]),
                     (false, false) if quads => list.push(&[p, q, r, s]),
-                    (false, false) => match (taken(p, r), taken(q, s)) {
-                        (true, true) => return blocked(q),
-                        (pr_taken, qs_taken) => {
-                            if !pr_taken && (qs_taken || squared(p, r) <= squared(q, s)) {
-                                list.push(&[p, q, r]);
-                                list.push(&[p, r, s]);
-                            } else {
-                                list.push(&[p, q, s]);
-                                list.push(&[q, r, s]);
-                            }
+                    (false, false) => match self.shorter([p, q, r, s], &taken) {
+                        None => return blocked(q),
+                        Some(by_pr) if by_pr != (flipped == Some(column)) => {
+                            list.push(&[p, q, r]);
+                            list.push(&[p, r, s]);
+                        }
+                        Some(_) => {
+                            list.push(&[p, q, s]);
+                            list.push(&[q, r, s]);
                         }
                     },
                 }
             }
         }
         Ok(list)
+    }
+
+    /// True if diagonal pr splits quad p q r s, false for qs; `None` if both repeat an edge.
+    fn shorter(&self, [p, q, r, s]: [u32; 4], taken: &impl Fn(u32, u32) -> bool) -> Option<bool> {
+        let squared = |u: u32, v: u32| self.points[u as usize].distance_squared(self.points[v as usize]);
+        match (taken(p, r), taken(q, s)) {
+            (true, true) => None,
+            (pr_taken, qs_taken) => Some(!pr_taken && (qs_taken || squared(p, r) <= squared(q, s))),
+        }
+    }
+
+    /// The column of the quad whose other diagonal has to be taken so that no edge of a closed strip without interior rows is there
+    /// twice; `n` is the number of vertices on A. With its diagonals the strip is a path of single steps: no edge is there twice if
+    /// one of its steps on A is not at B_0 and one on B is not at A_0. A single flip is enough, as rims have three vertices.
+    fn flipped(&self, n: u32, taken: &impl Fn(u32, u32) -> bool) -> Option<usize> {
+        let cell =
+            |column: usize| [self.at(0, column + 1), self.at(0, column), self.at(1, column), self.at(1, column + 1)];
+        // Steps on A away from B_0, and on B away from A_0.
+        let steps = |[p, q, r, s]: [u32; 4], by_pr: bool| match (p == q, r == s) {
+            (true, _) => [0, u32::from(p != 0)],
+            (false, true) => [u32::from(r != n), 0],
+            (false, false) if by_pr => [u32::from(r != n), u32::from(p != 0)],
+            (false, false) => [u32::from(s != n), u32::from(q != 0)],
+        };
+        let chosen = |column: usize| steps(cell(column), self.shorter(cell(column), taken) == Some(true));
+        let sum = (0..self.columns - 1).map(chosen).fold([0, 0], |x, y| [x[0] + y[0], x[1] + y[1]]);
+        if sum[0] > 0 && sum[1] > 0 {
+            return None;
+        }
+        (0..self.columns - 1).find(|&column| {
+            let [p, q, r, s] = cell(column);
+            let by_pr = self.shorter([p, q, r, s], taken) == Some(true);
+            let other = steps([p, q, r, s], !by_pr);
+            let is_free = if by_pr { !taken(q, s) } else { !taken(p, r) };
+            let is_enough = |k: usize| sum[k] + other[k] > chosen(column)[k];
+            p != q && r != s && is_free && is_enough(0) && is_enough(1)
+        })
     }
 }
 
