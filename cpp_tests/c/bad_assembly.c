@@ -138,11 +138,12 @@ static void stitch_options(void) {
 
     CHECK(sizeof(void *) != 8 || first_version == 72);
     options.struct_size = sizeof options;
-    for (int field = 0; field < 4; ++field) {
-        uint32_t *fields[4];
-        static const uint32_t unknown[4] = {2, 2, 2, 3};
+    for (int field = 0; field < 6; ++field) {
+        uint32_t *fields[6];
+        static const uint32_t unknown[6] = {2, 2, 2, 3, 2, 1};
         fields[0] = &options.search, fields[1] = &options.start;
         fields[2] = &options.fairing, fields[3] = &options.intersections;
+        fields[4] = &options.centres, fields[5] = &options.reserved;
         *fields[field] = unknown[field];
         FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
               gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
@@ -177,6 +178,7 @@ static void stitch_options(void) {
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, stitch,
           gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
     options.struct_size = sizeof options, options.fairing = GUSSET_FAIRING_THIN_PLATE;
+    options.centres = GUSSET_CENTRES_LENGTH, options.reserved = 0;
     options.rows = GUSSET_ROWS_COUNT, options.row_count = 2, options.intersections = GUSSET_INTERSECTIONS_REPORT;
     EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
     EXPECT(GUSSET_OK, gusset_stitch_view(stitch, &parts));
