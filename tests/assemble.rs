@@ -2,20 +2,22 @@
 //! the maps say whether that worked.
 
 mod common;
+#[path = "common/pieces.rs"]
+mod pieces;
 
-use common::{Soup, edge_counts, euler, faces_of, sheet, torus, volume};
+use common::{Soup, Steady, edge_counts, euler, faces_of, sheet, torus, volume};
 use gusset::check::check;
 use gusset::fill;
 use gusset::mesh::{Mesh, MeshView, NONE};
 use gusset::repair::weld;
 use gusset::stitch::assemble::{Assembly, MaxGap, Options, Outcome, Reason, Selector, assemble};
 use gusset::stitch::{self, Fairing, Rows};
-use gusset::{Error, Job, Progress};
+use gusset::{Error, Job};
+use pieces::{around, cube, cut, shrunk, sphere};
 use proptest::prelude::*;
 use std::cell::Cell;
-use std::collections::HashMap;
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 fn run(pieces: &[Soup], options: &Options<'_>) -> Assembly {
     run_with(pieces, options, &Job::default())
@@ -34,93 +36,6 @@ fn welding() -> Options<'static> {
 
 fn filling() -> Options<'static> {
     Options { fill: Some(fill::Options::default()), ..Options::default() }
-}
-
-/// A sphere of `n` meridians and `rings` rings between the poles, a little out of round so that nothing is as near as anything else.
-fn sphere(n: u32, rings: u32) -> Soup {
-    let mut soup = Soup { points: vec![[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]], offsets: vec![0], ..Soup::default() };
-    let at = |r: u32, i: u32| 2 + r * n + i % n;
-    for r in 0..rings {
-        let theta = TAU / 2.0 * f64::from(r + 1) / f64::from(rings + 1);
-        for i in 0..n {
-            let phi = TAU * (f64::from(i) + 0.1 * f64::from(r)) / f64::from(n);
-            soup.points.push([1.1 * theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()]);
-        }
-    }
-    for i in 0..n {
-        soup.face(&[0, at(0, i), at(0, i + 1)]);
-        for r in 1..rings {
-            soup.face(&[at(r - 1, i), at(r, i), at(r, i + 1), at(r - 1, i + 1)]);
-        }
-        soup.face(&[1, at(rings - 1, i + 1), at(rings - 1, i)]);
-    }
-    soup
-}
-
-/// The surface of a cube of n^3 cells, faces outwards.
-fn cube(n: i32) -> Soup {
-    let (mut soup, mut numbers) = (Soup { offsets: vec![0], ..Soup::default() }, HashMap::new());
-    for axis in 0..3 {
-        for side in [0, n] {
-            for (u, v) in (0..n * n).map(|k| (k / n, k % n)) {
-                let mut square = [(u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1)];
-                if side == 0 {
-                    square.reverse();
-                }
-                let face = square.map(|(u, v)| {
-                    let mut p = [side; 3];
-                    (p[(axis + 1) % 3], p[(axis + 2) % 3]) = (u, v);
-                    *numbers.entry(p).or_insert_with(|| {
-                        soup.points.push(p.map(|x| f64::from(x) / f64::from(n) - 0.5));
-                        soup.points.len() as u32 - 1
-                    })
-                });
-                soup.face(&face);
-            }
-        }
-    }
-    soup
-}
-
-/// Pieces by the colours of the faces, from their centres, each with vertices of its own; faces without a colour are left out.
-fn cut(whole: &Soup, colour: impl Fn([f64; 3]) -> Option<usize>) -> Vec<Soup> {
-    let (mut pieces, mut numbers): (Vec<Soup>, Vec<HashMap<u32, u32>>) = (Vec::new(), Vec::new());
-    for face in whole.faces() {
-        let mean = |k: usize| face.iter().map(|&v| whole.points[v as usize][k]).sum::<f64>() / face.len() as f64;
-        let Some(c) = colour([mean(0), mean(1), mean(2)]) else { continue };
-        if pieces.len() <= c {
-            pieces.resize(c + 1, Soup { offsets: vec![0], ..Soup::default() });
-            numbers.resize(c + 1, HashMap::new());
-        }
-        let piece = &mut pieces[c];
-        let renumbered: Vec<u32> = face
-            .iter()
-            .map(|&v| {
-                *numbers[c].entry(v).or_insert_with(|| {
-                    piece.points.push(whole.points[v as usize]);
-                    piece.points.len() as u32 - 1
-                })
-            })
-            .collect();
-        piece.face(&renumbered);
-    }
-    pieces.retain(|piece| piece.offsets.len() > 1);
-    pieces
-}
-
-/// The part of a turn that lies before a point, from 0 to 1.
-fn around(p: [f64; 3]) -> f64 {
-    (p[1].atan2(p[0]) / TAU).rem_euclid(1.0)
-}
-
-/// Each piece moved towards its own middle.
-fn shrunk(mut pieces: Vec<Soup>, by: f64) -> Vec<Soup> {
-    for piece in &mut pieces {
-        let count = piece.points.len() as f64;
-        let middle = [0, 1, 2].map(|k| piece.points.iter().map(|p| p[k]).sum::<f64>() / count);
-        piece.points.iter_mut().for_each(|p| *p = [0, 1, 2].map(|k| p[k] + by * (middle[k] - p[k])));
-    }
-    pieces
 }
 
 fn position(mesh: &Mesh, v: u32) -> [f64; 3] {
@@ -289,6 +204,53 @@ fn pieces_inside_out_agree_with_the_first() {
     }
 }
 
+/// What the joints join, by the bits of the positions.
+fn sides(done: &Assembly) -> BTreeSet<BTreeSet<[u64; 3]>> {
+    let at = |&v: &u32| position(&done.mesh, v).map(f64::to_bits);
+    done.joints.iter().map(|joint| joint.sides.iter().flatten().map(at).collect()).collect()
+}
+
+#[test]
+fn a_face_may_be_turned_twice() {
+    // All of the second piece is inside out but for one face, which is turned to agree with its piece, and then with the first one.
+    let (mut pieces, chi, _) = with_gaps().swap_remove(0);
+    let (kept, mut other) =
+        (pieces[1].clone(), Soup { points: pieces[1].points.clone(), offsets: vec![0], ..Soup::default() });
+    for (f, face) in kept.faces().enumerate() {
+        let mut face = face.to_vec();
+        if f != 5 {
+            face.reverse();
+        }
+        other.face(&face);
+    }
+    pieces[1] = other;
+    let done = run(&pieces, &Options::default());
+    assert_closed(&done, chi);
+    for (f, &now) in done.maps[1].faces.iter().enumerate() {
+        assert_eq!(done.turned[now as usize], f != 5);
+    }
+}
+
+#[test]
+fn a_strip_beside_a_ring_of_single_faces_repeats_no_edge_of_it() {
+    for n in [5, 6, 11] {
+        // Both ends of a short tube: the best strip would be the tube itself.
+        let mut ring = Soup { offsets: vec![0], ..Soup::default() };
+        for k in 0..2 * n {
+            let t = TAU * f64::from(k % n) / f64::from(n);
+            ring.points.push([t.cos(), t.sin(), f64::from(k / n)]);
+        }
+        (0..n).for_each(|i| ring.face(&[i, (i + 1) % n, n + (i + 1) % n, n + i]));
+        let pair = [Selector { piece: 0, vertex: 0 }, Selector { piece: 0, vertex: n }];
+        for rows in [Rows::None, Rows::Count(1)] {
+            let strip = stitch::Options { rows, ..stitch::Options::default() };
+            let done = run(std::slice::from_ref(&ring), &Options { pairs: &[pair], strip, ..Options::default() });
+            assert_closed(&done, 0);
+            assert_eq!(done.joints[0].outcome, Outcome::Joined);
+        }
+    }
+}
+
 #[test]
 fn gaps_that_meet_in_corners_are_closed_and_filled() {
     let octants = |p: [f64; 3]| Some((0..3).map(|k| usize::from(p[k] > 0.0) << k).sum());
@@ -309,6 +271,7 @@ fn gaps_that_meet_in_corners_are_closed_and_filled() {
         // Turned pieces agree with the first one here too.
         let turned: Vec<Soup> =
             pieces.iter().enumerate().map(|(k, p)| if k % 3 == 1 { p.turned() } else { p.clone() }).collect();
+        assert_eq!(sides(&run(&turned, &Options::default())), sides(&open), "the same arcs, turned or not");
         let again = run(&turned, &filling());
         assert_closed(&again, euler(whole.faces()));
         assert!((volume_of(&again) / after - 1.0).abs() < 0.02);
@@ -446,18 +409,6 @@ fn a_piece_that_is_no_manifold_stays_as_it_is() {
         let done = run(&[book.clone(), near.clone()], &options);
         assert_eq!(done.non_manifold_edges, 1);
         assert!(done.left.iter().any(|left| left.reason == Reason::NotSimple));
-    }
-}
-
-/// Progress that never goes back.
-#[derive(Default)]
-struct Steady(Cell<f64>);
-
-impl Progress for Steady {
-    fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()> {
-        assert!((self.0.get()..=1.0).contains(&fraction), "{stage}: {fraction} after {}", self.0.get());
-        self.0.set(fraction);
-        ControlFlow::Continue(())
     }
 }
 

@@ -1,12 +1,11 @@
 //! Boundary loops at the speed of memory, for meshes that are ordinary along their boundary.
 //!
 //! Let N(u, v) be the number of half-edges from u to v less the number of those from v to u: 0 at an inner edge of an oriented
-//! surface, 1 or -1 at a border edge. Give each vertex v two numbers f(v) and t(v), one-to-one, and keep two sums over all
-//! faces:
+//! surface, 1 or -1 at a border edge. Give each vertex v a number f(v), one-to-one and far from linear, and keep two sums:
 //!
 //! * for each vertex, s(v) = sum of N(v, u) f(u): every corner with the vertices p, v, n one after another adds f(n) - f(p);
-//! * in all, the area inside the polygons whose corners are the points (t, t^2), in 64 bits: by the shoelace formula it is
-//!   the sum of N(u, v) g(t(u), t(v)) over all edges, where g(x, y) = x y (y - x). A triangle has (y - x)(z - x)(z - y).
+//! * in all, the area inside the faces if vertex v were the point (v, v^2), in 64 bits: by the shoelace formula it is the sum
+//!   of N(u, v) g(u, v) over all edges, where g(x, y) = x y (y - x). A triangle has (y - x)(z - x)(z - y).
 //!
 //! At an inner vertex s is 0. At a boundary vertex with one border edge in, from u, and one out, to w, it is f(w) - f(u),
 //! which is not 0 as f is one-to-one. So one pass over the corners and a second one that gathers the half-edges between the
@@ -76,16 +75,12 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
     }
 }
 
-/// t: one-to-one, as both steps are, and not linear.
-fn t(v: u32) -> u32 {
-    let x = v.wrapping_mul(0x9e37_79b1);
+/// f: one-to-one, as both steps are. The first one takes u and v to numbers that are (u - v) (2 (u + v) + c) apart, where the
+/// second factor is odd. The square and the shift see to it that sums of f do not agree just where sums of indices do: there
+/// the area may well be 0, too.
+fn f(v: u32) -> u32 {
+    let x = v.wrapping_mul(v.wrapping_mul(2).wrapping_add(0x9e37_79b1));
     x ^ (x >> 15)
-}
-
-/// f, from t: mixed once more. Were it t itself, or any polynomial of low degree, sums that are 0 would make the area 0 too.
-fn f(t: u32) -> u32 {
-    let x = t.wrapping_mul(0x85eb_ca77);
-    x ^ (x >> 13)
 }
 
 /// g: the shoelace term of the edge from (x, x^2) to (y, y^2).
@@ -107,17 +102,16 @@ struct Partial {
 impl Visitor for Partial {
     #[inline(always)]
     fn face(&mut self, _: u32, corners: &[u32]) -> Result<()> {
-        let count = corners.len();
-        let first = t(corners[0]);
-        let (mut before, mut here) = (f(t(corners[count - 1])), first);
-        for i in 0..count {
-            let after = t(corners[if i + 1 < count { i + 1 } else { 0 }]);
-            let sum = &mut self.of_vertex[corners[i] as usize];
+        let (count, first) = (corners.len(), corners[0]);
+        let mut before = f(corners[count - 1]);
+        for (i, &here) in corners.iter().enumerate() {
+            let after = corners[if i + 1 < count { i + 1 } else { 0 }];
+            let sum = &mut self.of_vertex[here as usize];
             *sum = sum.wrapping_add(f(after).wrapping_sub(before));
             // The face as a fan of triangles: first, here, after; the first and the last of them have no area.
             let area = minus(here, first).wrapping_mul(minus(after, first)).wrapping_mul(minus(after, here));
             self.area = self.area.wrapping_add(area);
-            (before, here) = (f(here), after);
+            before = f(here);
         }
         Ok(())
     }
@@ -170,9 +164,9 @@ impl Sums {
     /// True if both sums are those of the border, where edge `next[i]` follows edge i.
     fn are_of(&self, border: &[(u32, u32, u32)], next: &[usize]) -> bool {
         let fits = |(&(u, v, _), &i): (&(u32, u32, u32), &usize)| {
-            self.of_vertex[v as usize] == f(t(border[i].1)).wrapping_sub(f(t(u)))
+            self.of_vertex[v as usize] == f(border[i].1).wrapping_sub(f(u))
         };
-        let area = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(g(t(u), t(v))));
+        let area = border.iter().fold(0u64, |area, &(u, v, _)| area.wrapping_add(g(u, v)));
         border.len() == self.flagged && border.iter().zip(next).all(fits) && area == self.area
     }
 }
@@ -301,7 +295,7 @@ mod tests {
         let limit = 4000;
         let mut pairs = Vec::new();
         for u in 8..limit {
-            pairs.extend((u + 1..limit).map(|v| (f(t(u)).wrapping_add(f(t(v))), u, v)));
+            pairs.extend((u + 1..limit).map(|v| (f(u).wrapping_add(f(v)), u, v)));
         }
         pairs.sort_unstable();
         let mut sums = pairs.chunk_by(|x, y| x.0 == y.0);
@@ -313,7 +307,7 @@ mod tests {
         for (face, i) in octahedron.iter().flat_map(|face| (0..3).map(move |i| (face, i))) {
             let (before, v, after) = (face[(i + 2) % 3], face[i], face[(i + 1) % 3]);
             let sum: &mut u32 = total.entry(v).or_default();
-            *sum = sum.wrapping_add(f(t(after))).wrapping_sub(f(t(before)));
+            *sum = sum.wrapping_add(f(after)).wrapping_sub(f(before));
         }
         assert!(total.len() == 6 && total.values().all(|&sum| sum == 0), "the coincidence");
         check(limit, &octahedron, false, &[3, 3, 3, 3]);

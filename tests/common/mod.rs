@@ -1,10 +1,12 @@
 //! Shapes made by formula, and independent checks, for the integration tests.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
-use gusset::Job;
 use gusset::mesh::{Faces, Mesh, MeshView, Positions};
+use gusset::{Job, Progress};
+use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 /// A mesh as a test writes it down.
 #[derive(Clone, Default, Debug)]
@@ -153,4 +155,16 @@ pub fn volume<'a>(point: impl Fn(u32) -> [f64; 3], faces: impl Iterator<Item = &
         }
     }
     sum / 6.0
+}
+
+/// Progress that never goes back.
+#[derive(Default)]
+pub struct Steady(Cell<f64>);
+
+impl Progress for Steady {
+    fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()> {
+        assert!((self.0.get()..=1.0).contains(&fraction), "{stage}: {fraction} after {}", self.0.get());
+        self.0.set(fraction);
+        ControlFlow::Continue(())
+    }
 }
