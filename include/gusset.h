@@ -1716,7 +1716,7 @@ typedef struct gusset_stitch_parts {
     /**
      * Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What they share by
      * number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split by their shorter
-     * diagonals, others as fans from their first corners.
+     * diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
      */
     struct gusset_indices intersections;
     /**

@@ -34,7 +34,7 @@ struct Shell {
     rim: Vec<u32>,
 }
 
-fn shell(rim: Vec<P>, back: impl Fn(P) -> P, split: bool) -> Shell {
+fn shell(rim: &[P], back: impl Fn(P) -> P, split: bool) -> Shell {
     let n = rim.len() as u32;
     let mut soup = Soup { offsets: vec![0], ..Soup::default() };
     soup.points.extend(rim.iter().copied().chain(rim.iter().map(|&p| back(p))));
@@ -97,31 +97,35 @@ fn cases() -> Vec<(&'static str, Shell, Shell)> {
     let wavy = |k: f64, z: f64| move |t: f64| [t.cos(), t.sin(), z + 0.4 * (k * t).sin()];
     let radial = |by: f64| move |[x, y, z]: P| [x * by, y * by, z];
     vec![
-        ("a C and a circle", shell(ring(30, letter_c), down, false), shell(ring(17, circle(1.0, 0.8)), up, false)),
+        ("a C and a circle", shell(&ring(30, letter_c), down, false), shell(&ring(17, circle(1.0, 0.8)), up, false)),
         (
             "ellipses crossed at 60 degrees",
-            shell(ring(24, |t| ellipse(t, 0.0, 0.0)), down, false),
-            shell(ring(20, |t| ellipse(t, TAU / 6.0, 0.7)), up, true),
+            shell(&ring(24, |t| ellipse(t, 0.0, 0.0)), down, false),
+            shell(&ring(20, |t| ellipse(t, TAU / 6.0, 0.7)), up, true),
         ),
-        ("wavy rims", shell(ring(26, wavy(5.0, 0.0)), down, true), shell(ring(31, wavy(4.0, 0.5)), up, false)),
-        ("wild spacing", shell(uneven(20, 0.0, 0.0), down, false), shell(uneven(17, 0.6, 0.4), up, false)),
-        ("few and many", shell(ring(3, circle(1.0, 0.0)), down, false), shell(ring(90, circle(1.1, 0.5)), up, false)),
+        ("wavy rims", shell(&ring(26, wavy(5.0, 0.0)), down, true), shell(&ring(31, wavy(4.0, 0.5)), up, false)),
+        ("wild spacing", shell(&uneven(20, 0.0, 0.0), down, false), shell(&uneven(17, 0.6, 0.4), up, false)),
+        ("few and many", shell(&ring(3, circle(1.0, 0.0)), down, false), shell(&ring(90, circle(1.1, 0.5)), up, false)),
         (
             "linked rings",
-            shell(ring(18, circle(1.0, 0.0)), radial(1.2), false),
-            shell(ring(16, |t| [1.0 + t.cos(), 0.1 * t.cos(), t.sin()]), |[x, y, z]| [x, y + 0.3, z], false),
+            shell(&ring(18, circle(1.0, 0.0)), radial(1.2), false),
+            shell(&ring(16, |t| [1.0 + t.cos(), 0.1 * t.cos(), t.sin()]), |[x, y, z]| [x, y + 0.3, z], false),
         ),
         (
             "side by side in a plane",
-            shell(ring(14, circle(1.0, 0.0)), radial(0.7), false),
-            shell(ring(12, |t| [3.0 + t.cos(), t.sin(), 0.0]), |[x, y, z]| [0.7 * x + 0.9, 0.7 * y, z], true),
+            shell(&ring(14, circle(1.0, 0.0)), radial(0.7), false),
+            shell(&ring(12, |t| [3.0 + t.cos(), t.sin(), 0.0]), |[x, y, z]| [0.7 * x + 0.9, 0.7 * y, z], true),
         ),
         (
             "concentric in a plane",
-            shell(ring(16, circle(1.0, 0.0)), radial(0.7), false),
-            shell(ring(23, circle(2.0, 0.0)), radial(1.3), false),
+            shell(&ring(16, circle(1.0, 0.0)), radial(0.7), false),
+            shell(&ring(23, circle(2.0, 0.0)), radial(1.3), false),
         ),
-        ("the same rim", shell(ring(12, circle(1.0, 0.0)), down, false), shell(ring(12, circle(1.0, 0.0)), up, false)),
+        (
+            "the same rim",
+            shell(&ring(12, circle(1.0, 0.0)), down, false),
+            shell(&ring(12, circle(1.0, 0.0)), up, false),
+        ),
     ]
 }
 
@@ -229,7 +233,7 @@ fn three_against_three_thousand() {
     let circle = |n: u32, z: f64| ring(n, |t| [t.cos(), t.sin(), z]);
     // Every triangle of a fan is near every other one: few ways will do.
     for (n, m, ways) in [(3, 3000, &[Meridians::MinArea][..]), (3000, 3, &[Meridians::Quad]), (3, 200, &ALL)] {
-        let (a, b) = (shell(circle(n, 0.0), down, false), shell(circle(m, 1.0), up, false));
+        let (a, b) = (shell(&circle(n, 0.0), down, false), shell(&circle(m, 1.0), up, false));
         for &meridians in ways {
             let options = Options {
                 meridians,
@@ -277,9 +281,9 @@ proptest! {
     ) {
         let rim = |points: &[[i32; 3]]| points.iter().map(|p| {
             [f64::from(p[0]), f64::from(p[1]), if flat == 0 { 0.0 } else { f64::from(p[2]) }]
-        }).collect();
+        }).collect::<Vec<P>>();
         let back = |k: usize| move |p: P| moved(p, backs[k].map(f64::from));
-        let (a, b) = (shell(rim(&a), back(0), true), shell(rim(&b), back(1), true));
+        let (a, b) = (shell(&rim(&a), back(0), true), shell(&rim(&b), back(1), true));
         for meridians in ALL {
             for rows in [0, 1, 3] {
                 let intersections = Intersections::Report;
@@ -307,7 +311,7 @@ fn the_better_of_two_starts_is_kept() {
         low[10] = high[20].map(|x| 0.98 * x);
         low.rotate_left(3);
         high.rotate_left(shift);
-        let (a, b) = (shell(low, down, false), shell(high, up, false));
+        let (a, b) = (shell(&low, down, false), shell(&high, up, false));
         let (auto, closest) = (area(&a, &b, Start::Auto), area(&a, &b, Start::Closest));
         assert!(auto < 0.99 * closest, "{shift}: {auto} {closest}");
     }
@@ -321,7 +325,7 @@ fn generic() -> (Shell, Shell) {
         let t = t + 0.7;
         [1.1 * t.cos() + jitter(t, 3.0), t.sin() + jitter(t, 5.0), 0.9 + 0.3 * (2.0 * t).sin() + jitter(t, 4.0)]
     });
-    (shell(a, down, false), shell(b, up, true))
+    (shell(&a, down, false), shell(&b, up, true))
 }
 
 fn ways() -> impl Iterator<Item = Options> {
@@ -425,7 +429,7 @@ fn other_numbers_give_the_same_strip() {
 #[test]
 fn the_threads_change_no_bit() {
     let circle = |n: u32, z: f64| ring(n, |t| [t.cos(), t.sin() + 0.2 * (3.0 * t).sin(), z + 0.2 * (5.0 * t).cos()]);
-    let large = (shell(circle(1600, 0.0), down, false), shell(circle(1500, 1.0), up, false));
+    let large = (shell(&circle(1600, 0.0), down, false), shell(&circle(1500, 1.0), up, false));
     let many = [(generic(), &ALL[..]), (large, &[Meridians::Smooth])];
     for ((a, b), ways_of) in &many {
         for options in ways().filter(|o| o.fairing == Fairing::ThinPlate && ways_of.contains(&o.meridians)) {

@@ -8,8 +8,9 @@ use crate::job::Job;
 use crate::par;
 use glam::DVec3;
 
-/// Triangles that one thread looks at at a time.
-const CHUNK: usize = 1 << 12;
+/// Triangles that one thread looks at at a time, and between two progress reports.
+const CHUNK: usize = 1 << 9;
+const REPORT: usize = 1 << 15;
 
 /// New and old triangles over common points, which are in a unit that keeps products in range.
 pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
@@ -60,10 +61,15 @@ pub(crate) fn cutting_pairs(soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>, job: 
         Ok(found)
     };
     let mut pairs = Vec::new();
-    for part in par::chunks(job.threads(), n + soup.old.len(), CHUNK, look) {
-        let part = part?;
-        alloc::reserve(&mut pairs, part.len())?;
-        pairs.extend(part);
+    let total = n + soup.old.len();
+    for start in (0..total).step_by(REPORT) {
+        job.step(start as f64 / total as f64, "looking for intersections")?;
+        let count = REPORT.min(total - start);
+        for part in par::chunks(job.threads(), count, CHUNK, |range| look(start + range.start..start + range.end)) {
+            let part = part?;
+            alloc::reserve(&mut pairs, part.len())?;
+            pairs.extend(part);
+        }
     }
     pairs.sort_unstable();
     job.step(1.0, "looking for intersections")?;

@@ -146,7 +146,8 @@ pub struct Stitch {
     /// Of each new vertex, the weight of its second parent; that of the first is 1 less this.
     pub weights: Vec<f64>,
     /// Pairs of faces of [`Stitch::mesh`] that cut each other, the first one of the strip and the larger one if both are, in ascending order; `None`
-    /// if they were not looked for. Polygons are taken as triangles: quads split by their shorter diagonals, others as fans.
+    /// if they were not looked for. Polygons are taken as triangles: quads split by their shorter diagonals, others as fans; a polygon
+    /// that cuts itself is paired with itself.
     pub intersections: Option<Vec<[u32; 2]>>,
     /// How often the fairing had to be taken back in places.
     pub back_offs: u32,

@@ -8,6 +8,7 @@ use super::band::Band;
 use super::{Pair, Rails};
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use glam::DVec3;
 
 /// A lattice of at most so many nodes is searched whole.
@@ -23,12 +24,13 @@ const WIDTH: usize = 8;
 /// out. Time and memory: the search of about (2 WIDTH + 1) (N + M) nodes, and half as many, and so on.
 pub(super) fn coarse_to_fine(
     rails: &Rails<'_>,
-    search: &impl Fn(&Rails<'_>, &Band) -> Result<Option<Vec<Pair>>>,
+    search: &impl Fn(&Rails<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
+    job: &Job<'_>,
 ) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
     let thin = [n >= FEWEST, m >= FEWEST];
     if (n + 1) * (m + 1) <= COARSEST || thin == [false, false] {
-        return search(rails, &Band::full(n, m)?);
+        return search(rails, &Band::full(n, m)?, job);
     }
     let (a, b) = (thinned(rails.a, thin[0])?, thinned(rails.b, thin[1])?);
     let sides = match rails.sides {
@@ -38,12 +40,12 @@ pub(super) fn coarse_to_fine(
     // A forbidden meridian forbids nothing in the large.
     let sides = sides.as_ref().map(|[side_a, side_b]| [side_a.as_slice(), side_b.as_slice()]);
     let coarse = Rails { a: &a, b: &b, closed: rails.closed, forbidden: &[], sides };
-    let Some(mut path) = coarse_to_fine(&coarse, search)? else {
+    let Some(mut path) = coarse_to_fine(&coarse, search, &job.part(0.0, 0.4))? else {
         return Ok(None);
     };
     let back = |i: u32, thin: bool, last: usize| if thin { (2 * i as usize).min(last) as u32 } else { i };
     path.iter_mut().for_each(|[i, j]| (*i, *j) = (back(*i, thin[0], n), back(*j, thin[1], m)));
-    search(rails, &Band::around(&path, n, m, WIDTH)?)
+    search(rails, &Band::around(&path, n, m, WIDTH)?, &job.part(0.4, 1.0))
 }
 
 /// Every second point, and the last.

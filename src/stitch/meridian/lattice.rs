@@ -45,7 +45,8 @@ pub(super) fn cheapest(rails: &Rails<'_>, metric: Metric, band: &Band, job: &Job
     let mut starts = alloc::with_capacity(blocks.len())?;
     for rows in &blocks {
         starts.push(alloc::copied(&table.cost[band.columns(rows.start - 1)])?);
-        table.run(rows.clone(), &mut arrivals, job)?;
+        let part = job.part(0.5 * (rows.start - 1) as f64 / n as f64, 0.5 * (rows.end - 1) as f64 / n as f64);
+        table.run(rows.clone(), &mut arrivals, &part)?;
     }
     if table.cost[m] == f64::INFINITY {
         return Ok(None);
@@ -58,7 +59,10 @@ pub(super) fn cheapest(rails: &Rails<'_>, metric: Metric, band: &Band, job: &Job
         if rows.end <= n {
             table.cost.fill(f64::INFINITY);
             table.cost[band.columns(rows.start - 1)].copy_from_slice(start);
-            table.run(rows.clone(), &mut arrivals, job)?;
+            // From the last block to the first: what is done grows as the rows get fewer.
+            let done = |row: usize| 1.0 - 0.5 * row as f64 / n as f64;
+            let part = job.part(done(rows.end - 1), done(rows.start));
+            table.run(rows.clone(), &mut arrivals, &part)?;
         }
         let mut row_start = band.nodes(rows.start..i);
         while i >= rows.start {
@@ -109,6 +113,7 @@ impl Table<'_> {
 
     /// From the row before `rows` to the last of them.
     fn run(&mut self, rows: std::ops::Range<usize>, arrivals: &mut [u8], job: &Job<'_>) -> Result<()> {
+        let (first, count) = (rows.start, rows.len());
         let (mut done, mut next_report) = (0, REPORT);
         for i in rows {
             self.measure(i);
@@ -121,7 +126,7 @@ impl Table<'_> {
             done += width;
             if done >= next_report {
                 next_report += REPORT;
-                job.step(i as f64 / self.band.last_row() as f64, "finding the best meridians")?;
+                job.step((i - first) as f64 / count as f64, "finding the best meridians")?;
             }
         }
         Ok(())

@@ -130,14 +130,19 @@ pub(crate) fn meridians(rails: &Rails<'_>, choice: Meridians, search: Search, jo
 
 /// The cheapest path for a metric that depends on each step alone.
 fn additive(rails: &Rails<'_>, metric: Metric, search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
-    let find = |rails: &Rails<'_>, band: &Band| match lattice::cheapest(rails, metric, band, job)? {
+    let find = |rails: &Rails<'_>, band: &Band, job: &Job<'_>| match lattice::cheapest(
+        rails,
+        metric,
+        band,
+        &job.part(0.0, 0.5),
+    )? {
         // The best of all paths is usually proper, and then the best of the proper ones.
         Some(path) if !is_proper(rails, &path) => {
-            Ok(cheapest(rails, &Cost::Steps(metric), band, true, job)?.map(|(_, path)| path))
+            Ok(cheapest(rails, &Cost::Steps(metric), band, true, &job.part(0.5, 1.0))?.map(|(_, path)| path))
         }
         found => Ok(found),
     };
-    let pairs = wide_or_deep(rails, search, &find)?;
+    let pairs = wide_or_deep(rails, search, &find, job)?;
     Ok(pairs.map(|pairs| Chosen { cost: metric.of_path(rails.a, rails.b, &pairs), pairs }))
 }
 
@@ -145,11 +150,12 @@ fn additive(rails: &Rails<'_>, metric: Metric, search: Search, job: &Job<'_>) ->
 fn smooth(rails: &Rails<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
     let cost = std::cell::Cell::new(f64::INFINITY);
     let tie = tie_break(rails, paper);
-    let find = |rails: &Rails<'_>, band: &Band| {
+    let find = |rails: &Rails<'_>, band: &Band, job: &Job<'_>| {
+        let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
         let bends = Bends::new(rails, tie);
         // As with the others: the best of all paths is usually proper.
-        let found = match cheapest(rails, &Cost::Bends(&bends), band, false, job)? {
-            Some((_, path)) if !is_proper(rails, &path) => cheapest(rails, &Cost::Bends(&bends), band, true, job)?,
+        let found = match cheapest(rails, &Cost::Bends(&bends), band, false, &first)? {
+            Some((_, path)) if !is_proper(rails, &path) => cheapest(rails, &Cost::Bends(&bends), band, true, &second)?,
             found => found,
         };
         Ok(found.map(|(least, path)| {
@@ -157,7 +163,7 @@ fn smooth(rails: &Rails<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> R
             path
         }))
     };
-    let pairs = wide_or_deep(rails, search, &find)?;
+    let pairs = wide_or_deep(rails, search, &find, job)?;
     Ok(pairs.map(|pairs| Chosen { cost: cost.get(), pairs }))
 }
 
@@ -165,17 +171,18 @@ fn smooth(rails: &Rails<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> R
 fn wide_or_deep(
     rails: &Rails<'_>,
     search: Search,
-    find: &impl Fn(&Rails<'_>, &Band) -> Result<Option<Vec<Pair>>>,
+    find: &impl Fn(&Rails<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
+    job: &Job<'_>,
 ) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
     if search == Search::Auto && (n + 1) * (m + 1) > LARGE {
-        let found = coarse::coarse_to_fine(rails, find)?;
+        let found = coarse::coarse_to_fine(rails, find, &job.part(0.0, 0.5))?;
         // Where forbidden meridians close the band, the way may lie outside.
         if found.is_some() || rails.forbidden.is_empty() {
             return Ok(found);
         }
     }
-    find(rails, &Band::full(n, m)?)
+    find(rails, &Band::full(n, m)?, &job.part(0.5, 1.0))
 }
 
 /// Lattice nodes in ascending order, the ends of closed rims named twice: `nodes` with i < N and j < M.

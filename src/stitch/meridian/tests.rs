@@ -229,9 +229,10 @@ proptest! {
         let rails = Rails { a: &a, b: &b, closed: true, forbidden: &[], sides: None };
         let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
         for metric in [Metric::area(&a, &b, &paper), Metric::Diagonal, Metric::Quad] {
-            let find = |rails: &Rails<'_>, band: &Band| lattice::cheapest(rails, metric, band, &Job::default());
-            let coarse = coarse::coarse_to_fine(&rails, &find).unwrap().unwrap();
-            let exact = find(&rails, &Band::full(a.len() - 1, b.len() - 1).unwrap()).unwrap().unwrap();
+            let job = Job::default();
+            let find = |rails: &Rails<'_>, band: &Band, job: &Job<'_>| lattice::cheapest(rails, metric, band, job);
+            let coarse = coarse::coarse_to_fine(&rails, &find, &job).unwrap().unwrap();
+            let exact = find(&rails, &Band::full(a.len() - 1, b.len() - 1).unwrap(), &job).unwrap().unwrap();
             let (coarse, exact) = (metric.of_path(&a, &b, &coarse), metric.of_path(&a, &b, &exact));
             prop_assert!(coarse >= exact * (1.0 - 1e-12) && coarse <= exact * 1.0005, "{metric:?} {coarse} {exact}");
         }
