@@ -50,12 +50,17 @@ pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Pairs> {
 
     // (Other end, half-edge) in one word. No two threads write to the same one.
     let entries: Vec<AtomicU64> = alloc::zeroed(start.last().map_or(0, |&count| count as usize))?;
-    let mate: Vec<AtomicU32> = alloc::zeroed(faces.half_edge_count())?;
     each_part(&mut parts, &job.part(0.3, 0.6), |part, range| {
-        faces.visit(range, &mut Distribute { places: &mut part.places, entries: &entries, mate: &mate })
+        faces.visit(range, &mut Distribute { part, entries: &entries })
     })?;
     let threads = parts.len();
-    drop(parts);
+    // Memory that is used again costs less than new memory: the parts give theirs up first.
+    let mut ignored = Vec::new();
+    for part in parts {
+        alloc::append(&mut ignored, &part.ignored)?;
+    }
+    let mate: Vec<AtomicU32> = alloc::zeroed(faces.half_edge_count())?;
+    ignored.iter().for_each(|&h| mate[h as usize].store(h, Ordering::Relaxed));
 
     let mut entries: Vec<u64> = entries.into_iter().map(AtomicU64::into_inner).collect();
     let mut rest = entries.as_mut_slice();
@@ -90,6 +95,8 @@ struct Part {
     places: Vec<u32>,
     /// Per vertex: how many half-edges start there.
     corner_count: Vec<u32>,
+    /// Half-edges that go into no bucket.
+    ignored: Vec<u32>,
     defects: Vec<Defect>,
 }
 
@@ -100,7 +107,7 @@ fn parts(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<Part>> {
     let mut parts = Vec::new();
     for faces in blocks(0..faces, faces.div_ceil(threads)) {
         let (places, corner_count) = (alloc::zeroed(2 * vertices)?, alloc::zeroed(vertices)?);
-        parts.push(Part { faces, places, corner_count, defects: Vec::new() });
+        parts.push(Part { faces, places, corner_count, ignored: Vec::new(), defects: Vec::new() });
     }
     Ok(parts)
 }
@@ -212,22 +219,32 @@ impl Visitor for Count<'_> {
 
 /// Puts half-edges into their buckets.
 struct Distribute<'p> {
-    places: &'p mut [u32],
+    part: &'p mut Part,
     entries: &'p [AtomicU64],
-    mate: &'p [AtomicU32],
 }
 
 impl Visitor for Distribute<'_> {
     #[inline(always)]
     fn face(&mut self, first: u32, corners: &[u32]) -> Result<()> {
+        let places = &mut self.part.places;
         let shown = proper(first, corners, |h, u, v| {
-            let place = &mut self.places[bucket(u, v)];
+            let place = &mut places[bucket(u, v)];
             self.entries[*place as usize].store(u64::from(u.max(v)) << 32 | u64::from(h), Ordering::Relaxed);
             *place += 1;
         });
-        if shown < corners.len() {
-            // Ignored, unless a partner is found.
-            (first..).take(corners.len()).for_each(|h| self.mate[h as usize].store(h, Ordering::Relaxed));
+        if shown == corners.len() { Ok(()) } else { self.ignore(first, corners, shown) }
+    }
+}
+
+impl Distribute<'_> {
+    /// Notes the half-edges of a face that were not shown.
+    #[cold]
+    fn ignore(&mut self, first: u32, corners: &[u32], shown: usize) -> Result<()> {
+        let after = corners.iter().cycle().skip(1);
+        for ((u, v), h) in corners.iter().zip(after).zip(first..) {
+            if shown == 0 || u == v {
+                alloc::push(&mut self.part.ignored, h)?;
+            }
         }
         Ok(())
     }
