@@ -40,40 +40,44 @@ pub(super) struct Pairs {
 }
 
 /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra memory: 12 bytes a half-edge,
-/// 8 a vertex, and 12 a vertex for each thread, of which at most 8 take part.
+/// 4 a vertex, and 12 a vertex for each thread, of which at most 8 take part.
 pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Pairs> {
     let faces = mesh.faces();
     let mut parts = parts(mesh, job.threads())?;
     each_part(&mut parts, &job.part(0.0, 0.3), |part, range| faces.visit(range, &mut Count { faces, part }))?;
     let (corner_count, mut defects) = add_up(&mut parts)?;
-    let start = places(&mut parts, mesh.positions().len())?;
+    let count = places(&mut parts, mesh.positions().len());
 
     // (Other end, half-edge) in one word. No two threads write to the same one.
-    let entries: Vec<AtomicU64> = alloc::zeroed(start.last().map_or(0, |&count| count as usize))?;
+    let entries: Vec<AtomicU64> = alloc::zeroed(count as usize)?;
     each_part(&mut parts, &job.part(0.3, 0.6), |part, range| {
         faces.visit(range, &mut Distribute { part, entries: &entries })
     })?;
     let threads = parts.len();
-    // Memory that is used again costs less than new memory: the parts give theirs up first.
-    let mut ignored = Vec::new();
+    // Now the last part's places are where the buckets end. Memory that is used again costs less than new memory: the parts
+    // give theirs up first.
+    let (mut ends, mut ignored) = (Vec::new(), Vec::new());
     for part in parts {
         alloc::append(&mut ignored, &part.ignored)?;
+        ends = part.places;
     }
     let mate: Vec<AtomicU32> = alloc::zeroed(faces.half_edge_count())?;
     ignored.iter().for_each(|&h| mate[h as usize].store(h, Ordering::Relaxed));
 
     let mut entries: Vec<u64> = entries.into_iter().map(AtomicU64::into_inner).collect();
-    let mut rest = entries.as_mut_slice();
+    let (mut rest, mut first) = (entries.as_mut_slice(), 0);
     for block in blocks(0..mesh.positions().len(), STEP * threads) {
         job.step(0.6 + 0.4 * block.start as f64 / mesh.positions().len() as f64, "pairing half-edges")?;
         let mut work = Vec::new();
         for range in blocks(block, CHUNK) {
-            let start = &start[2 * range.start..=2 * range.end];
-            let (own, others) = rest.split_at_mut((start[start.len() - 1] - start[0]) as usize);
-            rest = others;
-            work.push((start, own));
+            let ends = &ends[2 * range.start..2 * range.end];
+            let end = ends.last().map_or(first, |&end| end);
+            let (own, others) = rest.split_at_mut((end - first) as usize);
+            work.push((first, ends, own));
+            (rest, first) = (others, end);
         }
-        let found = par::map(threads, work.into_iter(), |(start, entries)| pair(faces, &mate, start, entries));
+        let found =
+            par::map(threads, work.into_iter(), |(first, ends, entries)| pair(faces, &mate, first, ends, entries));
         for more in found {
             alloc::append(&mut defects, &more?)?;
         }
@@ -146,20 +150,16 @@ fn add_up(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
     Ok((counts, defects))
 }
 
-/// Makes places of counts: bucket after bucket, and in each bucket part after part. Returns where each bucket starts, and
-/// where the last one ends.
-fn places(parts: &mut [Part], vertices: usize) -> Result<Vec<u32>> {
-    let mut start = alloc::with_capacity(2 * vertices + 1)?;
+/// Makes places of counts: bucket after bucket, and in each bucket part after part. Returns how many half-edges there are.
+fn places(parts: &mut [Part], vertices: usize) -> u32 {
     let mut next = 0;
     for bucket in 0..2 * vertices {
-        start.push(next);
         for part in parts.iter_mut() {
             let place = &mut part.places[bucket];
             next += std::mem::replace(place, next);
         }
     }
-    start.push(next);
-    Ok(start)
+    next
 }
 
 /// The bucket of a half-edge from `u` to `v`.
@@ -250,12 +250,19 @@ impl Distribute<'_> {
     }
 }
 
-/// Makes pairs in the buckets of some vertices, each of which starts and ends where `start` says. Returns what is odd.
-fn pair(faces: &Faces<'_>, mate: &[AtomicU32], start: &[u32], mut entries: &mut [u64]) -> Result<Vec<Defect>> {
+/// Makes pairs in the buckets of some vertices, which start at `first` and end at `ends`. Returns what is odd.
+fn pair(
+    faces: &Faces<'_>,
+    mate: &[AtomicU32],
+    mut first: u32,
+    ends: &[u32],
+    mut entries: &mut [u64],
+) -> Result<Vec<Defect>> {
     let mut defects = Vec::new();
-    for v in (0..start.len() - 1).step_by(2) {
-        let (up, down) = (start[v + 1] - start[v], start[v + 2] - start[v + 1]);
-        let (own, others) = std::mem::take(&mut entries).split_at_mut((up + down) as usize);
+    for end in ends.chunks_exact(2) {
+        let (up, both) = (end[0] - first, end[1] - first);
+        first = end[1];
+        let (own, others) = std::mem::take(&mut entries).split_at_mut(both as usize);
         entries = others;
         let (ups, downs) = own.split_at_mut(up as usize);
         if !pair_by_looking(mate, ups, downs) {

@@ -61,7 +61,7 @@ pub(crate) enum Across {
 
 impl Topology {
     /// Pairs the half-edges of `mesh`. O(H log d) for H half-edges and vertices of degree d; extra memory: 12 bytes a
-    /// half-edge, 8 a vertex, and 12 a vertex for each thread, of which at most 8 take part. Of this 4 bytes a half-edge and 4
+    /// half-edge, 4 a vertex, and 12 a vertex for each thread, of which at most 8 take part. Of this 4 bytes a half-edge and 4
     /// a vertex remain.
     ///
     /// # Errors
