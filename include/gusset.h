@@ -47,9 +47,10 @@
 #define GUSSET_ASSEMBLY_NO_WELD 1
 
 /**
- * Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean distance of its
- * vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the loop with the longer
- * ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
+ * Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean
+ * distance of its vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the
+ * loop with the longer ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the
+ * larger of the two.
  */
 #define GUSSET_GAP_AUTO 0
 
@@ -206,8 +207,8 @@
 #define GUSSET_MESH_ORIENTABLE 8
 
 /**
- * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its faces. By
- * area alone if the rim is planar.
+ * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its
+ * faces. By area alone if the rim is planar.
  */
 #define GUSSET_WEIGHT_AREA_AND_BEND 0
 
@@ -333,8 +334,8 @@
 #define GUSSET_MERIDIANS_MIN_DIAGONAL 4
 
 /**
- * The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the angle between
- * the normals).
+ * The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the angle
+ * between the normals).
  */
 #define GUSSET_MERIDIANS_SMOOTH 5
 
@@ -1714,9 +1715,9 @@ typedef struct gusset_stitch_parts {
      */
     uint32_t intersections_known;
     /**
-     * Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What they share by
-     * number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split by their shorter
-     * diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
+     * Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What
+     * they share by number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split
+     * by their shorter diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
      */
     struct gusset_indices intersections;
     /**
@@ -1971,17 +1972,18 @@ extern "C" {
  * receives the result, for gusset_assembly_destroy; NULL on failure. That two loops cannot be joined is no failure: each joint has
  * its outcome.
  *
- * Loops of different components face each other as wholes if most vertices of each (3/4) are nearest to the other loop; else runs of
+ * Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop, and
+ * from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices); else runs of
  * neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is left
  * alone. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
  * the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
  *
- * Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64
- * positions and the first one f32), UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that can be
- * joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for
- * V vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as for gusset_fill_create; a pass over
- * all faces for each strip that is faired or tested for intersections. Extra memory is linear in the pieces and the result.
- * Source: Nesterenko for a single gap; the rest is our own.
+ * Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has
+ * f64 positions and the first one f32), UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that
+ * can be joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d
+ * edges at a vertex, O(V log V) for V vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole
+ * as for gusset_fill_create; a pass over all faces for each strip that is faired or tested for intersections. Extra memory is
+ * linear in the pieces and the result. Source: Nesterenko for a single gap; the rest is our own.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -2159,11 +2161,11 @@ GUSSET_API gusset_status gusset_context_report(const struct gusset_context *cont
 /**
  * Finds which vertices of two loops face each other.
  *
- * points_a, points_b: x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each. options:
- * NULL for the defaults. facing: receives the result, for gusset_facing_destroy; NULL on failure.
- * Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is
- * beyond the tolerance, as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED. O((N + M) log M); linear extra memory.
- * Source: Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+ * points_a, points_b: x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each.
+ * options: NULL for the defaults. facing: receives the result, for gusset_facing_destroy; NULL on failure. Errors:
+ * LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is
+ * beyond the tolerance, as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED. O((N + M) log M); linear
+ * extra memory. Source: Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -2385,12 +2387,11 @@ gusset_status gusset_stitch_quality(const struct gusset_stitch *stitch,
 /**
  * Makes a strip of triangles between two polylines that run side by side: meridians and faces, without any mesh.
  *
- * points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at least 3, and
- * the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the result, for
- * gusset_strip_destroy; NULL on failure.
- * Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the
- * meridians of gusset_stitch_create, and O(N + M). Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for
- * the rule by index.
+ * points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at
+ * least 3, and the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the
+ * result, for gusset_strip_destroy; NULL on failure. Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
+ * UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the meridians of gusset_stitch_create, and O(N + M).
+ * Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -2431,11 +2432,11 @@ uint32_t gusset_abi(void);
 /**
  * Makes one vertex of vertices that lie together.
  *
- * By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one edge, and
- * so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would collapse a face or
- * make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie together without an edge to
- * sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together become one whatever comes of the
- * edges.
+ * By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one
+ * edge, and so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would
+ * collapse a face or make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie
+ * together without an edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together
+ * become one whatever comes of the edges.
  *
  * Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones within
  * the tolerance of it, nearest first, so that nothing chains.

@@ -16,6 +16,9 @@ use glam::DVec3;
 /// one-ring in `triangles`, old neighbours included. A vertex stays where it is if no chain of free vertices connects it with a
 /// fixed one, or if the equations do not determine its place.
 ///
+/// `layout`: places of the vertices by which they are put in order, near each other where they are neighbours and spread
+/// evenly; `None` for the points themselves. The result does not depend on it but for round-off; time and memory do.
+///
 /// The displacement y of the free vertices solves A y = -G, G being the gradient of the energy where they are now and A its
 /// second derivative, a sparse matrix that couples vertices with a centre in common.
 ///
@@ -30,6 +33,7 @@ pub(crate) fn thin_plate(
     free: &[bool],
     centres: &[bool],
     weights: Weights,
+    layout: Option<&[DVec3]>,
     job: &Job<'_>,
 ) -> Result<()> {
     job.step(0.0, "fairing")?;
@@ -39,7 +43,7 @@ pub(crate) fn thin_plate(
     let local = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
     let rings = Rings::new(&local, triangles, weights)?;
     let mut unknowns = held(&rings, free)?;
-    dissect(&mut unknowns, &local, &rings, centres)?;
+    dissect(&mut unknowns, layout.unwrap_or(&local), &rings, centres)?;
     let (matrix, mut moves) = equations(&local, &rings, &unknowns, centres)?;
     Factor::new(&matrix, &job.part(0.2, 1.0))?.solve(&mut moves);
     for (&v, &by) in unknowns.iter().zip(&moves) {

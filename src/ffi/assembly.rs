@@ -20,9 +20,10 @@ pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
 /// Nothing is welded.
 pub const GUSSET_ASSEMBLY_NO_WELD: u32 = 1;
 
-/// Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean distance of its
-/// vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the loop with the longer
-/// ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the larger of the two.
+/// Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean
+/// distance of its vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the
+/// loop with the longer ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the
+/// larger of the two.
 pub const GUSSET_GAP_AUTO: u32 = 0;
 /// Gaps are closed up to max_gap.
 pub const GUSSET_GAP_GIVEN: u32 = 1;
@@ -324,17 +325,18 @@ fn lent<T>(list: &[T]) -> *const T {
 /// receives the result, for gusset_assembly_destroy; NULL on failure. That two loops cannot be joined is no failure: each joint has
 /// its outcome.
 ///
-/// Loops of different components face each other as wholes if most vertices of each (3/4) are nearest to the other loop; else runs of
+/// Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop, and
+/// from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices); else runs of
 /// neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is left
 /// alone. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
 /// the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
 ///
-/// Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has f64
-/// positions and the first one f32), UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that can be
-/// joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex, O(V log V) for
-/// V vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole as for gusset_fill_create; a pass over
-/// all faces for each strip that is faired or tested for intersections. Extra memory is linear in the pieces and the result.
-/// Source: Nesterenko for a single gap; the rest is our own.
+/// Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has
+/// f64 positions and the first one f32), UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that
+/// can be joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d
+/// edges at a vertex, O(V log V) for V vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole
+/// as for gusset_fill_create; a pass over all faces for each strip that is faired or tested for intersections. Extra memory is
+/// linear in the pieces and the result. Source: Nesterenko for a single gap; the rest is our own.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_assembly_create(

@@ -98,11 +98,11 @@ pub(super) fn points(data: *const f64, count: usize, name: &'static str) -> Resu
 
 /// Finds which vertices of two loops face each other.
 ///
-/// points_a, points_b: x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each. options:
-/// NULL for the defaults. facing: receives the result, for gusset_facing_destroy; NULL on failure.
-/// Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is
-/// beyond the tolerance, as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED. O((N + M) log M); linear extra memory.
-/// Source: Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+/// points_a, points_b: x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each.
+/// options: NULL for the defaults. facing: receives the result, for gusset_facing_destroy; NULL on failure. Errors:
+/// LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is
+/// beyond the tolerance, as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED. O((N + M) log M); linear
+/// extra memory. Source: Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_facing_create(

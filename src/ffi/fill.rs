@@ -13,8 +13,8 @@ use crate::fill::{Fairing, Filled, Hole, HoleStatus, Limits, Options, Refinement
 use crate::mesh::MAX_ELEMENTS;
 use std::ptr;
 
-/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its faces. By
-/// area alone if the rim is planar.
+/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its
+/// faces. By area alone if the rim is planar.
 pub const GUSSET_WEIGHT_AREA_AND_BEND: u32 = 0;
 /// The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
 pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 1;

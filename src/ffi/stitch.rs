@@ -49,9 +49,9 @@ pub struct gusset_stitch_parts {
     pub turned: u32,
     /// 1 if faces that cut each other were looked for, else 0.
     pub intersections_known: u32,
-    /// Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What they share by
-    /// number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split by their shorter
-    /// diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
+    /// Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What
+    /// they share by number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split
+    /// by their shorter diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
     pub intersections: gusset_indices,
     /// How often the fairing had to be taken back in places.
     pub back_off_count: u32,

@@ -15,8 +15,8 @@ pub const GUSSET_MERIDIANS_ARC_LENGTH: u32 = 2;
 pub const GUSSET_MERIDIANS_GREEDY: u32 = 3;
 /// The strip of triangles whose meridians have the least total length.
 pub const GUSSET_MERIDIANS_MIN_DIAGONAL: u32 = 4;
-/// The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the angle between
-/// the normals).
+/// The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the angle
+/// between the normals).
 pub const GUSSET_MERIDIANS_SMOOTH: u32 = 5;
 /// The least sum of the meridians' squared lengths where steps on both rims at once are allowed (dynamic time warping): quads
 /// where both sides advance, triangles elsewhere. Meant for strips with interior rows.

@@ -77,12 +77,11 @@ impl gusset_strip_options {
 
 /// Makes a strip of triangles between two polylines that run side by side: meridians and faces, without any mesh.
 ///
-/// points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at least 3, and
-/// the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the result, for
-/// gusset_strip_destroy; NULL on failure.
-/// Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the
-/// meridians of gusset_stitch_create, and O(N + M). Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for
-/// the rule by index.
+/// points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at
+/// least 3, and the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the
+/// result, for gusset_strip_destroy; NULL on failure. Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
+/// UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the meridians of gusset_stitch_create, and O(N + M).
+/// Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_strip_create(

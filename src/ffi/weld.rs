@@ -107,11 +107,11 @@ impl gusset_weld_options {
 
 /// Makes one vertex of vertices that lie together.
 ///
-/// By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one edge, and
-/// so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would collapse a face or
-/// make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie together without an edge to
-/// sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together become one whatever comes of the
-/// edges.
+/// By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one
+/// edge, and so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would
+/// collapse a face or make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie
+/// together without an edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together
+/// become one whatever comes of the edges.
 ///
 /// Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones within
 /// the tolerance of it, nearest first, so that nothing chains.

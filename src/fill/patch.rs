@@ -141,7 +141,7 @@ fn fair(rim: &Rim, points: &[DVec3], net: &mut Net, job: &Job<'_>) -> Result<()>
     free[old..].fill(true);
     let mut centres = alloc::copied(&free)?;
     centres[..n].copy_from_slice(&rim.whole);
-    thin_plate(&mut all, &triangles, &free, &centres, Weights::Cotangent, job)?;
+    thin_plate(&mut all, &triangles, &free, &centres, Weights::Cotangent, None, job)?;
     net.points[n..].copy_from_slice(&all[old..]);
     Ok(())
 }

@@ -78,8 +78,8 @@ impl Filter {
     /// Runs the filter.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, for more values than parameters, and for inputs of the
-    /// wrong number or kind; besides those of the capability itself.
+    /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, for more values than parameters, and for inputs
+    /// of the wrong number or kind; besides those of the capability itself.
     pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
         let refused = |value: usize| Err(Error::OptionOutOfRange { option: "inputs", value: value as f64 });
         if !(self.min_inputs..=self.max_inputs).contains(&inputs.len()) {

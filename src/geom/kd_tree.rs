@@ -43,7 +43,8 @@ impl<'a> KdTree<'a> {
         Ok(tree)
     }
 
-    /// A tree that also answers [`nearest_elsewhere`](Self::nearest_elsewhere): each point is of one of the `groups`, all below 2^32 - 1.
+    /// A tree that also answers [`nearest_elsewhere`](Self::nearest_elsewhere): each point is of one of the `groups`, all below
+    /// 2^32 - 1.
     pub(crate) fn grouped(points: &'a [DVec3], groups: &[u32]) -> Result<Self> {
         let mut tree = Self::new(points)?;
         let mut group = alloc::filled(MIXED, points.len())?;
@@ -70,8 +71,8 @@ impl<'a> KdTree<'a> {
         whole
     }
 
-    /// As [`nearest`](Self::nearest), among the points that are of another group than `own`; parts of the tree that are all of it are
-    /// passed over.
+    /// As [`nearest`](Self::nearest), among the points that are of another group than `own`; parts of the tree that are all of
+    /// it are passed over.
     pub(crate) fn nearest_elsewhere(
         &self,
         query: DVec3,

@@ -22,8 +22,8 @@ pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
     pub(crate) old: &'a [[u32; 3]],
 }
 
-/// The pairs (new, other) of triangles that cut each other, in ascending order; old triangle k is `other` = number of new ones + k. Of
-/// two new ones the smaller comes first. See [`cut`] for what counts.
+/// The pairs (new, other) of triangles that cut each other, in ascending order; old triangle k is `other` = number of new ones
+/// + k. Of two new ones the smaller comes first. See [`cut`] for what counts.
 ///
 /// O((n + o) log n + pairs of boxes that overlap) for n new and o old triangles; extra memory about 100 bytes a new triangle.
 pub(crate) fn cutting_pairs(soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {

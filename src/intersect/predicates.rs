@@ -128,8 +128,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// An independent answer in integers. The common points are the (s, t, u, v) with p(s, t) = q(u, v), 0 <= s, t, s + t <= 1 and the
-    /// same for u, v: a polytope, which is not empty if and only if it has a corner, where four independent rows are 0.
+    /// An independent answer in integers. The common points are the (s, t, u, v) with p(s, t) = q(u, v), 0 <= s, t, s + t <= 1
+    /// and the same for u, v: a polytope, which is not empty if and only if it has a corner, where four independent rows are 0.
     fn have_common_points(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> bool {
         let edge = |t: [[i64; 3]; 3], corner: usize, k: usize| i128::from(t[corner][k] - t[0][k]);
         // Rows: coefficients of s, t, u, v and a constant; three that must be 0, and six that must not be negative.

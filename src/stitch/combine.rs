@@ -1,6 +1,7 @@
 //! One mesh of the pieces and the strip.
 //!
-//! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B, then the strip. Positions keep their bits.
+//! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B, then the strip. Positions keep
+//! their bits.
 
 use super::strip::Strip;
 use crate::alloc;

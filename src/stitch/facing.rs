@@ -52,8 +52,8 @@ pub fn centre(points: &[DVec3]) -> DVec3 {
     points.iter().sum::<DVec3>() / points.len() as f64
 }
 
-/// The mean of a closed polyline's points, which vertices that lie close together do not draw to them; the mean of the vertices if it has no
-/// length.
+/// The mean of a closed polyline's points, which vertices that lie close together do not draw to them; the mean of the vertices
+/// if it has no length.
 pub fn centre_of_length(points: &[DVec3]) -> DVec3 {
     let n = points.len();
     let edges = (0..n).map(|i| (points[i], points[(i + 1) % n]));
@@ -121,9 +121,9 @@ pub struct Facing {
 /// Finds the runs of vertices of loop `a` and of loop `b` that face the other loop; O((N + M) log M).
 ///
 /// # Errors
-/// [`Error::LoopTooShort`] for a loop without vertices, [`Error::PointNotFinite`], [`Error::OptionOutOfRange`] for a tolerance that is
-/// negative or not finite; [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the centres
-/// are no farther apart than that; [`Error::OutOfMemory`].
+/// [`Error::LoopTooShort`] for a loop without vertices, [`Error::PointNotFinite`], [`Error::OptionOutOfRange`] for a tolerance
+/// that is negative or not finite; [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the
+/// centres are no farther apart than that; [`Error::OutOfMemory`].
 pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options) -> Result<Facing> {
     for (side, points) in [(Side::A, a), (Side::B, b)] {
         if points.is_empty() {

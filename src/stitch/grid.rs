@@ -75,6 +75,17 @@ impl Grid {
         Ok(grid)
     }
 
+    /// Where new vertex `k` would lie if all edges had the same length: on a cylinder, or in a plane if the strip is open.
+    pub(super) fn unrolled(&self, k: usize) -> DVec3 {
+        let (column, t) = self.new[k];
+        let (along, up) = (column as f64, t * (self.rows + 1) as f64);
+        if self.distinct == self.columns {
+            return DVec3::new(along, 0.0, up);
+        }
+        let round = std::f64::consts::TAU / self.distinct as f64;
+        DVec3::new(libm::cos(along * round) / round, libm::sin(along * round) / round, up)
+    }
+
     fn at(&self, row: usize, column: usize) -> u32 {
         self.matrix[row * self.columns + column]
     }

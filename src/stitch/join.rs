@@ -23,18 +23,19 @@ use crate::mesh::{MeshView, Sets, concat};
 /// nearest vertex of the other. Old positions are never changed, and every old face is kept.
 ///
 /// O(H log d) for the meshes' H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of
-/// vertices, beyond that and for the simple choices O((N + M) log M); plus the size of the strip, and a box test for each pair of
-/// loops where the choice is left open. Fairing n new vertices in k rows takes O(n k^2), intersection tests O((n + F) log n) for F
-/// old faces in the box round the strip. Extra memory is linear in the meshes and the strip, but for what [`Search::Exact`](super::Search)
-/// says.
+/// vertices, beyond that and for the simple choices O((N + M) log M); plus the size of the strip, and a box test for each pair
+/// of loops where the choice is left open. Fairing n new vertices in k rows takes O(n k^2), intersection tests O((n + F) log n)
+/// for F old faces in the box round the strip. Extra memory is linear in the meshes and the strip, but for what
+/// [`Search::Exact`](super::Search) says.
 ///
 /// An arc of a single vertex gets a fan of triangles, which touches its piece at that vertex only; two arcs of one vertex each
 /// get one meridian and no face.
 ///
 /// # Errors
-/// [`Error::NoLoop`], [`Error::LoopTooShort`], [`Error::LoopRepeatsVertex`], [`Error::LoopEdgeNotFree`], [`Error::LoopNotOriented`],
-/// [`Error::LoopsShareVertex`], [`Error::PlanesUndecided`], [`Error::OrientationConflict`], [`Error::NoStrip`],
-/// [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::NoLoop`], [`Error::LoopTooShort`], [`Error::LoopRepeatsVertex`], [`Error::LoopEdgeNotFree`],
+/// [`Error::LoopNotOriented`], [`Error::LoopsShareVertex`], [`Error::PlanesUndecided`], [`Error::OrientationConflict`],
+/// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
     let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.4))?;
     cut_arcs(request, options, &mut a, &mut b, unit)?;

@@ -78,8 +78,9 @@ pub struct Options {
     pub start: Start,
     /// What to do about a second piece that is inside out.
     pub orientation: Orientation,
-    /// The first meridian of a closed band joins the closest pair; with a twist, the vertex of rim B that comes this many places
-    /// later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Must be 0 if arcs are joined.
+    /// The first meridian of a closed band joins the closest pair; with a twist, the vertex of rim B that comes this many
+    /// places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Must be 0
+    /// if arcs are joined.
     pub twist: i64,
     /// How much of the loops is joined.
     pub extent: Extent,
@@ -145,9 +146,9 @@ pub struct Stitch {
     pub parents: Vec<[u32; 2]>,
     /// Of each new vertex, the weight of its second parent; that of the first is 1 less this.
     pub weights: Vec<f64>,
-    /// Pairs of faces of [`Stitch::mesh`] that cut each other, the first one of the strip and the larger one if both are, in ascending order; `None`
-    /// if they were not looked for. Polygons are taken as triangles: quads split by their shorter diagonals, others as fans; a polygon
-    /// that cuts itself is paired with itself.
+    /// Pairs of faces of [`Stitch::mesh`] that cut each other, the first one of the strip and the larger one if both are, in
+    /// ascending order; `None` if they were not looked for. Polygons are taken as triangles: quads split by their shorter
+    /// diagonals, others as fans; a polygon that cuts itself is paired with itself.
     pub intersections: Option<Vec<[u32; 2]>>,
     /// How often the fairing had to be taken back in places.
     pub back_offs: u32,

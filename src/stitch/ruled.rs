@@ -20,7 +20,8 @@ pub struct RuledOptions {
     pub meridians: Meridians,
     /// How hard the best ones are looked for.
     pub search: Search,
-    /// Closed polylines: which first meridians are tried; `None` for the one that joins their first points. Open ones always begin there.
+    /// Closed polylines: which first meridians are tried; `None` for the one that joins their first points. Open ones always
+    /// begin there.
     pub start: Option<Start>,
 }
 
@@ -32,8 +33,8 @@ pub struct Ruled {
     /// The meridians as places counted from there: from (0, 0) to (N, M) between closed polylines of N and M points, place N being
     /// place 0 again, else to (N - 1, M - 1).
     pub meridians: Vec<Pair>,
-    /// The triangles over the points of A, then those of B; where both sides advance at once a quad is split by its shorter diagonal. They run
-    /// A_i+1, A_i, B_j: against polyline A, and along B.
+    /// The triangles over the points of A, then those of B; where both sides advance at once a quad is split by its shorter
+    /// diagonal. They run A_i+1, A_i, B_j: against polyline A, and along B.
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -71,6 +72,7 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
         let faces = Grid::new(&a, &b, &found, 0)?.faces(&a, &b, &bridges, false)?;
         (found, faces)
     };
+    job.step(1.0, "making triangles")?;
     let n = a.vertices.len() as u32;
     let name = |k: u32| if k < n { a.vertices[k as usize] } else { n + b.vertices[(k - n) as usize] };
     Ok(Ruled {

@@ -1,8 +1,8 @@
 //! The strip among its neighbours: rows faired so that it meets both pieces smoothly, and faces that cut others.
 //!
-//! **Fairing.** The new vertices move to where the sum of squared Laplacians, over them and the rims, is least (a thin plate; see
-//! [`fair`](crate::fair)); the rims and the old vertices round them stay. The ends of an open strip stay on their
-//! meridians.
+//! **Fairing.** The new vertices move to where the sum of squared Laplacians, over them and the rims, is least (a thin plate;
+//! see [`fair`](crate::fair)); the rims and the old vertices round them stay; where those are nearer or farther than the rows
+//! are from each other, only their direction counts. The ends of an open strip stay on their meridians.
 //!
 //! **Back-off.** Where the faired strip cuts itself or a piece, its vertices go back towards their straight meridians, halfway
 //! each time, those near by a little less, until nothing cuts or nothing is left to take back.
@@ -14,7 +14,7 @@ use crate::error::Result;
 use crate::fair::{Weights, thin_plate};
 use crate::intersect::{Soup, cutting_pairs};
 use crate::job::Job;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Scalar};
 use glam::DVec3;
 
 /// The fairing is taken back at most so often.
@@ -22,6 +22,9 @@ const ROUNDS: u32 = 12;
 
 /// Below this the fairing of a vertex is given up.
 const FAINT: f64 = 0.1;
+
+/// A rim vertex in more triangles than this is the apex of a fan.
+const LARGE_FAN: usize = 64;
 
 /// How many edges away from a cut the fairing is taken back a little.
 const REACH: u32 = 4;
@@ -33,8 +36,8 @@ pub(super) struct Settled {
     pub(super) back_offs: u32,
 }
 
-/// Fairs the strip's rows and looks for faces that cut each other, as the options say. `whole` has the pieces without the strip, and
-/// the rims' vertices are numbered as there.
+/// Fairs the strip's rows and looks for faces that cut each other, as the options say. `whole` has the pieces without the
+/// strip, and the rims' vertices are numbered as there.
 pub(super) fn settle(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Options, job: &Job<'_>) -> Result<Settled> {
     let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
     let looks = match options.intersections {
@@ -43,10 +46,13 @@ pub(super) fn settle(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Optio
         Intersections::Report => true,
     };
     let rims = strip.a.vertices.len() + strip.b.vertices.len();
-    let straight = alloc::copied(&strip.grid.points[rims..])?;
-    let mut scene = Scene::new(whole, strip, unit, alloc::copied(&straight)?)?;
+    let mut scene = Scene::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;
+    // What is tested is what will be returned, in the result's scalar type.
+    scene.round();
+    let straight = alloc::copied(&scene.points)?;
     if faired {
-        scene.fair(&job.part(0.0, 0.4))?;
+        scene.fair(strip, &job.part(0.0, 0.4))?;
+        scene.round();
     }
     let mut settled = Settled { intersections: None, back_offs: 0 };
     if looks {
@@ -62,8 +68,19 @@ pub(super) fn settle(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Optio
             for (k, point) in scene.points.iter_mut().enumerate() {
                 *point = straight[k].lerp(plate[k], share[k]);
             }
+            scene.round();
             settled.back_offs += 1;
             found = scene.cuts(&old, &look(settled.back_offs))?;
+        }
+        if faired && !found.pairs.is_empty() {
+            // The straight rows, if fewer cut there.
+            let faired = std::mem::replace(&mut scene.points, straight);
+            let cuts = scene.cuts(&old, &look(ROUNDS + 1))?;
+            if cuts.pairs.len() < found.pairs.len() {
+                found = cuts;
+            } else {
+                scene.points = faired;
+            }
         }
         settled.intersections = Some(scene.faces(&old, &found)?);
     }
@@ -123,6 +140,14 @@ impl<'a> Scene<'a> {
         Ok(Scene { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
     }
 
+    /// Rounds the new vertices to what the result can hold.
+    fn round(&mut self) {
+        if self.whole.positions.view().scalar() == Scalar::F32 {
+            let unit = self.unit;
+            self.points.iter_mut().for_each(|p| *p = (*p * unit).as_vec3().as_dvec3() / unit);
+        }
+    }
+
     fn at(&self, v: u32) -> DVec3 {
         match v.checked_sub(self.base) {
             Some(k) => self.points[k as usize],
@@ -163,7 +188,7 @@ impl<'a> Scene<'a> {
     }
 
     /// Moves the new vertices to where a thin plate would have them.
-    fn fair(&mut self, job: &Job<'_>) -> Result<()> {
+    fn fair(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
         let mut triangles = self.strip_triangles()?.corners;
         let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.has(v)))?.corners;
         alloc::reserve(&mut triangles, round.len())?;
@@ -174,15 +199,59 @@ impl<'a> Scene<'a> {
         vertices.dedup();
         let number = |v: u32| vertices.binary_search(&v).unwrap_or(0) as u32;
         triangles.iter_mut().for_each(|t| *t = t.map(number));
+        let mut valence = alloc::filled(0usize, vertices.len())?;
+        triangles.as_flattened().iter().for_each(|&k| valence[k as usize] += 1);
+
         let mut points = alloc::collect(vertices.iter().map(|&v| self.at(v)))?;
         let is_end = |v: u32| self.ends.binary_search(&v).is_ok();
-        let free = alloc::collect(vertices.iter().map(|&v| v >= self.base && !is_end(v)))?;
+        let is_new = |v: u32| v >= self.base;
         let on_rim = |v: u32| v < self.base && self.rim.has(v);
-        let centres = alloc::collect(vertices.iter().map(|&v| (v >= self.base || on_rim(v)) && !is_end(v)))?;
-        thin_plate(&mut points, &triangles, &free, &centres, Weights::Uniform, job)?;
+        let free = alloc::collect(vertices.iter().map(|&v| is_new(v) && !is_end(v)))?;
+        // The apex of a large fan says nothing about slopes, and would tie all vertices round it to each other.
+        let is_centre = |(k, &v): (usize, &u32)| (is_new(v) || (on_rim(v) && valence[k] <= LARGE_FAN)) && !is_end(v);
+        let centres = alloc::collect(vertices.iter().enumerate().map(is_centre))?;
+        self.space_evenly(strip, &vertices, &triangles, &mut points)?;
+        let layout = alloc::collect(vertices.iter().map(|&v| match v.checked_sub(self.base) {
+            Some(k) => strip.grid.unrolled(k as usize),
+            None => DVec3::ZERO,
+        }))?;
+        thin_plate(&mut points, &triangles, &free, &centres, Weights::Uniform, Some(&layout), job)?;
         for (&v, &p) in vertices.iter().zip(&points) {
-            if v >= self.base {
+            if is_new(v) {
                 self.points[(v - self.base) as usize] = p;
+            }
+        }
+        Ok(())
+    }
+
+    /// Moves the old vertices beyond the rims towards them or away, in the patch only, until they are as far as the rows are
+    /// from each other: the plate takes all edges to be of one length, and what lies beyond a rim is to tell it the slope
+    /// there.
+    fn space_evenly(
+        &self,
+        strip: &Strip,
+        vertices: &[u32],
+        triangles: &[[u32; 3]],
+        points: &mut [DVec3],
+    ) -> Result<()> {
+        let lengths = strip.meridians.iter().map(|&[i, j]| strip.a.at(i).distance(strip.b.at(j)));
+        let parts = strip.grid.matrix.len() / strip.meridians.len() - 1;
+        let spacing = lengths.sum::<f64>() / strip.meridians.len() as f64 / parts as f64;
+        let on_rim = |k: u32| vertices[k as usize] < self.base && self.rim.has(vertices[k as usize]);
+        let beyond = |k: u32| vertices[k as usize] < self.base && !self.rim.has(vertices[k as usize]);
+        let mut anchors = alloc::filled((DVec3::ZERO, 0.0), vertices.len())?;
+        for triangle in triangles {
+            for &k in triangle.iter().filter(|&&k| beyond(k)) {
+                for &rim in triangle.iter().filter(|&&rim| on_rim(rim)) {
+                    let (sum, count) = anchors[k as usize];
+                    anchors[k as usize] = (sum + points[rim as usize], count + 1.0);
+                }
+            }
+        }
+        for (point, (sum, count)) in points.iter_mut().zip(anchors) {
+            if count > 0.0 {
+                let anchor = sum / count;
+                *point = anchor + (*point - anchor).normalize_or_zero() * spacing;
             }
         }
         Ok(())

@@ -16,14 +16,21 @@ impl Agreement {
         Ok(Agreement { up: alloc::collect((0..count).map(|i| i as u32))?, turned: alloc::filled(false, count)? })
     }
 
-    /// The root of the set of `i`, and whether `i` is turned against it.
-    pub(super) fn root(&self, mut i: u32) -> (u32, bool) {
-        let mut turned = false;
-        while self.up[i as usize] != i {
-            turned ^= self.turned[i as usize];
-            i = self.up[i as usize];
+    /// The root of the set of `i`, and whether `i` is turned against it. Nearly constant time.
+    pub(super) fn root(&mut self, i: u32) -> (u32, bool) {
+        let (mut root, mut turned) = (i, false);
+        while self.up[root as usize] != root {
+            turned ^= self.turned[root as usize];
+            root = self.up[root as usize];
         }
-        (i, turned)
+        // All on the way hang on the root from now on.
+        let (mut k, mut rest) = (i, turned);
+        while k != root {
+            let next = std::mem::replace(&mut self.up[k as usize], root);
+            rest ^= std::mem::replace(&mut self.turned[k as usize], rest);
+            k = next;
+        }
+        (root, turned)
     }
 
     /// Binds `i` to `j`, turned against it or not; false if the opposite is true already.

@@ -1,8 +1,9 @@
 //! Which loops face each other across a gap.
 //!
-//! Each vertex of each loop looks for the nearest vertex of another loop. Two loops face each other as wholes if most vertices of
-//! each look at the other. Else runs of neighbouring vertices that look at one loop, and are looked at from there, face each
-//! other: arcs, as at the border of two scans that overlap third ones elsewhere.
+//! Each vertex of each loop looks for the nearest vertex of another loop. Two loops face each other as wholes if nearly all
+//! vertices of each look at the other, and from similar distances: loops side by side are near in one part and far in the other.
+//! Else runs of neighbouring vertices that look at one loop, and are looked at from there, face each other: arcs, as at the
+//! border of two scans that overlap third ones elsewhere.
 
 use super::request::MaxGap;
 use crate::alloc;
@@ -15,7 +16,10 @@ use crate::stitch::rim::Rim;
 use glam::DVec3;
 
 /// The part of each loop's vertices that must look at the other one, for the loops to be joined as wholes.
-const MOST: f64 = 0.75;
+const MOST: f64 = 0.9;
+
+/// Of loops that are joined as wholes, the ninth decile of the distances is at most so many times the first one, or the spacing.
+const SPREAD: f64 = 4.0;
 
 /// Arcs that are farther apart than so many edges of the loops do not face each other, unless a width is given.
 const ARC_GAP: f64 = 4.0;
@@ -69,6 +73,16 @@ pub(super) struct Search<'a> {
     pub(super) max_gap: MaxGap,
 }
 
+/// What one loop sees of another.
+struct Seen {
+    rims: [u32; 2],
+    /// How many of its vertices have their nearest vertex there.
+    count: usize,
+    mean: f64,
+    /// Whether the distances are similar.
+    even: bool,
+}
+
 /// What a vertex looks at.
 #[derive(Clone, Copy)]
 struct Look {
@@ -113,18 +127,18 @@ impl Search<'_> {
         let mut found = Vec::new();
         let mut whole = alloc::filled(false, self.rims.len())?;
         let counts = self.counts(&looks)?;
-        for &([r, k], count, sum) in &counts {
-            let (r, k) = (r as usize, k as usize);
+        for seen in &counts {
+            let [r, k] = seen.rims.map(|rim| rim as usize);
             if r > k {
                 continue;
             }
-            let back = counts.binary_search_by_key(&[k as u32, r as u32], |&(pair, ..)| pair);
-            let Ok((back, back_sum)) = back.map(|at| (counts[at].1, counts[at].2)) else {
+            let Ok(back) = counts.binary_search_by_key(&[k as u32, r as u32], |seen| seen.rims) else {
                 continue;
             };
+            let back = &counts[back];
             let most = |count: usize, rim: usize| count as f64 >= MOST * self.rims[rim].vertices.len() as f64;
-            let gap = (sum / count as f64).max(back_sum / back as f64);
-            if most(count, r) && most(back, k) && gap <= self.limit(r, k) {
+            let gap = seen.mean.max(back.mean);
+            if most(seen.count, r) && most(back.count, k) && seen.even && back.even && gap <= self.limit(r, k) {
                 (whole[r], whole[k]) = (true, true);
                 alloc::push(&mut found, Facing { rims: [r, k], arcs: None, gap })?;
             }
@@ -183,16 +197,20 @@ impl Search<'_> {
         Ok(looks)
     }
 
-    /// For each (loop, loop looked at) in ascending order: how many vertices, and the sum of their distances.
-    fn counts(&self, looks: &[Vec<Look>]) -> Result<Vec<([u32; 2], usize, f64)>> {
+    /// What each loop sees of each other one, in ascending order of the loops.
+    fn counts(&self, looks: &[Vec<Look>]) -> Result<Vec<Seen>> {
         let mut counts = Vec::new();
         for (r, of_rim) in looks.iter().enumerate() {
             let mut seen = alloc::collect(of_rim.iter().enumerate().map(|(i, look)| (look.rim, i as u32)))?;
             seen.retain(|&(k, _)| k != NONE);
             seen.sort_unstable();
             for group in seen.chunk_by(|x, y| x.0 == y.0) {
-                let sum = group.iter().map(|&(_, i)| of_rim[i as usize].distance).sum();
-                alloc::push(&mut counts, ([r as u32, group[0].0], group.len(), sum))?;
+                let mut distances = alloc::collect(group.iter().map(|&(_, i)| of_rim[i as usize].distance))?;
+                let mean = distances.iter().sum::<f64>() / group.len() as f64;
+                distances.sort_unstable_by(f64::total_cmp);
+                let [low, high] = [1, 9].map(|tenth| distances[(distances.len() - 1) * tenth / 10]);
+                let even = high <= SPREAD * low.max(self.candidates[r].spacing);
+                alloc::push(&mut counts, Seen { rims: [r as u32, group[0].0], count: group.len(), mean, even })?;
             }
         }
         Ok(counts)

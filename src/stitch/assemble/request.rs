@@ -9,8 +9,8 @@ use std::ops::Range;
 /// the other.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum MaxGap {
-    /// For whole loops the mean radius of the smaller one, which is the mean distance of its vertices from their centre; for runs of loops
-    /// half of that, and at most four edges of the loop with the longer ones.
+    /// For whole loops the mean radius of the smaller one, which is the mean distance of its vertices from their centre; for
+    /// runs of loops half of that, and at most four edges of the loop with the longer ones.
     #[default]
     Auto,
     /// This, in the unit of the positions, finite and at least 0; 0 leaves all gaps open.
@@ -113,8 +113,8 @@ pub struct LeftLoop {
 /// The assembled mesh and its account.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assembly {
-    /// Vertices: those of the pieces that are left after welding, in order; then those of the strips; then those of the patches. Faces in
-    /// the same way.
+    /// Vertices: those of the pieces that are left after welding, in order; then those of the strips; then those of the
+    /// patches. Faces in the same way.
     pub mesh: Mesh,
     /// For each piece, its old indices to new ones; [`NONE`] for what welding dropped.
     pub maps: Vec<IndexMap>,

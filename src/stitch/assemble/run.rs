@@ -27,10 +27,10 @@ use crate::stitch::{self, IndexMap};
 /// Linear extra memory.
 ///
 /// # Errors
-/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`], [`Error::OptionOutOfRange`] for a gap or tolerance that is negative or not
-/// finite, and for a pair whose selectors (option `pairs` or `excluded`, with the pair's number) name no loop that can be joined,
-/// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`]. That two loops cannot be joined is no error: see
-/// [`Joint::outcome`].
+/// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`], [`Error::OptionOutOfRange`] for a gap or tolerance that is
+/// negative or not finite, and for a pair whose selectors (option `pairs` or `excluded`, with the pair's number) name no loop
+/// that can be joined, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`]. That two loops cannot be joined is no
+/// error: see [`Joint::outcome`].
 pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -> Result<Assembly> {
     if let MaxGap::Given(value) = options.max_gap
         && !(0.0..f64::INFINITY).contains(&value)
@@ -47,7 +47,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
     let mut joints = alloc::with_capacity(found.len())?;
     let mut hangs = alloc::filled(false, loops.rims.len())?;
     let mut tried = alloc::filled(false, loops.rims.len())?;
-    let edges = loops.edges_between(&base.mesh)?;
+    let mut edges = loops.edges_between(&base.mesh)?;
     let mean_side = std::cell::OnceCell::new();
     let strips = stitch::Options { twist: 0, ..options.strip };
     for (k, (facing, outcome)) in found.iter().zip(outcomes).enumerate() {
@@ -77,6 +77,7 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
                 Ok(mut strip) => {
                     let settled = settle(&base.mesh, &mut strip, loops.unit, &strips, &part.part(0.6, 1.0))?;
                     let hung = append_strip(&mut base.mesh, &strip, loops.unit)?;
+                    edges.enter_strip(&strip)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];
                     joint.vertices = hung.vertices;
                     joint.faces = hung.faces;
@@ -155,7 +156,7 @@ impl Base {
                 *outcome = Outcome::OrientationConflict;
             }
         }
-        let is_turned = |sets: &mut Sets, v: u32| agreement.root(sets.root(v)).1;
+        let mut is_turned = |sets: &mut Sets, v: u32| agreement.root(sets.root(v)).1;
         for f in 0..self.mesh.face_count() {
             let [start, end] = [self.mesh.face_offsets[f], self.mesh.face_offsets[f + 1]].map(|at| at as usize);
             if is_turned(&mut loops.components, self.mesh.face_corners[start]) {
@@ -269,26 +270,23 @@ impl Loops {
         Ok([a, b])
     }
 
-    /// The edges that the mesh has between different rims.
+    /// The edges that the mesh has between different rims. A vertex may be on several.
     fn edges_between(&self, mesh: &Mesh) -> Result<Edges> {
-        let mut owner = alloc::filled(NONE, mesh.positions.len())?;
-        for (r, rim) in self.rims.iter().enumerate() {
-            rim.vertices.iter().for_each(|&v| owner[v as usize] = r as u32);
-        }
-        let mut edges = Vec::new();
+        let places = self.places()?;
+        let mut on_rim = alloc::filled(false, mesh.positions.len())?;
+        places.iter().for_each(|&(v, _)| on_rim[v as usize] = true);
+        let mut edges = Edges { of: Vec::new(), places };
         for face in mesh.faces() {
             for (k, &u) in face.iter().enumerate() {
                 let v = face[(k + 1) % face.len()];
-                let (r, s) = (owner[u as usize], owner[v as usize]);
-                if r != s && r != NONE && s != NONE {
-                    alloc::push(&mut edges, ([r, s], (u, v)))?;
-                    alloc::push(&mut edges, ([s, r], (v, u)))?;
+                if on_rim[u as usize] && on_rim[v as usize] {
+                    edges.enter(u, v)?;
                 }
             }
         }
-        edges.sort_unstable();
-        edges.dedup();
-        Ok(Edges(edges))
+        edges.of.sort_unstable();
+        edges.of.dedup();
+        Ok(edges)
     }
 
     /// The loops on which nothing hangs.
@@ -304,19 +302,29 @@ impl Loops {
         Ok(left)
     }
 
-    /// The loops that a selector names.
-    fn named(&self, base: &Base, selector: Selector) -> Result<Vec<usize>> {
+    /// Each vertex on a loop with the loop, in ascending order.
+    fn places(&self) -> Result<Vec<(u32, u32)>> {
+        let mut places = alloc::with_capacity(self.rims.iter().map(|rim| rim.vertices.len()).sum())?;
+        for (rim, r) in self.rims.iter().zip(0u32..) {
+            places.extend(rim.vertices.iter().map(|&v| (v, r)));
+        }
+        places.sort_unstable();
+        Ok(places)
+    }
+
+    /// The loops that a selector names, in ascending order.
+    fn named(&self, base: &Base, places: &[(u32, u32)], selector: Selector) -> Result<Vec<usize>> {
         let mut named = Vec::new();
         let Some(map) = base.maps.get(selector.piece as usize) else {
             return Ok(named);
         };
-        let vertex = map.vertices.get(selector.vertex as usize).copied();
-        let has = |rim: &Rim| match selector.vertex {
-            NONE => rim.vertices.iter().any(|&v| base.piece[v as usize] == selector.piece),
-            _ => vertex.is_some_and(|vertex| rim.vertices.contains(&vertex)),
-        };
-        for (r, rim) in self.rims.iter().enumerate() {
-            if has(rim) {
+        if let Some(&vertex) = map.vertices.get(selector.vertex as usize) {
+            for &(_, r) in loops_of(places, vertex) {
+                alloc::push(&mut named, r as usize)?;
+            }
+        } else if selector.vertex == NONE {
+            let has = |rim: &Rim| rim.vertices.iter().any(|&v| base.piece[v as usize] == selector.piece);
+            for (r, _) in self.rims.iter().enumerate().filter(|(_, rim)| has(rim)) {
                 alloc::push(&mut named, r)?;
             }
         }
@@ -324,24 +332,68 @@ impl Loops {
     }
 }
 
+/// The entries of `vertex` among places in ascending order.
+fn loops_of(places: &[(u32, u32)], vertex: u32) -> &[(u32, u32)] {
+    let from = places.partition_point(|&(v, _)| v < vertex);
+    let count = places[from..].partition_point(|&(v, _)| v == vertex);
+    &places[from..from + count]
+}
+
 /// Edges by the rims that they join.
-struct Edges(Vec<([u32; 2], (u32, u32))>);
+struct Edges {
+    /// In ascending order.
+    of: Vec<([u32; 2], (u32, u32))>,
+    places: Vec<(u32, u32)>,
+}
 
 impl Edges {
+    /// Appends an edge for every two rims that its ends are on.
+    fn enter(&mut self, u: u32, v: u32) -> Result<()> {
+        for &(_, r) in loops_of(&self.places, u) {
+            for &(_, s) in loops_of(&self.places, v).iter().filter(|&&(_, s)| s != r) {
+                alloc::push(&mut self.of, ([r, s], (u, v)))?;
+                alloc::push(&mut self.of, ([s, r], (v, u)))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes note of the meridians of a strip without rows: where loops touch, another strip could use one again.
+    fn enter_strip(&mut self, strip: &Strip) -> Result<()> {
+        let before = self.of.len();
+        let shared = |v: u32| loops_of(&self.places, v).len() > 1;
+        let mut again = Vec::new();
+        for &[i, j] in &strip.meridians {
+            let [u, v] = [strip.a.vertex(i), strip.b.vertex(j)];
+            if shared(u) && shared(v) {
+                alloc::push(&mut again, (u, v))?;
+            }
+        }
+        for (u, v) in again {
+            self.enter(u, v)?;
+        }
+        if self.of.len() > before {
+            self.of.sort_unstable();
+            self.of.dedup();
+        }
+        Ok(())
+    }
+
     fn between(&self, rims: [usize; 2]) -> Bridges {
         let rims = rims.map(|r| r as u32);
-        let from = self.0.partition_point(|&(pair, _)| pair < rims);
-        Bridges::of(self.0[from..].iter().take_while(|&&(pair, _)| pair == rims).map(|&(_, edge)| edge).collect())
+        let from = self.of.partition_point(|&(pair, _)| pair < rims);
+        Bridges::of(self.of[from..].iter().take_while(|&&(pair, _)| pair == rims).map(|&(_, edge)| edge).collect())
     }
 }
 
 /// The pairs that were given, and after them those that are found.
 fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>) -> Result<Vec<Facing>> {
+    let places = loops.places()?;
     let mut taken = alloc::filled(false, loops.rims.len())?;
     let mut found = alloc::with_capacity(options.pairs.len())?;
     for (k, pair) in options.pairs.iter().enumerate() {
         let wrong = Error::OptionOutOfRange { option: "pairs", value: k as f64 };
-        let one = |selector: Selector| match loops.named(base, selector)?.as_slice() {
+        let one = |selector: Selector| match loops.named(base, &places, selector)?.as_slice() {
             &[r] if selector.vertex != NONE => Ok(r),
             _ => Err(wrong),
         };
@@ -354,7 +406,7 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
     }
     let mut excluded = Vec::new();
     for (k, pair) in options.excluded.iter().enumerate() {
-        let (first, second) = (loops.named(base, pair[0])?, loops.named(base, pair[1])?);
+        let (first, second) = (loops.named(base, &places, pair[0])?, loops.named(base, &places, pair[1])?);
         let exists = |selector: &Selector| {
             let map = base.maps.get(selector.piece as usize);
             map.is_some_and(|map| selector.vertex == NONE || (selector.vertex as usize) < map.vertices.len())

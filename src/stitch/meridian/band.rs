@@ -50,6 +50,39 @@ impl Band {
         self.low[i] as usize..=self.high[i] as usize
     }
 
+    /// The nodes of a path on the border of the band that are not on the border of the lattice.
+    pub(super) fn touched_by(&self, path: &[Pair]) -> Result<Vec<Pair>> {
+        let (n, m) = (self.last_row(), self.last_column());
+        let touching = |&[i, j]: &Pair| {
+            let i = i as usize;
+            let below = j > 0 && j <= self.low[i] || i < n && j < self.low[i + 1];
+            let above = (j as usize) < m && j >= self.high[i] || i > 0 && j > self.high[i - 1];
+            below || above
+        };
+        let mut found = Vec::new();
+        for node in path.iter().filter(|node| touching(node)) {
+            alloc::push(&mut found, *node)?;
+        }
+        Ok(found)
+    }
+
+    /// Adds all within `width` rows and columns of some nodes.
+    pub(super) fn widen(&mut self, nodes: &[Pair], width: usize) {
+        let (n, m, w) = (self.last_row(), self.last_column(), width as u32);
+        for &[i, j] in nodes {
+            let rows = (i as usize).saturating_sub(width)..=n.min(i as usize + width);
+            self.low[rows.clone()].iter_mut().for_each(|low| *low = (*low).min(j.saturating_sub(w)));
+            self.high[rows].iter_mut().for_each(|high| *high = (*high).max(j.saturating_add(w).min(m as u32)));
+        }
+        // Neither goes back: what one row has, all rows below or above it have too.
+        for i in (0..n).rev() {
+            self.low[i] = self.low[i].min(self.low[i + 1]);
+        }
+        for i in 1..=n {
+            self.high[i] = self.high[i].max(self.high[i - 1]);
+        }
+    }
+
     /// The number of nodes in row `i`.
     pub(super) fn width(&self, i: usize) -> usize {
         (self.high[i] - self.low[i]) as usize + 1

@@ -55,8 +55,8 @@ impl<'a> Bends<'a> {
     }
 }
 
-/// A weight for the meridians' squared lengths, as on flat ground all strips are alike, and round-off would choose: on the paper's own
-/// strip they come to 2^-20 of the meridians' lengths.
+/// A weight for the meridians' squared lengths, as on flat ground all strips are alike, and round-off would choose: on the
+/// paper's own strip they come to 2^-20 of the meridians' lengths.
 pub(super) fn tie_break(rails: &Rails<'_>, paper: &[Pair]) -> f64 {
     let squared = |&[i, j]: &Pair| rails.a[i as usize].distance_squared(rails.b[j as usize]);
     let (lengths, squares) =

@@ -1,8 +1,8 @@
 //! Coarse to fine: a nearly best path through a lattice that is too large to be searched whole.
 //!
-//! Every second vertex of the rims is left out, again and again, until the lattice is small; there the best path is found
-//! exactly. On the way back each path shows where the next finer one is looked for: within a band round it. What is lost
-//! was at most a few hundredths of a per cent on the study's rims.
+//! Vertices of the rims are left out, those on short edges first, again and again, until the lattice is small; there the best
+//! path is found exactly. On the way back each path shows where the next finer one is looked for: within a band round it, which
+//! is widened where the path found touches its border, or where forbidden meridians close it.
 
 use super::band::Band;
 use super::{Pair, Rails};
@@ -20,21 +20,28 @@ const FEWEST: usize = 32;
 /// Half the width of the band.
 const WIDTH: usize = 8;
 
-/// Searches the lattice coarse to fine. `search` finds the best path within a band of the lattice of some rails, the given ones thinned
-/// out. Time and memory: the search of about (2 WIDTH + 1) (N + M) nodes, and half as many, and so on.
+/// Half the width of the band where the path touched the border of a narrower one, at most.
+const WIDEST: usize = 512;
+
+/// If more than one in so many nodes of the path touch the border, the whole band is widened.
+const MANY: usize = 128;
+
+/// Searches the lattice coarse to fine. `search` finds the best path within a band of the lattice of some rails, the given ones
+/// thinned out. Time and memory: the search of about (2 WIDTH + 1) (N + M) nodes, and half as many, and so on.
 pub(super) fn coarse_to_fine(
     rails: &Rails<'_>,
     search: &impl Fn(&Rails<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
     job: &Job<'_>,
 ) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
-    let thin = [n >= FEWEST, m >= FEWEST];
-    if (n + 1) * (m + 1) <= COARSEST || thin == [false, false] {
+    if (n + 1) * (m + 1) <= COARSEST || (n < FEWEST && m < FEWEST) {
         return search(rails, &Band::full(n, m)?, job);
     }
-    let (a, b) = (thinned(rails.a, thin[0])?, thinned(rails.b, thin[1])?);
+    let (kept_a, kept_b) = (thinned(rails.a)?, thinned(rails.b)?);
+    let points = |all: &[DVec3], kept: &[u32]| alloc::collect(kept.iter().map(|&i| all[i as usize]));
+    let (a, b) = (points(rails.a, &kept_a)?, points(rails.b, &kept_b)?);
     let sides = match rails.sides {
-        Some([side_a, side_b]) => Some([thinned_sides(side_a, thin[0])?, thinned_sides(side_b, thin[1])?]),
+        Some([side_a, side_b]) => Some([thinned_sides(side_a, &kept_a)?, thinned_sides(side_b, &kept_b)?]),
         None => None,
     };
     // A forbidden meridian forbids nothing in the large.
@@ -43,28 +50,65 @@ pub(super) fn coarse_to_fine(
     let Some(mut path) = coarse_to_fine(&coarse, search, &job.part(0.0, 0.4))? else {
         return Ok(None);
     };
-    let back = |i: u32, thin: bool, last: usize| if thin { (2 * i as usize).min(last) as u32 } else { i };
-    path.iter_mut().for_each(|[i, j]| (*i, *j) = (back(*i, thin[0], n), back(*j, thin[1], m)));
-    search(rails, &Band::around(&path, n, m, WIDTH)?, &job.part(0.4, 1.0))
+    path.iter_mut().for_each(|[i, j]| (*i, *j) = (kept_a[*i as usize], kept_b[*j as usize]));
+    let mut band = Band::around(&path, n, m, WIDTH)?;
+    let (mut width, mut done) = (WIDTH, 0.4);
+    loop {
+        let until = (1.0 + done) / 2.0;
+        let found = search(rails, &band, &job.part(done, until))?;
+        (width, done) = (4 * width, until);
+        match found {
+            // Where the path runs along the border of the band, a better one may be beyond.
+            Some(found) => {
+                let touching = band.touched_by(&found)?;
+                if touching.is_empty() || width > WIDEST {
+                    return Ok(Some(found));
+                }
+                if touching.len() > found.len() / MANY {
+                    band = Band::around(&found, n, m, width)?;
+                } else {
+                    band = Band::around(&found, n, m, WIDTH)?;
+                    band.widen(&touching, width);
+                }
+            }
+            // Where forbidden meridians close the band, the way is farther out.
+            None if !rails.forbidden.is_empty() && width < 4 * n.max(m) => band = Band::around(&path, n, m, width)?,
+            None => return Ok(None),
+        }
+    }
 }
 
-/// Every second point, and the last.
-fn thinned(points: &[DVec3], thin: bool) -> Result<Vec<DVec3>> {
-    if !thin {
-        return alloc::copied(points);
+/// The points that are kept, the first and the last among them: as many as are about two mean edges apart, so that crowds are
+/// thinned out and long edges stay. At most three quarters of many.
+fn thinned(points: &[DVec3]) -> Result<Vec<u32>> {
+    let last = points.len() - 1;
+    if last < FEWEST {
+        return alloc::collect((0..points.len()).map(|i| i as u32));
     }
-    let mut kept = alloc::with_capacity(points.len() / 2 + 1)?;
-    kept.extend(points.iter().step_by(2));
-    if points.len().is_multiple_of(2) {
-        kept.extend(points.last());
+    let edge = |i: usize| points[i].distance(points[i - 1]);
+    let mean = (1..=last).map(edge).sum::<f64>() / last as f64;
+    let mut reach = 2.000001 * mean;
+    loop {
+        let mut kept = alloc::with_capacity(points.len())?;
+        kept.push(0);
+        let mut length = 0.0;
+        for i in 1..=last {
+            length += edge(i);
+            if i == last || length + edge(i + 1) > reach {
+                kept.push(i as u32);
+                length = 0.0;
+            }
+        }
+        // Edges of no length at all are all alike.
+        if kept.len() <= points.len() / 4 * 3 || mean == 0.0 {
+            return Ok(kept);
+        }
+        reach *= 2.0;
     }
-    Ok(kept)
 }
 
-/// The mean normals of every two edges.
-fn thinned_sides(normals: &[DVec3], thin: bool) -> Result<Vec<DVec3>> {
-    if !thin {
-        return alloc::copied(normals);
-    }
-    alloc::collect(normals.chunks(2).map(|pair| pair.iter().sum::<DVec3>().normalize_or_zero()))
+/// The mean normals of the edges from each kept point to the next.
+fn thinned_sides(normals: &[DVec3], kept: &[u32]) -> Result<Vec<DVec3>> {
+    let mean = |pair: &[u32]| normals[pair[0] as usize..pair[1] as usize].iter().sum::<DVec3>().normalize_or_zero();
+    alloc::collect(kept.windows(2).map(mean))
 }

@@ -1,12 +1,12 @@
 //! The cheapest path where a step's cost depends on what came before: bends between triangles, and no meridian twice.
 //!
-//! **No meridian twice.** On closed rims (i, 0) and (i, M) are the same edge, since B_M is B_0. A path through both takes all its
-//! B steps at one i: no step of it that advances on A starts before j = M and ends after j = 0. Likewise for (0, j) and (N, j). So a strip
-//! is proper if and only if its path has both a step on A with j < M before it and j > 0 after it, and a step on B with i < N
-//! before and i > 0 after. Two bits say which of the two a path has had.
+//! **No meridian twice.** On closed rims (i, 0) and (i, M) are the same edge, since B_M is B_0. A path through both takes all
+//! its B steps at one i: no step of it that advances on A starts before j = M and ends after j = 0. Likewise for (0, j) and (N,
+//! j). So a strip is proper if and only if its path has both a step on A with j < M before it and j > 0 after it, and a step on
+//! B with i < N before and i > 0 after. Two bits say which of the two a path has had.
 //!
-//! **Bends.** The cost of a bend lies between two triangles, so a third bit says on which rim the last step was. Of a closed strip the
-//! first triangle meets the last one: the search is made for either kind of first step.
+//! **Bends.** The cost of a bend lies between two triangles, so a third bit says on which rim the last step was. Of a closed
+//! strip the first triangle meets the last one: the search is made for either kind of first step.
 //!
 //! The search keeps the cheapest way to each node in each state, and is exact.
 
@@ -76,10 +76,11 @@ pub(super) fn is_proper(rails: &Rails<'_>, path: &[Pair]) -> bool {
     !rails.closed || state == WITHIN_A | WITHIN_B
 }
 
-/// The cheapest path within `band`, and its cost; `None` if there is none. `proper`: only such as use no meridian of closed rims twice.
+/// The cheapest path within `band`, and its cost; `None` if there is none. `proper`: only such as use no meridian of closed
+/// rims twice.
 ///
-/// Time: the number of nodes in the band, for each of the states that there are (four for proper paths, twice as many for bends), twice
-/// for bends between closed rims. Extra memory: 8 bytes a node.
+/// Time: the number of nodes in the band, for each of the states that there are (four for proper paths, twice as many for
+/// bends), twice for bends between closed rims. Extra memory: 8 bytes a node.
 pub(super) fn cheapest(
     rails: &Rails<'_>,
     cost: &Cost<'_>,
