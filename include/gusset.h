@@ -1,6 +1,7 @@
 /* gusset: joins surfaces that come in pieces. Generated from src/ffi by cbindgen; do not edit.
  *
- * Every function is reentrant. Pointers are to the caller's own arrays unless said otherwise; counts are in elements,
+ * Every function is reentrant, and takes NULL for a context: then there is no account of an error, no
+ * progress, and no cancelling. Pointers are to the caller's own arrays unless said otherwise; counts are in elements,
  * strides in bytes, angles in radians, lengths in the unit of the positions, indices from 0.
  * Structs that begin with struct_size: set it to sizeof the struct, all other fields to 0 for the defaults:
  *     gusset_stitch_options options = {0};
@@ -80,7 +81,7 @@
 #define GUSSET_JOINT_NO_STRIP 3
 
 /**
- * No other loop is near enough, or not along enough of both.
+ * No other loop that it may be joined to (one of another component, not excluded) is near enough, or not along enough of both.
  */
 #define GUSSET_LEFT_FACES_NOTHING 0
 
@@ -118,6 +119,8 @@
  * As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open, touching
  * itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from the
  * boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut there.
+ * The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made to deceive may
+ * hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
  */
 #define GUSSET_SURVEY_BOUNDARY_ONLY 1
 
@@ -396,7 +399,7 @@
 #define GUSSET_INTERSECTIONS_IGNORE 1
 
 /**
- * They are always looked for.
+ * They are always looked for; where rows are faired, with the same consequences.
  */
 #define GUSSET_INTERSECTIONS_REPORT 2
 
@@ -1012,11 +1015,13 @@ typedef struct gusset_assembly_options {
      */
     uint32_t fill;
     /**
-     * Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, at least 0; 0 leaves all open.
+     * Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0 leaves all
+     * open.
      */
     double max_gap;
     /**
-     * Pairs of loops to be joined however wide the gap is, or NULL. Each names two different loops, and none is named twice.
+     * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, and none is named
+     * twice. Errors name a pair by its number from 0.
      */
     const struct gusset_loop_pair *pairs;
     /**
@@ -1024,7 +1029,8 @@ typedef struct gusset_assembly_options {
      */
     size_t pair_count;
     /**
-     * Pairs that are not to be joined, or NULL.
+     * Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same, and a vertex that no loop
+     * passes, as it was welded, excludes nothing.
      */
     const struct gusset_loop_pair *excluded;
     /**
@@ -1968,14 +1974,15 @@ extern "C" {
  * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other across a
  * gap stitched, and holes filled, as the options say.
  *
- * pieces: piece_count mesh views, at least one; each may have several components. options: NULL for the defaults. assembly:
- * receives the result, for gusset_assembly_destroy; NULL on failure. That two loops cannot be joined is no failure: each joint has
- * its outcome.
+ * pieces: piece_count mesh views one after another, each as large as the first one's struct_size says, at least one; each may
+ * have several components. options: NULL for the defaults. assembly: receives the result, for gusset_assembly_destroy; NULL on
+ * failure. That two loops cannot be joined is no failure: each joint has its outcome.
  *
- * Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop, and
- * from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices); else runs of
- * neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is left
- * alone. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
+ * Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop,
+ * and from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices); else runs of
+ * neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is
+ * left alone. Pieces that overlap are not cut: where two lie on each other, their borders face each other and enclose what is
+ * between. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
  * the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
  *
  * Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has
@@ -2221,7 +2228,8 @@ gusset_status gusset_meridians_index(uint32_t n,
  *
  * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500 vertices:
  * O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
- * memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole.
+ * memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole;
+ * loops that touch at one vertex look at each other's edges there.
  * Source: Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
  */
 GUSSET_API
@@ -2327,12 +2335,13 @@ GUSSET_API const char *gusset_status_text(int32_t status);
  * LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64
  * positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  *
- * O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices, beyond
- * that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where asked
- * for; plus a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
+ * O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices,
+ * beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where
+ * asked for (O(n log n) and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst case); plus
+ * a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
  * GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
- * GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair.
- * Source: Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
+ * GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair. Source: Nesterenko,
+ * algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
  */
 GUSSET_API
 GUSSET_MUST_USE

@@ -37,7 +37,7 @@ pub const GUSSET_JOINT_SHARE_VERTEX: u32 = 2;
 /// Left: every strip would repeat an edge that the mesh already has.
 pub const GUSSET_JOINT_NO_STRIP: u32 = 3;
 
-/// No other loop is near enough, or not along enough of both.
+/// No other loop that it may be joined to (one of another component, not excluded) is near enough, or not along enough of both.
 pub const GUSSET_LEFT_FACES_NOTHING: u32 = 0;
 /// It is open, or the faces along it disagree in orientation or are not manifold there.
 pub const GUSSET_LEFT_NOT_SIMPLE: u32 = 1;
@@ -75,13 +75,16 @@ pub struct gusset_assembly_options {
     pub within_components: u32,
     /// 1: holes that are left in the end are filled. 0 or 1.
     pub fill: u32,
-    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, at least 0; 0 leaves all open.
+    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0 leaves all
+    /// open.
     pub max_gap: f64,
-    /// Pairs of loops to be joined however wide the gap is, or NULL. Each names two different loops, and none is named twice.
+    /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, and none is named
+    /// twice. Errors name a pair by its number from 0.
     pub pairs: *const gusset_loop_pair,
     /// How many.
     pub pair_count: usize,
-    /// Pairs that are not to be joined, or NULL.
+    /// Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same, and a vertex that no loop
+    /// passes, as it was welded, excludes nothing.
     pub excluded: *const gusset_loop_pair,
     /// How many.
     pub excluded_count: usize,
@@ -321,14 +324,15 @@ fn lent<T>(list: &[T]) -> *const T {
 /// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other across a
 /// gap stitched, and holes filled, as the options say.
 ///
-/// pieces: piece_count mesh views, at least one; each may have several components. options: NULL for the defaults. assembly:
-/// receives the result, for gusset_assembly_destroy; NULL on failure. That two loops cannot be joined is no failure: each joint has
-/// its outcome.
+/// pieces: piece_count mesh views one after another, each as large as the first one's struct_size says, at least one; each may
+/// have several components. options: NULL for the defaults. assembly: receives the result, for gusset_assembly_destroy; NULL on
+/// failure. That two loops cannot be joined is no failure: each joint has its outcome.
 ///
-/// Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop, and
-/// from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices); else runs of
-/// neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is left
-/// alone. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
+/// Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop,
+/// and from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices); else runs of
+/// neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is
+/// left alone. Pieces that overlap are not cut: where two lie on each other, their borders face each other and enclose what is
+/// between. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
 /// the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
 ///
 /// Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has

@@ -20,6 +20,8 @@ pub const GUSSET_SURVEY_WHOLE_MESH: u32 = 0;
 /// As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open, touching
 /// itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from the
 /// boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut there.
+/// The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made to deceive may
+/// hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
 pub const GUSSET_SURVEY_BOUNDARY_ONLY: u32 = 1;
 
 /// The chain does not close: it has one vertex more than it has edges.

@@ -215,7 +215,8 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 ///
 /// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500 vertices:
 /// O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
-/// memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole.
+/// memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole;
+/// loops that touch at one vertex look at each other's edges there.
 /// Source: Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -127,12 +127,13 @@ impl gusset_quality {
 /// LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64
 /// positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 ///
-/// O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices, beyond
-/// that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where asked
-/// for; plus a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
+/// O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices,
+/// beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where
+/// asked for (O(n log n) and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst case); plus
+/// a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
 /// GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
-/// GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair.
-/// Source: Nesterenko, algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
+/// GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair. Source: Nesterenko,
+/// algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stitch_create(

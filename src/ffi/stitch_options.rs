@@ -49,7 +49,7 @@ pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
 pub const GUSSET_INTERSECTIONS_AUTO: u32 = 0;
 /// They are not looked for.
 pub const GUSSET_INTERSECTIONS_IGNORE: u32 = 1;
-/// They are always looked for.
+/// They are always looked for; where rows are faired, with the same consequences.
 pub const GUSSET_INTERSECTIONS_REPORT: u32 = 2;
 
 /// A second piece that is oriented against the first is turned over: the component that rim B is on. Two loops of one connected
