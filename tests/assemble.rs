@@ -439,3 +439,54 @@ fn the_order_of_vertices_and_the_threads_do_not_matter() {
         assert!((volume_of(&other) - volume_of(&expected)).abs() < 1e-3 * volume_of(&expected).abs());
     }
 }
+
+/// A pipe, or half of one: `n` x 6 quads round `span` of the circle of radius `r` about the x-shifted z-axis, outside out.
+fn pipe(n: u32, span: std::ops::Range<f64>, r: f64, shift: f64, z: std::ops::Range<f64>) -> Soup {
+    let closed = span.end - span.start > TAU - 1e-9;
+    let columns = if closed { n } else { n + 1 };
+    let mut soup = Soup { offsets: vec![0], ..Soup::default() };
+    for k in 0..7 {
+        for i in 0..columns {
+            let t = span.start + (span.end - span.start) * f64::from(i) / f64::from(n);
+            soup.points.push([shift + r * t.cos(), r * t.sin(), z.start + (z.end - z.start) * f64::from(k) / 6.0]);
+        }
+    }
+    let at = |k: u32, i: u32| k * columns + i % columns;
+    for k in 0..6 {
+        (0..n).for_each(|i| soup.face(&[at(k, i), at(k, i + 1), at(k + 1, i + 1), at(k + 1, i)]));
+    }
+    soup
+}
+
+#[test]
+fn pieces_side_by_side_are_joined_along_the_gap_only() {
+    let mut beside = sheet(10, 10);
+    beside.points.iter_mut().for_each(|p| p[0] += 10.5);
+    for max_gap in [MaxGap::Auto, MaxGap::Given(0.6), MaxGap::Given(100.0)] {
+        let done = run(&[sheet(10, 10), beside.clone()], &Options { max_gap, ..Options::default() });
+        assert_eq!(done.joints.len(), 1);
+        assert!(!done.joints[0].whole && done.turned.iter().all(|&turned| !turned));
+        assert_eq!(done.joints[0].sides.each_ref().map(Vec::len), [11, 11]);
+        assert_eq!((euler(faces_of(&done.mesh)), done.loops_left), (1, 1));
+    }
+
+    // Two halves of a pipe make a pipe: one gap on each side.
+    let halves = [0.0, std::f64::consts::PI].map(|t| pipe(20, t + 0.02..t + 3.12, 1.0, 0.0, 0.0..3.0));
+    let done = run(&halves, &Options { max_gap: MaxGap::Given(0.05), ..Options::default() });
+    assert_eq!(
+        done.joints.iter().map(|joint| (joint.whole, joint.outcome)).collect::<Vec<_>>(),
+        [(false, Outcome::Joined), (false, Outcome::Joined)]
+    );
+    assert_eq!((euler(faces_of(&done.mesh)), done.loops_left), (0, 2));
+}
+
+#[test]
+fn a_thin_pipe_in_a_wide_one_beside_its_axis_is_joined_all_round() {
+    // Between nearest vertices the gap is 0.04 to 1.2 wide, more than ten times as wide on one side as on the other.
+    let (wide, thin) = (pipe(50, 0.0..TAU, 1.0, 0.0, -3.0..0.0), pipe(7, 0.0..TAU, 0.4, 0.57, 0.02..2.0));
+    let done = run(&[wide, thin], &Options { max_gap: MaxGap::Given(0.9), ..Options::default() });
+    assert_eq!(done.joints.len(), 1);
+    assert!(done.joints[0].whole);
+    assert_eq!(done.joints[0].sides.each_ref().map(Vec::len), [50, 7]);
+    assert_eq!((euler(faces_of(&done.mesh)), done.loops_left), (0, 2));
+}

@@ -329,7 +329,8 @@ fn lent<T>(list: &[T]) -> *const T {
 /// failure. That two loops cannot be joined is no failure: each joint has its outcome.
 ///
 /// Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop,
-/// and from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices); else runs of
+/// and from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices) or so that the
+/// nearest vertices go round the other loop once; else runs of
 /// neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is
 /// left alone. Pieces that overlap are not cut: where two lie on each other, their borders face each other and enclose what is
 /// between. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in

@@ -1,9 +1,9 @@
 //! Which loops face each other across a gap.
 //!
 //! Each vertex of each loop looks for the nearest vertex of another loop. Two loops face each other as wholes if nearly all
-//! vertices of each look at the other, and from similar distances: loops side by side are near in one part and far in the other.
-//! Else runs of neighbouring vertices that look at one loop, and are looked at from there, face each other: arcs, as at the
-//! border of two scans that overlap third ones elsewhere.
+//! vertices of each look at the other, from similar distances or so that the look goes round the other loop once: that from a
+//! loop beside another goes forth and back. Else runs of neighbouring vertices that look at one loop, and are looked at from
+//! there, face each other: arcs, as at the border of two scans that overlap third ones elsewhere.
 
 use super::request::MaxGap;
 use crate::alloc;
@@ -18,7 +18,7 @@ use glam::DVec3;
 /// The part of each loop's vertices that must look at the other one, for the loops to be joined as wholes.
 const MOST: f64 = 0.9;
 
-/// Of loops that are joined as wholes, the ninth decile of the distances is at most so many times the first one, or the spacing.
+/// Distances are similar if the ninth decile is at most so many times the first one, or the spacing.
 const SPREAD: f64 = 4.0;
 
 /// Arcs that are farther apart than so many edges of the loops do not face each other, unless a width is given.
@@ -79,8 +79,8 @@ struct Seen {
     /// How many of its vertices have their nearest vertex there.
     count: usize,
     mean: f64,
-    /// Whether the distances are similar.
-    even: bool,
+    /// Whether the distances are similar, or the nearest vertices go round the other loop once.
+    round: bool,
 }
 
 /// What a vertex looks at.
@@ -138,7 +138,7 @@ impl Search<'_> {
             let back = &counts[back];
             let most = |count: usize, rim: usize| count as f64 >= MOST * self.rims[rim].vertices.len() as f64;
             let gap = seen.mean.max(back.mean);
-            if most(seen.count, r) && most(back.count, k) && seen.even && back.even && gap <= self.limit(r, k) {
+            if most(seen.count, r) && most(back.count, k) && seen.round && back.round && gap <= self.limit(r, k) {
                 (whole[r], whole[k]) = (true, true);
                 alloc::push(&mut found, Facing { rims: [r, k], arcs: None, gap })?;
             }
@@ -199,6 +199,10 @@ impl Search<'_> {
 
     /// What each loop sees of each other one, in ascending order of the loops.
     fn counts(&self, looks: &[Vec<Look>]) -> Result<Vec<Seen>> {
+        let mut lengths = alloc::with_capacity(self.rims.len())?;
+        for rim in self.rims {
+            lengths.push(lengths_of(rim)?);
+        }
         let mut counts = Vec::new();
         for (r, of_rim) in looks.iter().enumerate() {
             let mut seen = alloc::collect(of_rim.iter().enumerate().map(|(i, look)| (look.rim, i as u32)))?;
@@ -210,7 +214,9 @@ impl Search<'_> {
                 distances.sort_unstable_by(f64::total_cmp);
                 let [low, high] = [1, 9].map(|tenth| distances[(distances.len() - 1) * tenth / 10]);
                 let even = high <= SPREAD * low.max(self.candidates[r].spacing);
-                alloc::push(&mut counts, Seen { rims: [r as u32, group[0].0], count: group.len(), mean, even })?;
+                let k = group[0].0 as usize;
+                let round = even || winds_once(&lengths[k], group.iter().map(|&(_, i)| of_rim[i as usize].place));
+                alloc::push(&mut counts, Seen { rims: [r as u32, group[0].0], count: group.len(), mean, round })?;
             }
         }
         Ok(counts)
@@ -224,11 +230,13 @@ impl Search<'_> {
                 && !whole[r]
                 && !whole[look.rim as usize]
         };
-        // A vertex sees another loop if that looks back at its loop.
+        // A vertex sees another loop if that looks back at its loop, and not at a part of it that is far nearer.
         let sees = |r: usize, look: &Look| {
             near(r, look) && {
-                let back = looks[look.rim as usize][look.place as usize];
-                near(look.rim as usize, &back) && back.rim as usize == r
+                let k = look.rim as usize;
+                let back = looks[k][look.place as usize];
+                let spacing = self.candidates[r].spacing.max(self.candidates[k].spacing);
+                near(k, &back) && back.rim as usize == r && look.distance <= 2.0 * back.distance + spacing
             }
         };
         // (loop, loop it faces, arc), and for each vertex the number of its arc.
@@ -241,6 +249,7 @@ impl Search<'_> {
             faced.dedup();
             for &k in faced.iter().filter(|&&k| k != NONE) {
                 for arc in cyclic_runs(of_rim, |look| look.rim == k && sees(r, look))? {
+                    let arc = trimmed(arc, of_rim);
                     if arc.count >= SHORTEST && arc.count < of_rim.len() {
                         arc.places(of_rim.len()).for_each(|i| numbers[i] = arcs.len() as u32);
                         alloc::push(&mut arcs, (r, k as usize, arc))?;
@@ -272,4 +281,39 @@ impl Search<'_> {
         }
         Ok(())
     }
+}
+
+/// Without the vertices at the ends that look back at a corner: those that look where the next one does, from farther away.
+fn trimmed(arc: Arc, looks: &[Look]) -> Arc {
+    let look = |i: usize| &looks[(arc.first + i) % looks.len()];
+    let (mut first, mut last) = (0, arc.count.saturating_sub(1));
+    let behind = |i: usize, next: usize| look(i).place == look(next).place && look(i).distance > look(next).distance;
+    while first < last && behind(first, first + 1) {
+        first += 1;
+    }
+    while first < last && behind(last, last - 1) {
+        last -= 1;
+    }
+    Arc { first: (arc.first + first) % looks.len(), count: last + 1 - first }
+}
+
+/// The length of a closed rim from place 0 to each place, and all round.
+fn lengths_of(rim: &Rim) -> Result<Vec<f64>> {
+    let mut at = alloc::with_capacity(rim.points.len() + 1)?;
+    let mut length = 0.0;
+    for i in 0..=rim.points.len() as u32 {
+        at.push(length);
+        length += rim.at(i).distance(rim.at(i + 1));
+    }
+    Ok(at)
+}
+
+/// Whether some places in order go round a rim of these lengths once, each next one reached the shorter way.
+fn winds_once(lengths: &[f64], places: impl Iterator<Item = u32> + Clone) -> bool {
+    let around = lengths.last().copied().unwrap_or_default();
+    let at = |place: u32| lengths[place as usize];
+    let shorter = |by: f64| by - around * (by / around).round();
+    let next = places.clone().cycle().skip(1);
+    let turned: f64 = places.zip(next).map(|(from, to)| shorter(at(to) - at(from))).sum();
+    around > 0.0 && (turned.abs() / around - 1.0).abs() < 0.5
 }
