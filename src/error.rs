@@ -61,7 +61,7 @@ pub enum Error {
         /// `"vertices"` or `"faces"`.
         what: &'static str,
     },
-    /// Face offsets that do not start at 0 or that decrease.
+    /// Offsets, of faces, outlines or segments, that do not start at 0, decrease, or end elsewhere than their elements.
     BadOffsets {
         /// The first offending entry.
         entry: u32,
@@ -99,6 +99,22 @@ pub enum Error {
         place: u32,
         /// The coordinate.
         value: f64,
+    },
+    /// A point of an outline or a curve, or a tangent there, has a coordinate that is NaN or infinite.
+    OutlineNotFinite {
+        /// The point, counted over all outlines.
+        point: u32,
+        /// The coordinate.
+        value: f64,
+    },
+    /// A closed curve does not end where it begins.
+    CurveNotClosed,
+    /// A constraint names a point that does not exist, or that the one before it names or passes.
+    NoSuchPoint {
+        /// The constraint.
+        constraint: u32,
+        /// The point.
+        point: u32,
     },
     /// The second mesh has `f64` positions and the first `f32`: the result, in the first one's type, would round them.
     MixedScalars,
@@ -191,10 +207,10 @@ impl fmt::Display for Error {
             }
             Error::EmptyMesh { what } => write!(f, "the mesh has no {what}"),
             Error::BadOffsets { entry: 0, value } => {
-                write!(f, "face offset 0 is {value} instead of 0")
+                write!(f, "offset 0 is {value} instead of 0")
             }
             Error::BadOffsets { entry, value } => {
-                write!(f, "face offset {entry} is {value}, smaller than the one before")
+                write!(f, "offset {entry} is {value}, which is out of order or out of range")
             }
             Error::FaceTooSmall { face, corners } => {
                 write!(f, "face {face} has {corners} corners; it needs three")
@@ -207,6 +223,13 @@ impl fmt::Display for Error {
             }
             Error::PointNotFinite { side, place, value } => {
                 write!(f, "point {place} of loop {side} has a coordinate that is {value}")
+            }
+            Error::OutlineNotFinite { point, value } => {
+                write!(f, "point {point}, or a tangent there, has a coordinate that is {value}")
+            }
+            Error::CurveNotClosed => f.write_str("a closed curve ends where it begins; this one does not"),
+            Error::NoSuchPoint { constraint, point } => {
+                write!(f, "constraint {constraint} is on point {point}, which does not exist or comes earlier")
             }
             Error::MixedScalars => {
                 f.write_str("mesh B has f64 positions and mesh A f32: exchange them, or convert one")

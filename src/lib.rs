@@ -32,6 +32,7 @@
 //! | [`repair`] | vertices that lie together made one, orientation made consistent |
 //! | [`stitch`] | a strip of new faces between two loops, and many pieces in one mesh |
 //! | [`fill`] | holes closed by new faces |
+//! | [`outline`] | Bézier curves through given points |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |
 //! | [`error`] | what can go wrong, each cause with the element it is about |
@@ -52,6 +53,7 @@ mod geom;
 mod intersect;
 pub mod job;
 pub mod mesh;
+pub mod outline;
 mod par;
 pub mod repair;
 pub mod stitch;

@@ -36,7 +36,7 @@ pub enum gusset_status {
     GUSSET_ERROR_SIZE_OVERFLOW = 1001,
     /// A mesh without vertices or without faces.
     GUSSET_ERROR_EMPTY_MESH = 1002,
-    /// Face offsets do not start at 0 or decrease.
+    /// Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than their elements.
     GUSSET_ERROR_BAD_OFFSETS = 1003,
     /// A face of fewer than three corners.
     GUSSET_ERROR_FACE_TOO_SMALL = 1004,
@@ -64,6 +64,8 @@ pub enum gusset_status {
     GUSSET_ERROR_NO_STRIP = 1107,
     /// The planes through the loops' centres cannot tell which vertices face each other: such loops are joined whole.
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
+    /// A closed curve does not end where it begins.
+    GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
     /// Memory could not be had.
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
     /// The host cancelled.
@@ -90,6 +92,10 @@ pub const GUSSET_ELEMENT_OFFSET: gusset_element = 4;
 pub const GUSSET_ELEMENT_LOOP_PLACE: gusset_element = 5;
 /// A count of elements or bytes.
 pub const GUSSET_ELEMENT_COUNT: gusset_element = 6;
+/// A point of an outline or a curve, counted over all outlines.
+pub const GUSSET_ELEMENT_POINT: gusset_element = 7;
+/// A constraint on an outline.
+pub const GUSSET_ELEMENT_CONSTRAINT: gusset_element = 8;
 
 /// A failure on its way to the host.
 #[derive(Debug)]
@@ -156,6 +162,13 @@ impl From<Error> for Failure {
             Error::PointNotFinite { place, value, .. } => {
                 (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_LOOP_PLACE, place.into(), value)
             }
+            Error::OutlineNotFinite { point, value } => {
+                (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_POINT, point.into(), value)
+            }
+            Error::CurveNotClosed => none(GUSSET_ERROR_CURVE_NOT_CLOSED),
+            Error::NoSuchPoint { constraint, point } => {
+                (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_CONSTRAINT, constraint.into(), f64::from(point))
+            }
             Error::MixedScalars => none(GUSSET_ERROR_MIXED_SCALARS),
             Error::NoLoop { .. } => none(GUSSET_ERROR_NO_LOOP),
             Error::LoopTooShort { count: n, .. } => count(GUSSET_ERROR_LOOP_TOO_SHORT, n.into()),
@@ -207,7 +220,7 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         1000 => c"the mesh is too large",
         1001 => c"an array exceeds the address space",
         1002 => c"the mesh is empty",
-        1003 => c"the face offsets are not monotone from 0",
+        1003 => c"offsets are not monotone from 0 to their elements",
         1004 => c"a face has fewer than three corners",
         1005 => c"a vertex index is out of range",
         1006 => c"a coordinate is not finite",
@@ -221,6 +234,7 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         1106 => c"the second piece is oriented against the first",
         1107 => c"no strip avoids the edges that the mesh already has",
         1108 => c"the planes through the centres cannot tell which vertices face each other",
+        1200 => c"a closed curve does not end where it begins",
         2000 => c"out of memory",
         2001 => c"cancelled",
         9999 => c"internal error",

@@ -1,0 +1,196 @@
+//! Identification: outlines one after another, each prepared, cut into runs, solved and judged.
+
+use super::curve::{CurveView, Place};
+use super::request::{Demand, Options, Outlines, PointStatus, Report};
+use super::worker::Worker;
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use glam::DVec3;
+use std::ops::Range;
+
+/// Points that a thread takes at a time.
+const CHUNK: usize = 1 << 14;
+
+/// Batches between two reports of progress.
+const ROUND: usize = 64;
+
+/// The curves of many outlines, and the account of each.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Fit {
+    /// The control points of all curves.
+    pub(super) points: Vec<DVec3>,
+    /// The ends of the segments of all curves, counted from the curve's first control point.
+    pub(super) ends: Vec<u32>,
+    /// Where the control points and the ends of each curve begin, and where the last ones end.
+    pub(super) starts: Vec<[usize; 2]>,
+    pub(super) closed: bool,
+    /// Where on its curve each point lies.
+    pub(super) places: Vec<Place>,
+    pub(super) statuses: Vec<PointStatus>,
+    pub(super) reports: Vec<Report>,
+}
+
+impl Fit {
+    /// The number of outlines.
+    pub fn len(&self) -> usize {
+        self.reports.len()
+    }
+
+    /// True if there were none.
+    pub fn is_empty(&self) -> bool {
+        self.reports.is_empty()
+    }
+
+    /// The curve of outline `k`.
+    ///
+    /// # Panics
+    /// If there is no outline `k`.
+    pub fn curve(&self, k: usize) -> CurveView<'_> {
+        let [from, to] = [self.starts[k], self.starts[k + 1]];
+        CurveView::trusted(&self.points[from[0]..to[0]], &self.ends[from[1]..to[1]], self.closed && to[1] > from[1] + 1)
+    }
+
+    /// Where on its curve each point lies, over all outlines.
+    pub fn places(&self) -> &[Place] {
+        &self.places
+    }
+
+    /// What became of each point.
+    pub fn statuses(&self) -> &[PointStatus] {
+        &self.statuses
+    }
+
+    /// What became of each outline.
+    pub fn reports(&self) -> &[Report] {
+        &self.reports
+    }
+
+    /// The control points of all curves, one curve after another.
+    pub fn points(&self) -> &[DVec3] {
+        &self.points
+    }
+
+    /// The ends of all curves, each counted from the curve's first control point.
+    pub fn ends(&self) -> &[u32] {
+        &self.ends
+    }
+
+    /// Where the control points and the ends of each curve begin in [`Fit::points`] and [`Fit::ends`]; one more than there are
+    /// outlines.
+    pub fn starts(&self) -> &[[usize; 2]] {
+        &self.starts
+    }
+
+    fn append(&mut self, mut other: Fit) -> Result<()> {
+        if self.reports.is_empty() {
+            *self = other;
+            return Ok(());
+        }
+        let [points, ends] = [self.points.len(), self.ends.len()];
+        other.starts.iter_mut().for_each(|start| *start = [start[0] + points, start[1] + ends]);
+        self.starts.pop();
+        alloc::append(&mut self.points, &other.points)?;
+        alloc::append(&mut self.ends, &other.ends)?;
+        alloc::append(&mut self.starts, &other.starts)?;
+        alloc::append(&mut self.places, &other.places)?;
+        alloc::append(&mut self.statuses, &other.statuses)?;
+        alloc::append(&mut self.reports, &other.reports)
+    }
+}
+
+/// Finds the curves through the points of outlines.
+///
+/// Each outline is brought near the origin and to a size near 1; neighbours that repeat each other become one point; it is cut
+/// into runs at corners and tangents, and each run is solved. Every point lies on the curve, or its status says why not.
+///
+/// Composite, blended and cubic curves take linear time and memory. No memory is allocated for an outline but for the result.
+///
+/// # Errors
+/// [`Error::BadOffsets`], [`Error::OptionOutOfRange`], [`Error::OutlineNotFinite`], [`Error::TooLarge`], [`Error::NoSuchPoint`] (a
+/// constraint names a point that there is not, or is out of order), [`Error::OutOfMemory`], [`Error::Cancelled`].
+///
+/// Source: Nadopta; the composite and blended readings of the set of sections are ours.
+pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {
+    options.check()?;
+    let batches = batches(outlines, check(outlines)?)?;
+    let work = |span: Range<usize>| -> Result<Fit> {
+        let mut worker = Worker::new(outlines, options, span.clone())?;
+        for k in span {
+            worker.outline(k)?;
+        }
+        Ok(worker.done)
+    };
+    let mut fit = Fit { closed: outlines.closed, ..Fit::default() };
+    // So many batches at a time; between them the host is heard.
+    for (k, group) in batches.chunks(ROUND).enumerate() {
+        job.step((k * ROUND) as f64 / batches.len() as f64, STAGE)?;
+        for part in par::map(job.threads(), group.iter().cloned(), work) {
+            fit.append(part?)?;
+        }
+    }
+    if fit.starts.is_empty() {
+        alloc::push(&mut fit.starts, [0, 0])?;
+    }
+    job.step(1.0, STAGE)?;
+    Ok(fit)
+}
+
+const STAGE: &str = "identifying outlines";
+
+/// Checks offsets and constraints; the number of outlines.
+fn check(outlines: &Outlines<'_>) -> Result<usize> {
+    let count = outlines.points.len();
+    if let Some(offsets) = outlines.offsets {
+        let value = |entry: usize| offsets.get(entry).copied().unwrap_or(0);
+        let bad = |entry: usize| Error::BadOffsets { entry: entry as u32, value: value(entry) };
+        if offsets.first() != Some(&0) {
+            return Err(bad(0));
+        }
+        if let Some(k) = (1..offsets.len()).find(|&k| offsets[k] < offsets[k - 1] || offsets[k] as usize > count) {
+            return Err(bad(k));
+        }
+        if value(offsets.len() - 1) as usize != count {
+            return Err(bad(offsets.len() - 1));
+        }
+    }
+    for (k, constraint) in outlines.constraints.iter().enumerate() {
+        let follows = k == 0 || constraint.point > outlines.constraints[k - 1].point;
+        if constraint.point as usize >= count || !follows {
+            return Err(Error::NoSuchPoint { constraint: k as u32, point: constraint.point });
+        }
+        if let Demand::Tangent(tangent) = constraint.demand {
+            if let Some(&value) = tangent.to_array().iter().find(|x| !x.is_finite()) {
+                return Err(Error::OutlineNotFinite { point: constraint.point, value });
+            }
+        }
+    }
+    Ok(outlines.offsets.map_or(1, |offsets| offsets.len() - 1))
+}
+
+/// The points of outline `k`.
+pub(super) fn span(outlines: &Outlines<'_>, k: usize) -> Range<usize> {
+    match outlines.offsets {
+        Some(offsets) => offsets[k] as usize..offsets[k + 1] as usize,
+        None => 0..outlines.points.len(),
+    }
+}
+
+/// Outlines of together about [`CHUNK`] points.
+fn batches(outlines: &Outlines<'_>, count: usize) -> Result<Vec<Range<usize>>> {
+    let mut batches: Vec<Range<usize>> = Vec::new();
+    let mut points = 0;
+    for k in 0..count {
+        let more = span(outlines, k).len();
+        match batches.last_mut() {
+            Some(batch) if points + more <= CHUNK && batch.len() < CHUNK => batch.end = k + 1,
+            _ => {
+                alloc::push(&mut batches, k..k + 1)?;
+                points = 0;
+            }
+        }
+        points += more;
+    }
+    Ok(batches)
+}

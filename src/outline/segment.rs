@@ -1,0 +1,48 @@
+//! One Bézier segment by its control points.
+
+use glam::DVec3;
+
+/// The point at parameter `t`: de Casteljau's scheme, written out for the degrees that occur most.
+#[inline]
+pub(super) fn point(controls: &[DVec3], t: f64) -> DVec3 {
+    let s = 1.0 - t;
+    match *controls {
+        [] => DVec3::ZERO,
+        [p] => p,
+        [p, q] => p * s + q * t,
+        [p, q, r] => (p * s + q * t) * s + (q * s + r * t) * t,
+        _ => horner(controls, t),
+    }
+}
+
+/// The sum of the Bernstein terms by a scheme like Horner's, from the nearer end, so that no power overflows its binomial.
+fn horner(controls: &[DVec3], t: f64) -> DVec3 {
+    let n = controls.len() - 1;
+    let backwards = t > 0.5;
+    let (t, s) = if backwards { (1.0 - t, t) } else { (t, 1.0 - t) };
+    let at = |i: usize| controls[if backwards { n - i } else { i }];
+    // sum C(n, i) t^i s^(n - i) B_i = s^n sum C(n, i) x^i B_i, with x = t / s <= 1.
+    let x = t / s;
+    let mut sum = at(0);
+    let (mut factor, mut scale) = (1.0, s);
+    for i in 1..=n {
+        factor *= x * (n + 1 - i) as f64 / i as f64;
+        sum += at(i) * factor;
+        if i < n {
+            scale *= s;
+        }
+    }
+    sum * scale
+}
+
+/// From the first control point to the next one that differs.
+pub(super) fn first_leg(controls: &[DVec3]) -> DVec3 {
+    let first = controls[0];
+    controls.iter().find(|&&p| p != first).map_or(DVec3::ZERO, |&p| p - first)
+}
+
+/// To the last control point, from the one before that differs.
+pub(super) fn last_leg(controls: &[DVec3]) -> DVec3 {
+    let last = controls[controls.len() - 1];
+    controls.iter().rev().find(|&&p| p != last).map_or(DVec3::ZERO, |&p| last - p)
+}

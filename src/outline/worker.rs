@@ -1,0 +1,335 @@
+//! One outline after another: brought near the origin, freed of repeats, cut into runs, solved, judged, and brought back.
+
+use super::curve::Place;
+use super::fit::{Fit, span};
+use super::request::{Constraint, Demand, Ends, FitStatus, Mode, Options, Outlines, PointStatus, Report};
+use super::run::{Room, Run, Sketch, Solved};
+use super::{composite, judge};
+use crate::alloc;
+use crate::error::{Error, Result};
+use glam::DVec3;
+use std::ops::Range;
+
+/// What a thread works with; the room is used again for each outline.
+pub(super) struct Worker<'a> {
+    outlines: &'a Outlines<'a>,
+    options: &'a Options,
+    /// The constraints that are yet to come.
+    constraints: &'a [Constraint],
+    /// The points that differ from their neighbours, near the origin. A closed outline that is cut begins at its first cut, and ends
+    /// with that point once more.
+    nodes: Vec<DVec3>,
+    /// For each point of the outline its node.
+    node_of: Vec<u32>,
+    /// Nodes where the outline is cut, or ends, and the directions there.
+    cuts: Vec<Cut>,
+    /// What came of each node.
+    solved: Vec<Solved>,
+    room: Room,
+    sketch: Sketch,
+    pub(super) done: Fit,
+}
+
+#[derive(Clone, Copy)]
+struct Cut {
+    node: u32,
+    /// Of length 1.
+    tangent: Option<DVec3>,
+}
+
+/// How an outline lies: point = origin + unit * node.
+#[derive(Clone, Copy)]
+struct Frame {
+    origin: DVec3,
+    /// A power of two.
+    unit: f64,
+    /// The longest side of the box of the nodes: between 1 and 4, but for outlines without extent.
+    size: f64,
+}
+
+impl<'a> Worker<'a> {
+    /// A worker for the outlines `batch`, with room for what they need.
+    pub(super) fn new(outlines: &'a Outlines<'a>, options: &'a Options, batch: Range<usize>) -> Result<Self> {
+        let points = span(outlines, batch.start).start..span(outlines, batch.end - 1).end;
+        let (count, expected) = (batch.len(), points.len() + 2 * batch.len());
+        let per_segment = match options.mode {
+            Mode::Composite => 2,
+            Mode::BlendC1 | Mode::CubicC2 => 3,
+            Mode::BlendC2 => 5,
+            Mode::Single => 1,
+        };
+        let mut starts = alloc::with_capacity(count + 1)?;
+        starts.push([0, 0]);
+        let done = Fit {
+            points: alloc::with_capacity(per_segment * expected)?,
+            ends: alloc::with_capacity(expected + count)?,
+            starts,
+            closed: outlines.closed,
+            places: alloc::with_capacity(points.len())?,
+            statuses: alloc::with_capacity(points.len())?,
+            reports: alloc::with_capacity(count)?,
+        };
+        let from = outlines.constraints.partition_point(|constraint| (constraint.point as usize) < points.start);
+        Ok(Worker {
+            outlines,
+            options,
+            constraints: &outlines.constraints[from..],
+            nodes: Vec::new(),
+            node_of: Vec::new(),
+            cuts: Vec::new(),
+            solved: Vec::new(),
+            room: Room::default(),
+            sketch: Sketch::default(),
+            done,
+        })
+    }
+
+    /// Identifies outline `k`.
+    pub(super) fn outline(&mut self, k: usize) -> Result<()> {
+        let points = span(self.outlines, k);
+        let first_status = self.done.statuses.len();
+        let frame = self.read(&points)?;
+        self.cut(&points)?;
+        let mut report = Report { size: frame.size * frame.unit, ..Report::default() };
+        self.solve(frame.size, &mut report)?;
+        judge::judge(&self.nodes, &self.solved, &self.sketch, self.is_closed(), frame.size, &mut report);
+        self.deliver(&points, frame, first_status, report)
+    }
+
+    /// Reads the nodes, near the origin, and says which points repeat others.
+    fn read(&mut self, points: &Range<usize>) -> Result<Frame> {
+        let all = &self.outlines.points;
+        self.nodes.clear();
+        self.node_of.clear();
+        alloc::reserve(&mut self.nodes, points.len() + 1)?;
+        alloc::reserve(&mut self.node_of, points.len())?;
+        let (mut low, mut high, mut finite) = (DVec3::INFINITY, DVec3::NEG_INFINITY, true);
+        for p in points.clone().map(|i| all.get(i)) {
+            (low, high) = (low.min(p), high.max(p));
+            finite &= p.is_finite();
+            self.nodes.push(p);
+        }
+        if !finite {
+            return Err(not_finite(points.start, &self.nodes));
+        }
+        let half = (high * 0.5 - low * 0.5).max_element();
+        if self.nodes.is_empty() || half == 0.0 {
+            let origin = self.nodes.first().copied().unwrap_or(DVec3::ZERO);
+            self.nodes.truncate(1);
+            self.nodes.iter_mut().for_each(|node| *node = DVec3::ZERO);
+            self.node_of.resize(points.len(), 0);
+            return Ok(Frame { origin, unit: 1.0, size: 0.0 });
+        }
+        // Exact: a power of two, far from the ends of the range.
+        let exponent = ((half.to_bits() >> 52) & 0x7ff).clamp(1023 - 900, 1023 + 900);
+        let unit = f64::from_bits(exponent << 52);
+        let (origin, scale) = (self.nodes[0], 1.0 / unit);
+        let size = 2.0 * half * scale;
+        let near = (self.options.repeat_tolerance * size).powi(2);
+        // From a box far larger than the unit only repeats are left out.
+        let shift = origin * scale;
+        let mut count = 0;
+        for i in 0..self.nodes.len() {
+            let node = self.nodes[i] * scale - shift;
+            if count == 0 || node.distance_squared(self.nodes[count - 1]) > near {
+                self.nodes[count] = node;
+                count += 1;
+            }
+            self.node_of.push(count as u32 - 1);
+        }
+        while self.outlines.closed && count > 1 && self.nodes[count - 1].distance_squared(self.nodes[0]) <= near {
+            count -= 1;
+            self.node_of.iter_mut().rev().take_while(|node| **node == count as u32).for_each(|node| *node = 0);
+        }
+        self.nodes.truncate(count);
+        Ok(Frame { origin, unit, size })
+    }
+
+    /// Whether the nodes are a closed outline; two of them are not.
+    fn is_closed(&self) -> bool {
+        self.outlines.closed && self.nodes.len() > 2
+    }
+
+    /// Finds the cuts, and turns a closed outline so that it begins at one.
+    fn cut(&mut self, points: &Range<usize>) -> Result<()> {
+        self.cuts.clear();
+        self.solved.clear();
+        alloc::reserve(&mut self.solved, self.nodes.len() + 1)?;
+        self.solved.resize(self.nodes.len(), Solved::default());
+        let own = self.constraints.partition_point(|constraint| (constraint.point as usize) < points.end);
+        let (own, rest) = self.constraints.split_at(own);
+        self.constraints = rest;
+        for constraint in own {
+            let node = self.node_of[constraint.point as usize - points.start];
+            let tangent = match constraint.demand {
+                Demand::Corner => None,
+                Demand::Tangent(tangent) => match direction(tangent) {
+                    Some(tangent) => Some(tangent),
+                    None => {
+                        self.solved[node as usize].status = PointStatus::NoTangent;
+                        continue;
+                    }
+                },
+            };
+            alloc::push(&mut self.cuts, Cut { node, tangent })?;
+        }
+        self.cut_corners()?;
+        let last = self.nodes.len().saturating_sub(1) as u32;
+        if !self.is_closed() {
+            alloc::reserve(&mut self.cuts, 2)?;
+            self.cuts.push(Cut { node: 0, tangent: None });
+            self.cuts.push(Cut { node: last, tangent: None });
+        }
+        // The demand that comes first holds.
+        self.cuts.sort_by_key(|cut| cut.node);
+        self.cuts.dedup_by_key(|cut| cut.node);
+        if let (true, Some(&first)) = (self.is_closed(), self.cuts.first()) {
+            let n = self.nodes.len() as u32;
+            self.nodes.rotate_left(first.node as usize);
+            self.solved.rotate_left(first.node as usize);
+            self.nodes.push(self.nodes[0]);
+            self.solved.push(self.solved[0]);
+            self.node_of.iter_mut().for_each(|node| *node = (*node + n - first.node) % n);
+            self.cuts.iter_mut().for_each(|cut| cut.node -= first.node);
+            alloc::push(&mut self.cuts, Cut { node: n, ..first })?;
+        }
+        Ok(())
+    }
+
+    /// Adds the nodes where the polygon turns by more than the angle of the options.
+    fn cut_corners(&mut self) -> Result<()> {
+        let n = self.nodes.len();
+        if self.options.corner_angle >= std::f64::consts::PI || n < 3 {
+            return Ok(());
+        }
+        let least = libm::cos(self.options.corner_angle);
+        let inner = if self.is_closed() { 0..n } else { 1..n - 1 };
+        for i in inner {
+            let [a, p, c] = [self.nodes[(i + n - 1) % n], self.nodes[i], self.nodes[(i + 1) % n]];
+            let (u, v) = (p - a, c - p);
+            if u.dot(v) < least * u.length() * v.length() {
+                alloc::push(&mut self.cuts, Cut { node: i as u32, tangent: None })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Finds the curve, near the origin, run by run.
+    fn solve(&mut self, size: f64, report: &mut Report) -> Result<()> {
+        self.sketch.clear();
+        let n = self.nodes.len();
+        if n < 2 || (self.outlines.closed && n < 3) {
+            report.status = FitStatus::TooFewPoints;
+            self.solved.iter_mut().for_each(|solved| solved.status = PointStatus::Missed);
+            if let Some(&point) = self.nodes.first() {
+                self.sketch.begin(point)?;
+            }
+            if let &[p, q] = self.nodes.as_slice() {
+                // There and back.
+                self.sketch.push(&[q])?;
+                self.sketch.push(&[p])?;
+                self.solved[0] = Solved::default();
+                self.solved[1] = Solved { place: Place { segment: 0, t: 1.0 }, ..Solved::default() };
+            }
+            return Ok(());
+        }
+        if self.cuts.is_empty() {
+            let run = Run { points: &self.nodes, closed: true, tangents: [None, None], size };
+            return composite::curve(&run, self.options, &mut self.solved, &mut self.room, &mut self.sketch, report);
+        }
+        for pair in 0..self.cuts.len() - 1 {
+            let [from, to] = [self.cuts[pair], self.cuts[pair + 1]];
+            let nodes = from.node as usize..to.node as usize + 1;
+            let solved = &mut self.solved[nodes.clone()];
+            let mut run = Run { points: &self.nodes[nodes], closed: false, tangents: [from.tangent, to.tangent], size };
+            if self.options.ends == Ends::Perpendicular {
+                perpendicular_ends(&mut run, solved);
+            }
+            if pair > 0 && from.tangent.is_none() {
+                self.sketch.mark_corner()?;
+            }
+            composite::curve(&run, self.options, solved, &mut self.room, &mut self.sketch, report)?;
+        }
+        if self.is_closed() && self.cuts[0].tangent.is_none() {
+            self.sketch.mark_corner()?;
+        }
+        Ok(())
+    }
+
+    /// Appends the curve where the outline is, and the account of its points.
+    fn deliver(&mut self, points: &Range<usize>, frame: Frame, first: usize, mut report: Report) -> Result<()> {
+        let done = &mut self.done;
+        let base = done.points.len();
+        alloc::reserve(&mut done.points, self.sketch.points.len())?;
+        done.points.extend(self.sketch.points.iter().map(|&p| p * frame.unit + frame.origin));
+        alloc::append(&mut done.ends, &self.sketch.ends)?;
+        alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
+        alloc::reserve(&mut done.places, points.len())?;
+        alloc::reserve(&mut done.statuses, points.len())?;
+        let (mut before, closing) = (u32::MAX, self.node_of.first().copied().unwrap_or(0));
+        let mut partial = false;
+        for (i, &node) in points.clone().zip(&self.node_of) {
+            let Solved { place, mut status } = self.solved[node as usize];
+            let repeats = node == before || (node == closing && i > points.start && self.outlines.closed);
+            if repeats && status == PointStatus::Ok {
+                status = PointStatus::Merged;
+            }
+            if !repeats && (place.t == 0.0 || place.t == 1.0) && !self.sketch.is_empty() {
+                // Joints at points keep their bits.
+                let end = self.sketch.ends[place.segment as usize + usize::from(place.t == 1.0)] as usize;
+                let p = self.outlines.points.get(i);
+                done.points[base + end] = p;
+                if self.outlines.closed && end == 0 {
+                    let last = done.points.len() - 1;
+                    done.points[last] = p;
+                }
+            }
+            before = node;
+            done.places.push(place);
+            done.statuses.push(status);
+        }
+        for status in &done.statuses[first..] {
+            report.not_ok += u32::from(*status != PointStatus::Ok);
+            partial |= !matches!(status, PointStatus::Ok | PointStatus::Merged | PointStatus::ClampedParameter);
+        }
+        if partial && report.status == FitStatus::Ok {
+            report.status = FitStatus::Partial;
+        }
+        alloc::push(&mut done.reports, report)
+    }
+}
+
+/// A vector of length 1; `None` for one without direction.
+fn direction(tangent: DVec3) -> Option<DVec3> {
+    let largest = tangent.abs().max_element();
+    (largest > 0.0).then(|| (tangent * (1.0 / largest).min(f64::MAX)).normalize())
+}
+
+/// Gives the free ends of a run the directions perpendicular to the first and the last chord, in the planes of the first and the
+/// last three points.
+fn perpendicular_ends(run: &mut Run<'_>, solved: &mut [Solved]) {
+    let last = run.points.len() - 1;
+    for (end, sign) in [(0, 1.0), (1, -1.0)] {
+        if run.tangents[end].is_some() {
+            continue;
+        }
+        let place = if end == 0 { 0 } else { last };
+        let upright = (last >= 2).then(|| {
+            let [tip, next, far] = [0, 1, 2].map(|k| run.points[if end == 0 { k } else { last - k }]);
+            let (leg, chord) = (next - tip, far - tip);
+            let across = leg - chord * (leg.dot(chord) / chord.length_squared());
+            (across.length() > 1e-9 * leg.length()).then(|| across.normalize() * sign)
+        });
+        match upright.flatten() {
+            Some(tangent) => run.tangents[end] = Some(tangent),
+            None => solved[place].status = PointStatus::Collinear,
+        }
+    }
+}
+
+/// The first coordinate that is not a finite number.
+fn not_finite(first: usize, points: &[DVec3]) -> Error {
+    let at = points.iter().position(|p| !p.is_finite()).unwrap_or(0);
+    let value = points[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+    Error::OutlineNotFinite { point: (first + at) as u32, value }
+}
