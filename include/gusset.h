@@ -312,6 +312,243 @@
 #define GUSSET_OUTWARD_CLOSED 1
 
 /**
+ * The curve passes the point in the direction of the tangent, of any length but 0.
+ */
+#define GUSSET_DEMAND_TANGENT 0
+
+/**
+ * The curve may turn sharply at the point.
+ */
+#define GUSSET_DEMAND_CORNER 1
+
+/**
+ * Quadratic segments, one control point for each point; smooth (G1) everywhere.
+ */
+#define GUSSET_CURVE_COMPOSITE 0
+
+/**
+ * One Bezier curve of degree n through n + 1 points.
+ */
+#define GUSSET_CURVE_SINGLE 1
+
+/**
+ * Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of the method's exponent (G1 with the
+ * normal). With the bisector the centripetal Catmull-Rom spline.
+ */
+#define GUSSET_CURVE_BLEND_C1 2
+
+/**
+ * Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the normal).
+ */
+#define GUSSET_CURVE_BLEND_C2 3
+
+/**
+ * The cubic spline: cubic segments from point to point, C2 in the knots of the method's exponent.
+ */
+#define GUSSET_CURVE_CUBIC_C2 4
+
+/**
+ * The control point of a section lies on the bisector of the angle at its point. For all points.
+ */
+#define GUSSET_METHOD_BISECTOR 0
+
+/**
+ * On the median. For all points.
+ */
+#define GUSSET_METHOD_MEDIAN 1
+
+/**
+ * On the normal of the chord; where its foot is outside the chord, on the bisector.
+ */
+#define GUSSET_METHOD_NORMAL 2
+
+/**
+ * On the symmedian. For all points.
+ */
+#define GUSSET_METHOD_SYMMEDIAN 3
+
+/**
+ * The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from its neighbours: the median at alpha = 0,
+ * the bisector at 1/2, the symmedian at 1.
+ */
+#define GUSSET_METHOD_ALPHA 4
+
+/**
+ * The parameter of a point is that of the method on the triangle of the data. Always solvable.
+ */
+#define GUSSET_LOCK_PARAMETER 0
+
+/**
+ * The parameter is that of the method on the section's own triangle.
+ */
+#define GUSSET_LOCK_SELF_CONSISTENT 1
+
+/**
+ * The control point lies on the guide of the data's triangle; plane outlines only.
+ */
+#define GUSSET_LOCK_DATA_GUIDE 2
+
+/**
+ * Sections join in the middle between their control points.
+ */
+#define GUSSET_JOINT_SHARE_HALF 0
+
+/**
+ * By the chords to the power of the method's exponent: the quadratic B-spline in those knots, C1.
+ */
+#define GUSSET_JOINT_SHARE_KNOT 1
+
+/**
+ * So that the curvature is continuous, where the control polygon turns one way.
+ */
+#define GUSSET_JOINT_SHARE_G2 2
+
+/**
+ * Closed forms and Newton's method.
+ */
+#define GUSSET_SOLVER_FAST 0
+
+/**
+ * The paper's: steps along the guide, refined where the deviation changes its sign.
+ */
+#define GUSSET_SOLVER_STEP 1
+
+/**
+ * Open outlines begin and end as their first and last sections have it.
+ */
+#define GUSSET_ENDS_FREE 0
+
+/**
+ * Perpendicular to the first chord, from the first point to the third, and to the last one.
+ */
+#define GUSSET_ENDS_PERPENDICULAR 1
+
+/**
+ * Repeats are neighbours nearer than 1e-12 times the size of the outline.
+ */
+#define GUSSET_REPEATS_AUTO 0
+
+/**
+ * repeat_tolerance is read.
+ */
+#define GUSSET_REPEATS_GIVEN 1
+
+/**
+ * As asked.
+ */
+#define GUSSET_POINT_OK 0
+
+/**
+ * Its parameter was brought within the limits.
+ */
+#define GUSSET_POINT_CLAMPED_PARAMETER 1
+
+/**
+ * It repeats its neighbour, and was left out; the curve passes both.
+ */
+#define GUSSET_POINT_MERGED 2
+
+/**
+ * It is so near the first or last point of its section that this has no control point by the method; the median took its place.
+ */
+#define GUSSET_POINT_REPEATED 3
+
+/**
+ * Its triangle is flat: it has no guide, or no perpendicular.
+ */
+#define GUSSET_POINT_COLLINEAR 4
+
+/**
+ * The foot of the normal is outside the chord; the bisector took its place.
+ */
+#define GUSSET_POINT_NORMAL_OUTSIDE 5
+
+/**
+ * The foot of the normal is an end of the chord; the bisector took its place.
+ */
+#define GUSSET_POINT_RIGHT_ANGLE 6
+
+/**
+ * The curve does not cross the guide.
+ */
+#define GUSSET_POINT_NO_CROSSING 7
+
+/**
+ * The tangent runs between points that should be on one side of it.
+ */
+#define GUSSET_POINT_TANGENT_SEPARATES 8
+
+/**
+ * The curve would have to run backwards along the tangent.
+ */
+#define GUSSET_POINT_TANGENT_BACKWARD 9
+
+/**
+ * The tangent cannot be reached by a quadratic: the point is farther from it than the section's end.
+ */
+#define GUSSET_POINT_TANGENT_BEYOND 10
+
+/**
+ * The tangent is not in the plane of the section.
+ */
+#define GUSSET_POINT_OUT_OF_PLANE 11
+
+/**
+ * The tangent has no direction, and was left out.
+ */
+#define GUSSET_POINT_NO_TANGENT 12
+
+/**
+ * The lock could not be kept; the lock by parameter took its place.
+ */
+#define GUSSET_POINT_FELL_BACK 13
+
+/**
+ * The iteration ended before it was still.
+ */
+#define GUSSET_POINT_NOT_CONVERGED 14
+
+/**
+ * The curve misses it: the outline has too few different points, or its equations have no solution.
+ */
+#define GUSSET_POINT_MISSED 15
+
+/**
+ * As asked.
+ */
+#define GUSSET_FIT_OK 0
+
+/**
+ * Some points are not as asked: see their status.
+ */
+#define GUSSET_FIT_PARTIAL 1
+
+/**
+ * The iteration ended before it was still.
+ */
+#define GUSSET_FIT_NOT_CONVERGED 2
+
+/**
+ * The iteration ran away.
+ */
+#define GUSSET_FIT_DIVERGED 3
+
+/**
+ * The equations are so nearly singular that control points lie far outside the outline.
+ */
+#define GUSSET_FIT_ILL_CONDITIONED 4
+
+/**
+ * Fewer than two different points, or three of a closed outline: there is no curve, or what two points give.
+ */
+#define GUSSET_FIT_TOO_FEW_POINTS 5
+
+/**
+ * A single curve would have a degree above 64.
+ */
+#define GUSSET_FIT_DEGREE_TOO_HIGH 6
+
+/**
  * The strip of triangles of least area through the first meridian.
  */
 #define GUSSET_MERIDIANS_MIN_AREA 0
@@ -617,7 +854,7 @@ enum gusset_status
      */
     GUSSET_ERROR_EMPTY_MESH = 1002,
     /**
-     * Face offsets do not start at 0 or decrease.
+     * Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than their elements.
      */
     GUSSET_ERROR_BAD_OFFSETS = 1003,
     /**
@@ -672,6 +909,10 @@ enum gusset_status
      * The planes through the loops' centres cannot tell which vertices face each other: such loops are joined whole.
      */
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
+    /**
+     * A closed curve does not end where it begins.
+     */
+    GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
     /**
      * Memory could not be had.
      */
@@ -728,6 +969,16 @@ typedef struct gusset_fill gusset_fill;
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
  */
 typedef struct gusset_orient gusset_orient;
+
+/**
+ * The curves of outlines. Opaque and immutable; it keeps nothing of the points.
+ */
+typedef struct gusset_outline gusset_outline;
+
+/**
+ * The sections of outlines. Opaque and immutable.
+ */
+typedef struct gusset_sections gusset_sections;
 
 /**
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
@@ -1656,6 +1907,274 @@ typedef struct gusset_orient_parts {
 } gusset_orient_parts;
 
 /**
+ * What is demanded of a curve at a point.
+ */
+typedef struct gusset_constraint {
+    /**
+     * The point, counted over all outlines.
+     */
+    uint32_t point;
+    /**
+     * GUSSET_DEMAND_...
+     */
+    uint32_t demand;
+    /**
+     * x, y, z, for GUSSET_DEMAND_TANGENT; z is 0 for plane outlines.
+     */
+    double tangent[3];
+} gusset_constraint;
+
+/**
+ * Outlines in the caller's memory: all points one after another. Nothing is copied on the way in. The arrays may have any
+ * alignment, must be as long as the counts say, and must not change during a call.
+ */
+typedef struct gusset_outlines {
+    /**
+     * sizeof(gusset_outlines), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The coordinates, doubles: x, y or x, y, z at the start of every point_stride bytes; finite.
+     */
+    const void *points;
+    /**
+     * In bytes; 0 for points without gaps.
+     */
+    size_t point_stride;
+    /**
+     * The number of points of all outlines, at most 2^30.
+     */
+    size_t point_count;
+    /**
+     * Where each outline begins, and where the last one ends: outline_count + 1 places, 0 first, never decreasing. NULL with
+     * outline_count 0 for a single outline of all points.
+     */
+    const uint32_t *offsets;
+    /**
+     * The number of outlines, or 0.
+     */
+    size_t outline_count;
+    /**
+     * In ascending order of their points, at most one for each; or NULL.
+     */
+    const struct gusset_constraint *constraints;
+    /**
+     * How many.
+     */
+    size_t constraint_count;
+    /**
+     * 2 or 3.
+     */
+    uint32_t dimension;
+    /**
+     * 1: from the last point of each outline back to its first one; a last point that repeats the first does no harm. 0: open.
+     */
+    uint32_t closed;
+} gusset_outlines;
+
+/**
+ * How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of its
+ * box.
+ */
+typedef struct gusset_outline_options {
+    /**
+     * sizeof(gusset_outline_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_CURVE_...
+     */
+    uint32_t curve;
+    /**
+     * GUSSET_METHOD_...
+     */
+    uint32_t method;
+    /**
+     * GUSSET_LOCK_..., for composite and single curves.
+     */
+    uint32_t lock;
+    /**
+     * GUSSET_JOINT_SHARE_..., for composite curves.
+     */
+    uint32_t joint;
+    /**
+     * GUSSET_SOLVER_...
+     */
+    uint32_t solver;
+    /**
+     * GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent demanded there comes first.
+     */
+    uint32_t ends;
+    /**
+     * Read for GUSSET_METHOD_ALPHA; 0 to 1.
+     */
+    double alpha;
+    /**
+     * Parameters of composite curves are kept within this and 1 less this, below 1/2; 0 for 1/6.
+     */
+    double parameter_limit;
+    /**
+     * Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0, below 1.
+     */
+    double repeat_tolerance;
+    /**
+     * Points where the polygon turns by more than this angle, in radians, are corners; 0 or pi for none.
+     */
+    double corner_angle;
+    /**
+     * Iterations end when nothing moves farther, below 1; 0 for 1e-12.
+     */
+    double tolerance;
+    /**
+     * The first step of GUSSET_SOLVER_STEP, at most 1; 0 for 0.1.
+     */
+    double first_step;
+    /**
+     * What a step is divided by where the deviation changes its sign, above 1; 0 for 10.
+     */
+    double step_divisor;
+    /**
+     * The most sweeps or iterations; 0 for 200.
+     */
+    uint32_t max_sweeps;
+    /**
+     * The most steps at a point in a sweep; 0 for 20,000.
+     */
+    uint32_t max_steps;
+    /**
+     * GUSSET_REPEATS_...
+     */
+    uint32_t repeats;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_outline_options;
+
+/**
+ * All curves in one. Pointers are valid until the outline is destroyed.
+ *
+ * Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends starts[2 k + 1]
+ * to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1], both included, counted
+ * from the curve's first one. A closed curve repeats its first control point at its end.
+ */
+typedef struct gusset_outline_parts {
+    /**
+     * sizeof(gusset_outline_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of outlines.
+     */
+    size_t outline_count;
+    /**
+     * The number of points of all outlines.
+     */
+    size_t point_count;
+    /**
+     * x, y, z of each control point.
+     */
+    const double *controls;
+    /**
+     * The number of control points.
+     */
+    size_t control_count;
+    /**
+     * The ends of the segments.
+     */
+    struct gusset_indices ends;
+    /**
+     * Two places for each curve, and two behind the last.
+     */
+    const size_t *starts;
+    /**
+     * For each point the segment of its curve that it lies on.
+     */
+    struct gusset_indices segments;
+    /**
+     * For each point its parameter there, 0 to 1.
+     */
+    const double *parameters;
+    /**
+     * For each point what became of it: GUSSET_POINT_...
+     */
+    const uint8_t *statuses;
+} gusset_outline_parts;
+
+/**
+ * What became of an outline. Lengths but size are relative to size.
+ */
+typedef struct gusset_outline_report {
+    /**
+     * sizeof(gusset_outline_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_FIT_...
+     */
+    uint32_t fit;
+    /**
+     * Sweeps or iterations; 0 for what needs none.
+     */
+    uint32_t iterations;
+    /**
+     * Steps of GUSSET_SOLVER_STEP.
+     */
+    uint64_t steps;
+    /**
+     * The longest side of the outline's box, in the unit of the points.
+     */
+    double size;
+    /**
+     * The largest distance of a point from its place on the curve.
+     */
+    double max_residual;
+    /**
+     * The largest sine of the angle by which the curve turns at a joint that is to be smooth.
+     */
+    double max_joint_sine;
+    /**
+     * The farthest move of a control point in the last iteration.
+     */
+    double last_move;
+    /**
+     * How many points have another status than GUSSET_POINT_OK.
+     */
+    uint32_t not_ok;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_outline_report;
+
+/**
+ * One section for each point: the quadratic from the point before over the control point to the point after. Pointers are valid until
+ * the sections are destroyed.
+ */
+typedef struct gusset_sections_parts {
+    /**
+     * sizeof(gusset_sections_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of points.
+     */
+    size_t count;
+    /**
+     * x, y, z of the control points; the ends of open outlines, which have no section, have themselves.
+     */
+    const double *controls;
+    /**
+     * The parameter of each point on its section; 0 and 1 at the ends of open outlines.
+     */
+    const double *parameters;
+    /**
+     * GUSSET_POINT_...
+     */
+    const uint8_t *statuses;
+} gusset_sections_parts;
+
+/**
  * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
  */
 typedef struct gusset_stitch_parts {
@@ -1965,6 +2484,16 @@ typedef struct gusset_winged_view {
  * A count of elements or bytes.
  */
 #define GUSSET_ELEMENT_COUNT 6
+
+/**
+ * A point of an outline or a curve, counted over all outlines.
+ */
+#define GUSSET_ELEMENT_POINT 7
+
+/**
+ * A constraint on an outline.
+ */
+#define GUSSET_ELEMENT_CONSTRAINT 8
 
 #ifdef __cplusplus
 extern "C" {
@@ -2313,6 +2842,79 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_orient_view(const struct gusset_orient *orient,
                                  struct gusset_orient_parts *parts);
+
+/**
+ * Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its outline.
+ *
+ * outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point for each
+ * point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated as asked is no
+ * failure: its status says so, and the curve passes it all the same if that is possible at all.
+ *
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension), BAD_STRIDE,
+ * BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint whose point does not exist or
+ * is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED. Composite, blended and cubic curves
+ * take linear time; linear memory, none for each outline but for its result. Source: Nadopta; the composite and blended readings
+ * are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_create(const struct gusset_context *context,
+                                    const struct gusset_outlines *outlines,
+                                    const struct gusset_outline_options *options,
+                                    struct gusset_outline **outline);
+
+/**
+ * Destroys what gusset_outline_create made; NULL is allowed.
+ */
+GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
+
+/**
+ * Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_view(const struct gusset_outline *outline,
+                                  struct gusset_outline_parts *parts);
+
+/**
+ * The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_account(const struct gusset_outline *outline,
+                                     size_t index,
+                                     struct gusset_outline_report *report);
+
+/**
+ * Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the guide of the
+ * method. A tangent demanded at a point makes its section pass in that direction; one at the first or last point of an open outline is
+ * that of the neighbour's section there. Where it cannot be had, or the normal, the method (the bisector) takes its place, and the
+ * status says so.
+ *
+ * options: NULL for the defaults; method and alpha are read, all must be valid. sections: receives the result, for
+ * gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of the normal,
+ * tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sections_create(const struct gusset_context *context,
+                                     const struct gusset_outlines *outlines,
+                                     const struct gusset_outline_options *options,
+                                     struct gusset_sections **sections);
+
+/**
+ * Destroys what gusset_sections_create made; NULL is allowed.
+ */
+GUSSET_API void gusset_sections_destroy(struct gusset_sections *sections);
+
+/**
+ * Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sections_view(const struct gusset_sections *sections,
+                                   struct gusset_sections_parts *parts);
 
 /**
  * What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.

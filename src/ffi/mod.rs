@@ -11,6 +11,7 @@
 //! | [`boundary`], [`winged`], [`check`], [`facing`], [`strip`], [`stitch`] | one file for each module of the core |
 //! | [`weld`], [`orient`], [`fill`], [`assembly`] | the same |
 //! | [`stitch_options`] | how to stitch |
+//! | [`outline`], [`outline_options`] | curves through points |
 //!
 //! This is the only part of the crate with unsafe code.
 
@@ -29,6 +30,8 @@ mod guard;
 mod input;
 pub mod mesh;
 pub mod orient;
+pub mod outline;
+pub mod outline_options;
 pub mod status;
 pub mod stitch;
 pub mod stitch_options;

@@ -13,14 +13,13 @@
 //! B_1, and a segment (P_0, T, J_0) before the first section; the equations stay the same. So at the end.
 
 use super::curve::Place;
+use super::judge::Smoothness;
 use super::method::{Method, power};
 use super::request::{Options, PointStatus, Report};
 use super::run::{Room, Run, Sketch, Solution, Solved};
+use super::tridiagonal::Cyclic;
+use super::{segment, tridiagonal};
 use crate::error::Result;
-use glam::DVec3;
-
-/// What a control point of the other end of a closed run still contributes is left out below this.
-const FAINT: f64 = 1e-40;
 
 /// Appends the composite curve of a run.
 pub(super) fn curve(
@@ -29,21 +28,21 @@ pub(super) fn curve(
     solved: &mut [Solved],
     room: &mut Room,
     sketch: &mut Sketch,
-    _report: &mut Report,
+    report: &mut Report,
 ) -> Result<()> {
     let solution = &mut room.solution;
     solution.resize(run.points.len())?;
     solution.beta.clear();
     parameters(run, options, solution, solved);
     solve(run, solution);
-    append(run, solution, solved, sketch)
+    append(run, solution, solved, sketch, report)
 }
 
 /// The parameters of the points by the method on the data's own triangles, within the limits.
 fn parameters(run: &Run<'_>, options: &Options, solution: &mut Solution, solved: &mut [Solved]) {
     let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
-    let mut enter = |i: usize, t: f64, solved: &mut [Solved]| {
-        solution.t[i] = t.clamp(low, high);
+    let enter = |i: usize, t: f64, parameter: &mut f64, solved: &mut [Solved]| {
+        *parameter = t.clamp(low, high);
         if !(low..=high).contains(&t) && solved[i].status == PointStatus::Ok {
             solved[i].status = PointStatus::ClampedParameter;
         }
@@ -56,36 +55,55 @@ fn parameters(run: &Run<'_>, options: &Options, solution: &mut Solution, solved:
                 solved[i].status = status;
                 Method::Bisector.parameter(a, p, c)
             });
-            enter(i, t.unwrap_or(0.5), solved);
+            enter(i, t.unwrap_or(0.5), &mut solution.t[i], solved);
         }
         return;
     };
-    // Each chord is the first of one section and the last of the one before.
-    let chord = |p: DVec3, q: DVec3| power(p.distance(q), alpha);
+    if alpha == 0.0 {
+        solution.t[sections].fill(0.5);
+        return;
+    }
+    // Each chord is the first of one section and the last of the one before: chord i ends at point i.
+    let chords = &mut solution.upper[..run.points.len()];
     let points = run.points;
-    let mut before =
-        chord(points[if run.closed { points.len() - 1 } else { 0 }], points[sections.start.min(points.len() - 1)]);
-    for i in sections {
-        let after = chord(points[i], points[if i + 1 == points.len() { 0 } else { i + 1 }]);
-        enter(i, before / (before + after), solved);
-        before = after;
+    chords[0] = points[points.len() - 1].distance(points[0]);
+    for (chord, pair) in chords[1..].iter_mut().zip(points.windows(2)) {
+        *chord = pair[1].distance(pair[0]);
+    }
+    match alpha {
+        0.5 => chords.iter_mut().for_each(|chord| *chord = chord.sqrt()),
+        1.0 => {}
+        _ => chords.iter_mut().for_each(|chord| *chord = power(*chord, alpha)),
+    }
+    let chords = &*chords;
+    let mut all = true;
+    let (first, last) = (sections.start, sections.end);
+    for i in first..last {
+        let (before, after) = (chords[i], chords[if i + 1 == chords.len() { 0 } else { i + 1 }]);
+        let t = before / (before + after);
+        all &= (low..=high).contains(&t);
+        solution.t[i] = t;
+    }
+    if !all {
+        for i in first..last {
+            enter(i, solution.t[i], &mut solution.t[i], solved);
+        }
     }
 }
 
 /// Appends the segments, and says where the points lie on them.
-fn append(run: &Run<'_>, solution: &Solution, solved: &mut [Solved], sketch: &mut Sketch) -> Result<()> {
+fn append(
+    run: &Run<'_>,
+    solution: &Solution,
+    solved: &mut [Solved],
+    sketch: &mut Sketch,
+    report: &mut Report,
+) -> Result<()> {
     let n = run.points.len();
-    let first = sketch.len() as u32;
     if run.closed {
-        let start = solution.joint(run, n - 1);
-        sketch.begin(start)?;
-        for i in 0..n {
-            let joint = if i + 1 == n { start } else { solution.joint(run, i) };
-            sketch.push(&[solution.controls[i], joint])?;
-            solved[i].place = Place { segment: first + i as u32, t: solution.t[i] };
-        }
-        return Ok(());
+        return append_closed(run, solution, solved, sketch, report);
     }
+    let first = sketch.len() as u32;
     let last = n - 1;
     let ends = run.end_controls();
     sketch.begin(run.points[0])?;
@@ -110,114 +128,69 @@ fn append(run: &Run<'_>, solution: &Solution, solved: &mut [Solved], sketch: &mu
     Ok(())
 }
 
-/// Solves for the control points, given the parameters and the shares beta of the joints (`None`: all 1/2). False if the
-/// equations are singular, which takes shares other than 1/2.
-pub(super) fn solve(run: &Run<'_>, solution: &mut Solution) -> bool {
-    if run.closed { solve_closed(run, solution) } else { solve_open(run, solution) }
+/// As [`append`], and measures the curve on the way: see [`judge`](super::judge).
+fn append_closed(
+    run: &Run<'_>,
+    solution: &Solution,
+    solved: &mut [Solved],
+    sketch: &mut Sketch,
+    report: &mut Report,
+) -> Result<()> {
+    let n = run.points.len();
+    let start = solution.joint(run, n - 1);
+    sketch.begin(start)?;
+    let segments = sketch.quadratics(n)?;
+    let controls = &solution.controls[..n];
+    let following = controls[1..].iter().chain(&controls[..1]);
+    let known = run.points.iter().zip(controls).zip(following).zip(&solution.t);
+    let (mut joint, mut smoothness, mut farthest) = (start, Smoothness::default(), 0.0f64);
+    for (i, ((segment, solved), (((&p, &control), &next), &t))) in segments.zip(solved).zip(known).enumerate() {
+        let beta = if solution.beta.is_empty() { 0.5 } else { solution.beta[i] };
+        let end = if i + 1 == n { start } else { control + (next - control) * beta };
+        *segment = [control, end];
+        solved.place = Place { segment: i as u32, t };
+        farthest = farthest.max(segment::point(&[joint, control, end], t).distance_squared(p));
+        smoothness.joint(end - control, next - end);
+        joint = end;
+    }
+    report.max_residual = farthest.sqrt() / run.size;
+    report.max_joint_sine = smoothness.sine();
+    Ok(())
 }
 
-/// The coefficients of B_(i-1), B_i and B_(i+1) in row i.
+/// Solves for the control points, given the parameters and the shares beta of the joints. False if the equations are singular,
+/// which takes shares other than 1/2.
+pub(super) fn solve(run: &Run<'_>, solution: &mut Solution) -> bool {
+    let Solution { t, beta, controls, upper, across } = solution;
+    let n = run.points.len();
+    let (t, controls) = (&t[..n], &mut controls[..n]);
+    let known = |i: usize| run.points[i];
+    if run.closed {
+        let system = Cyclic { unknowns: controls, upper, across };
+        return if beta.is_empty() {
+            system.solve(|i, _| row(t[i], 0.5, 0.5), known)
+        } else {
+            system.solve(|i, before| row(t[i], beta[before], beta[i]), known)
+        };
+    }
+    let last = n - 1;
+    let [start, end] = run.end_controls();
+    controls[0] = start.unwrap_or(run.points[0]);
+    controls[last] = end.unwrap_or(run.points[last]);
+    let share = |i: usize| match (i, start, end) {
+        // The section itself begins or ends there.
+        (0, None, _) => 0.0,
+        (i, _, None) if i + 1 == last => 1.0,
+        (i, ..) if beta.is_empty() || i == 0 || i + 1 == last => 0.5,
+        (i, ..) => beta[i],
+    };
+    tridiagonal::solve(controls, upper, |i| row(t[i], share(i - 1), share(i)), known)
+}
+
+/// The coefficients of B_(i-1), B_i and B_(i+1) in row i, between the joints with the shares `before` and `after`.
 #[inline]
 fn row(t: f64, before: f64, after: f64) -> [f64; 3] {
     let s = 1.0 - t;
     let (first, last) = (s * s, t * t);
     [first * (1.0 - before), 2.0 * t * s + first * before + last * (1.0 - after), last * after]
-}
-
-/// Places the control points on the end tangents, then eliminates downwards and substitutes upwards.
-fn solve_open(run: &Run<'_>, solution: &mut Solution) -> bool {
-    let last = run.points.len() - 1;
-    let Solution { t, beta, controls, upper, .. } = solution;
-    let [start, end] = run.end_controls();
-    let halves = beta.is_empty();
-    let share = |i: usize| match (i, start, end) {
-        // The section itself begins or ends there.
-        (0, None, _) => 0.0,
-        (i, _, None) if i + 1 == last => 1.0,
-        (i, ..) if halves || i == 0 || i + 1 == last => 0.5,
-        (i, ..) => beta[i],
-    };
-    controls[0] = start.unwrap_or(run.points[0]);
-    controls[last] = end.unwrap_or(run.points[last]);
-    let mut sound = true;
-    for i in 1..last {
-        let [lower, mut diagonal, above] = row(t[i], share(i - 1), share(i));
-        let mut right = run.points[i] - controls[i - 1] * lower;
-        if i > 1 {
-            diagonal -= lower * upper[i - 1];
-        }
-        if i + 1 == last {
-            right -= controls[last] * above;
-        }
-        sound &= diagonal.abs() > 1e-14;
-        let scale = 1.0 / diagonal;
-        upper[i] = above * scale;
-        controls[i] = right * scale;
-    }
-    for i in (1..last.saturating_sub(1)).rev() {
-        controls[i] = controls[i] - controls[i + 1] * upper[i];
-    }
-    sound
-}
-
-/// As for an open run, with the last control point carried along: by `across` in the rows from the first one on, and by `far` in the
-/// last row, until both have faded away.
-fn solve_closed(run: &Run<'_>, solution: &mut Solution) -> bool {
-    let n = run.points.len();
-    let Solution { t, beta, controls, upper, across, .. } = solution;
-    let share = |i: usize| if beta.is_empty() { 0.5 } else { beta[i] };
-    let points = run.points;
-    let (t, controls, upper) = (&t[..n], &mut controls[..n], &mut upper[..n]);
-
-    let [mut far_lower, mut far_diagonal, mut far] = row(t[n - 1], share(n - 2), share(n - 1));
-    let mut far_right = points[n - 1];
-    let [lower, diagonal, above] = row(t[0], share(n - 1), share(0));
-    let mut sound = diagonal.abs() > 1e-14;
-    let scale = 1.0 / diagonal;
-    upper[0] = above * scale;
-    across[0] = lower * scale;
-    controls[0] = points[0] * scale;
-    let mut i = 1;
-    while i < n - 1 && (across[i - 1].abs() > FAINT || far.abs() > FAINT) {
-        far_diagonal -= far * across[i - 1];
-        far_right -= controls[i - 1] * far;
-        far *= -upper[i - 1];
-        let [lower, diagonal, above] = row(t[i], share(i - 1), share(i));
-        let diagonal = diagonal - lower * upper[i - 1];
-        sound &= diagonal.abs() > 1e-14;
-        let scale = 1.0 / diagonal;
-        across[i] = -lower * across[i - 1] * scale;
-        upper[i] = above * scale;
-        controls[i] = (points[i] - controls[i - 1] * lower) * scale;
-        i += 1;
-    }
-    let carried = i;
-    let (mut known, mut ratio) = (controls[i - 1], upper[i - 1]);
-    for i in carried..n - 1 {
-        let [lower, diagonal, above] = row(t[i], share(i - 1), share(i));
-        let diagonal = diagonal - lower * ratio;
-        sound &= diagonal.abs() > 1e-14;
-        let scale = 1.0 / diagonal;
-        ratio = above * scale;
-        known = (points[i] - known * lower) * scale;
-        upper[i] = ratio;
-        controls[i] = known;
-    }
-    // The last row has B_(n-2), and B_0 through what was carried; if nothing has faded, both are in the same place.
-    far_lower += if carried == n - 1 { far } else { 0.0 };
-    let behind = if carried == n - 1 { across[n - 2] } else { 0.0 };
-    far_diagonal -= far_lower * (upper[n - 2] + behind);
-    sound &= far_diagonal.abs() > 1e-14;
-    let last = (far_right - controls[n - 2] * far_lower) / far_diagonal;
-    controls[n - 1] = last;
-    let mut next = last;
-    for i in (carried..n - 1).rev() {
-        next = controls[i] - next * upper[i];
-        controls[i] = next;
-    }
-    for i in (0..carried).rev() {
-        next = controls[i] - next * upper[i] - last * across[i];
-        controls[i] = next;
-    }
-    sound
 }

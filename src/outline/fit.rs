@@ -9,12 +9,13 @@ use crate::job::Job;
 use crate::par;
 use glam::DVec3;
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 /// Points that a thread takes at a time.
-const CHUNK: usize = 1 << 14;
+const CHUNK: usize = 1 << 12;
 
 /// Batches between two reports of progress.
-const ROUND: usize = 64;
+const ROUND: usize = 32;
 
 /// The curves of many outlines, and the account of each.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -26,8 +27,9 @@ pub struct Fit {
     /// Where the control points and the ends of each curve begin, and where the last ones end.
     pub(super) starts: Vec<[usize; 2]>,
     pub(super) closed: bool,
-    /// Where on its curve each point lies.
-    pub(super) places: Vec<Place>,
+    /// Where on its curve each point lies: the segment, and the parameter there.
+    pub(super) segments: Vec<u32>,
+    pub(super) parameters: Vec<f64>,
     pub(super) statuses: Vec<PointStatus>,
     pub(super) reports: Vec<Report>,
 }
@@ -52,9 +54,22 @@ impl Fit {
         CurveView::trusted(&self.points[from[0]..to[0]], &self.ends[from[1]..to[1]], self.closed && to[1] > from[1] + 1)
     }
 
-    /// Where on its curve each point lies, over all outlines.
-    pub fn places(&self) -> &[Place] {
-        &self.places
+    /// Where on its curve a point lies; points are counted over all outlines.
+    ///
+    /// # Panics
+    /// If there is no such point.
+    pub fn place(&self, point: usize) -> Place {
+        Place { segment: self.segments[point], t: self.parameters[point] }
+    }
+
+    /// The segment of its curve that each point lies on.
+    pub fn segments(&self) -> &[u32] {
+        &self.segments
+    }
+
+    /// The parameter of each point on its segment.
+    pub fn parameters(&self) -> &[f64] {
+        &self.parameters
     }
 
     /// What became of each point.
@@ -83,20 +98,30 @@ impl Fit {
         &self.starts
     }
 
-    fn append(&mut self, mut other: Fit) -> Result<()> {
-        if self.reports.is_empty() {
-            *self = other;
-            return Ok(());
-        }
+    /// Nothing yet.
+    pub(super) fn new(closed: bool) -> Self {
+        Fit { closed, starts: vec![[0, 0]], ..Fit::default() }
+    }
+
+    /// Takes all that another one has.
+    fn append(&mut self, other: &mut Fit) -> Result<()> {
         let [points, ends] = [self.points.len(), self.ends.len()];
-        other.starts.iter_mut().for_each(|start| *start = [start[0] + points, start[1] + ends]);
-        self.starts.pop();
         alloc::append(&mut self.points, &other.points)?;
         alloc::append(&mut self.ends, &other.ends)?;
-        alloc::append(&mut self.starts, &other.starts)?;
-        alloc::append(&mut self.places, &other.places)?;
+        alloc::reserve(&mut self.starts, other.starts.len())?;
+        self.starts.extend(other.starts[1..].iter().map(|start| [start[0] + points, start[1] + ends]));
+        alloc::append(&mut self.segments, &other.segments)?;
+        alloc::append(&mut self.parameters, &other.parameters)?;
         alloc::append(&mut self.statuses, &other.statuses)?;
-        alloc::append(&mut self.reports, &other.reports)
+        alloc::append(&mut self.reports, &other.reports)?;
+        other.points.clear();
+        other.ends.clear();
+        other.starts.truncate(1);
+        other.segments.clear();
+        other.parameters.clear();
+        other.statuses.clear();
+        other.reports.clear();
+        Ok(())
     }
 }
 
@@ -115,32 +140,42 @@ impl Fit {
 pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {
     options.check()?;
     let batches = batches(outlines, check(outlines)?)?;
-    let work = |span: Range<usize>| -> Result<Fit> {
-        let mut worker = Worker::new(outlines, options, span.clone())?;
-        for k in span {
-            worker.outline(k)?;
-        }
-        Ok(worker.done)
-    };
-    let mut fit = Fit { closed: outlines.closed, ..Fit::default() };
-    // So many batches at a time; between them the host is heard.
-    for (k, group) in batches.chunks(ROUND).enumerate() {
-        job.step((k * ROUND) as f64 / batches.len() as f64, STAGE)?;
-        for part in par::map(job.threads(), group.iter().cloned(), work) {
-            fit.append(part?)?;
-        }
+    let threads = par::at_most(batches.len(), job.threads());
+    let mut whole = Worker::new(outlines, options);
+    if let (Some(first), Some(last)) = (batches.first(), batches.last()) {
+        whole.reserve(first.start..last.end)?;
     }
-    if fit.starts.is_empty() {
-        alloc::push(&mut fit.starts, [0, 0])?;
+    if threads == 1 {
+        for (k, batch) in batches.iter().enumerate() {
+            job.step(k as f64 / batches.len() as f64, STAGE)?;
+            whole.outlines(batch.clone())?;
+        }
+    } else {
+        // The workers' room is used again from round to round; between rounds the host is heard.
+        let idle = Mutex::new(Vec::new());
+        let work = |batch: Range<usize>| -> Result<Worker<'_>> {
+            let waiting = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
+            let mut worker = waiting.unwrap_or_else(|| Worker::new(outlines, options));
+            worker.outlines(batch)?;
+            Ok(worker)
+        };
+        for (k, round) in batches.chunks(ROUND).enumerate() {
+            job.step((k * ROUND) as f64 / batches.len() as f64, STAGE)?;
+            for worker in par::map(threads, round.iter().cloned(), work) {
+                let mut worker = worker?;
+                whole.done.append(&mut worker.done)?;
+                idle.lock().unwrap_or_else(PoisonError::into_inner).push(worker);
+            }
+        }
     }
     job.step(1.0, STAGE)?;
-    Ok(fit)
+    Ok(whole.done)
 }
 
 const STAGE: &str = "identifying outlines";
 
 /// Checks offsets and constraints; the number of outlines.
-fn check(outlines: &Outlines<'_>) -> Result<usize> {
+pub(super) fn check(outlines: &Outlines<'_>) -> Result<usize> {
     let count = outlines.points.len();
     if let Some(offsets) = outlines.offsets {
         let value = |entry: usize| offsets.get(entry).copied().unwrap_or(0);

@@ -5,17 +5,22 @@
 //! the chord, the bisector, the median, or a tangent.
 //!
 //! * [`Method`]: the sections by themselves, closed forms.
+//! * [`sections`](sections()): the sections of all points of outlines.
 //! * [`fit`](fit()): whole outlines, many at a time, open or closed, by the [`Mode`]s.
 //! * [`CurveView`], [`Curve`]: what comes out.
 
+mod blend;
 mod composite;
+mod cubic;
 mod curve;
 mod fit;
 mod judge;
 mod method;
 mod request;
 mod run;
+mod sections;
 mod segment;
+mod tridiagonal;
 mod worker;
 
 pub use curve::{Curve, CurveView, MAX_DEGREE, Place};
@@ -27,3 +32,4 @@ pub use request::{
     Constraint, Demand, Ends, FitStatus, Joint, Lock, MAX_POINTS, Mode, Options, Outlines, PointStatus, Points, Report,
     Solver,
 };
+pub use sections::{Sections, sections};

@@ -64,6 +64,19 @@ impl<'a> Points<'a> {
         self.dimension
     }
 
+    /// Appends the points of a range to a list that has room for them.
+    pub(super) fn read(&self, range: std::ops::Range<usize>, list: &mut Vec<DVec3>) {
+        let rows = |size: usize| range.clone().map(move |i| &self.bytes[i * self.stride..][..size]);
+        if self.dimension == 2 {
+            list.extend(rows(16).map(|row| {
+                let [x, y]: [f64; 2] = bytemuck::pod_read_unaligned(row);
+                DVec3::new(x, y, 0.0)
+            }));
+        } else {
+            list.extend(rows(24).map(|row| DVec3::from_array(bytemuck::pod_read_unaligned(row))));
+        }
+    }
+
     /// Point `i`.
     ///
     /// # Panics

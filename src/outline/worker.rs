@@ -4,7 +4,7 @@ use super::curve::Place;
 use super::fit::{Fit, span};
 use super::request::{Constraint, Demand, Ends, FitStatus, Mode, Options, Outlines, PointStatus, Report};
 use super::run::{Room, Run, Sketch, Solved};
-use super::{composite, judge};
+use super::{blend, composite, cubic, judge};
 use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;
@@ -48,51 +48,62 @@ struct Frame {
 }
 
 impl<'a> Worker<'a> {
-    /// A worker for the outlines `batch`, with room for what they need.
-    pub(super) fn new(outlines: &'a Outlines<'a>, options: &'a Options, batch: Range<usize>) -> Result<Self> {
-        let points = span(outlines, batch.start).start..span(outlines, batch.end - 1).end;
-        let (count, expected) = (batch.len(), points.len() + 2 * batch.len());
-        let per_segment = match options.mode {
-            Mode::Composite => 2,
-            Mode::BlendC1 | Mode::CubicC2 => 3,
-            Mode::BlendC2 => 5,
-            Mode::Single => 1,
-        };
-        let mut starts = alloc::with_capacity(count + 1)?;
-        starts.push([0, 0]);
-        let done = Fit {
-            points: alloc::with_capacity(per_segment * expected)?,
-            ends: alloc::with_capacity(expected + count)?,
-            starts,
-            closed: outlines.closed,
-            places: alloc::with_capacity(points.len())?,
-            statuses: alloc::with_capacity(points.len())?,
-            reports: alloc::with_capacity(count)?,
-        };
-        let from = outlines.constraints.partition_point(|constraint| (constraint.point as usize) < points.start);
-        Ok(Worker {
+    /// A worker that has done nothing.
+    pub(super) fn new(outlines: &'a Outlines<'a>, options: &'a Options) -> Self {
+        Worker {
             outlines,
             options,
-            constraints: &outlines.constraints[from..],
+            constraints: &[],
             nodes: Vec::new(),
             node_of: Vec::new(),
             cuts: Vec::new(),
             solved: Vec::new(),
             room: Room::default(),
             sketch: Sketch::default(),
-            done,
-        })
+            done: Fit::new(outlines.closed),
+        }
+    }
+
+    /// Makes room for the results of some outlines.
+    pub(super) fn reserve(&mut self, batch: Range<usize>) -> Result<()> {
+        let points = span(self.outlines, batch.start).start..span(self.outlines, batch.end - 1).end;
+        let expected = points.len() + 2 * batch.len();
+        let per_segment = match self.options.mode {
+            Mode::Composite => 2,
+            Mode::BlendC1 | Mode::CubicC2 => 3,
+            Mode::BlendC2 => 5,
+            Mode::Single => 1,
+        };
+        let done = &mut self.done;
+        alloc::reserve(&mut done.points, per_segment * expected)?;
+        alloc::reserve(&mut done.ends, expected)?;
+        alloc::reserve(&mut done.starts, batch.len())?;
+        alloc::reserve(&mut done.segments, points.len())?;
+        alloc::reserve(&mut done.parameters, points.len())?;
+        alloc::reserve(&mut done.statuses, points.len())?;
+        alloc::reserve(&mut done.reports, batch.len())
+    }
+
+    /// Identifies some outlines one after another.
+    pub(super) fn outlines(&mut self, batch: Range<usize>) -> Result<()> {
+        let first = span(self.outlines, batch.start).start;
+        let from = self.outlines.constraints.partition_point(|constraint| (constraint.point as usize) < first);
+        self.constraints = &self.outlines.constraints[from..];
+        batch.into_iter().try_for_each(|k| self.outline(k))
     }
 
     /// Identifies outline `k`.
-    pub(super) fn outline(&mut self, k: usize) -> Result<()> {
+    fn outline(&mut self, k: usize) -> Result<()> {
         let points = span(self.outlines, k);
         let first_status = self.done.statuses.len();
         let frame = self.read(&points)?;
         self.cut(&points)?;
         let mut report = Report { size: frame.size * frame.unit, ..Report::default() };
         self.solve(frame.size, &mut report)?;
-        judge::judge(&self.nodes, &self.solved, &self.sketch, self.is_closed(), frame.size, &mut report);
+        // A composite curve in one run measures itself.
+        if !self.cuts.is_empty() || self.options.mode != Mode::Composite {
+            judge::judge(&self.nodes, &self.solved, &self.sketch, self.is_closed(), frame.size, &mut report);
+        }
         self.deliver(&points, frame, first_status, report)
     }
 
@@ -103,13 +114,15 @@ impl<'a> Worker<'a> {
         self.node_of.clear();
         alloc::reserve(&mut self.nodes, points.len() + 1)?;
         alloc::reserve(&mut self.node_of, points.len())?;
-        let (mut low, mut high, mut finite) = (DVec3::INFINITY, DVec3::NEG_INFINITY, true);
-        for p in points.clone().map(|i| all.get(i)) {
+        all.read(points.clone(), &mut self.nodes);
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        // A sum of zeros, unless there is an infinity or no number.
+        let mut nothing = DVec3::ZERO;
+        for &p in &self.nodes {
             (low, high) = (low.min(p), high.max(p));
-            finite &= p.is_finite();
-            self.nodes.push(p);
+            nothing += p * 0.0;
         }
-        if !finite {
+        if nothing != DVec3::ZERO {
             return Err(not_finite(points.start, &self.nodes));
         }
         let half = (high * 0.5 - low * 0.5).max_element();
@@ -128,14 +141,18 @@ impl<'a> Worker<'a> {
         let near = (self.options.repeat_tolerance * size).powi(2);
         // From a box far larger than the unit only repeats are left out.
         let shift = origin * scale;
-        let mut count = 0;
-        for i in 0..self.nodes.len() {
-            let node = self.nodes[i] * scale - shift;
-            if count == 0 || node.distance_squared(self.nodes[count - 1]) > near {
-                self.nodes[count] = node;
-                count += 1;
+        self.nodes.iter_mut().for_each(|node| *node = *node * scale - shift);
+        self.node_of.extend(0..self.nodes.len() as u32);
+        let mut count = self.nodes.len();
+        if self.nodes.windows(2).any(|pair| pair[0].distance_squared(pair[1]) <= near) {
+            count = 1;
+            for i in 1..self.nodes.len() {
+                if self.nodes[i].distance_squared(self.nodes[count - 1]) > near {
+                    self.nodes[count] = self.nodes[i];
+                    count += 1;
+                }
+                self.node_of[i] = count as u32 - 1;
             }
-            self.node_of.push(count as u32 - 1);
         }
         while self.outlines.closed && count > 1 && self.nodes[count - 1].distance_squared(self.nodes[0]) <= near {
             count -= 1;
@@ -235,7 +252,7 @@ impl<'a> Worker<'a> {
         }
         if self.cuts.is_empty() {
             let run = Run { points: &self.nodes, closed: true, tangents: [None, None], size };
-            return composite::curve(&run, self.options, &mut self.solved, &mut self.room, &mut self.sketch, report);
+            return curve(&run, self.options, &mut self.solved, &mut self.room, &mut self.sketch, report);
         }
         for pair in 0..self.cuts.len() - 1 {
             let [from, to] = [self.cuts[pair], self.cuts[pair + 1]];
@@ -248,7 +265,7 @@ impl<'a> Worker<'a> {
             if pair > 0 && from.tangent.is_none() {
                 self.sketch.mark_corner()?;
             }
-            composite::curve(&run, self.options, solved, &mut self.room, &mut self.sketch, report)?;
+            curve(&run, self.options, solved, &mut self.room, &mut self.sketch, report)?;
         }
         if self.is_closed() && self.cuts[0].tangent.is_none() {
             self.sketch.mark_corner()?;
@@ -257,17 +274,24 @@ impl<'a> Worker<'a> {
     }
 
     /// Appends the curve where the outline is, and the account of its points.
-    fn deliver(&mut self, points: &Range<usize>, frame: Frame, first: usize, mut report: Report) -> Result<()> {
+    fn deliver(&mut self, points: &Range<usize>, frame: Frame, first: usize, report: Report) -> Result<()> {
         let done = &mut self.done;
         let base = done.points.len();
         alloc::reserve(&mut done.points, self.sketch.points.len())?;
         done.points.extend(self.sketch.points.iter().map(|&p| p * frame.unit + frame.origin));
         alloc::append(&mut done.ends, &self.sketch.ends)?;
         alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
-        alloc::reserve(&mut done.places, points.len())?;
+        alloc::reserve(&mut done.segments, points.len())?;
+        alloc::reserve(&mut done.parameters, points.len())?;
         alloc::reserve(&mut done.statuses, points.len())?;
+        if self.solved.len() == points.len() && self.cuts.is_empty() && self.options.mode == Mode::Composite {
+            // One run, without repeats and without a joint at any point.
+            done.segments.extend(self.solved.iter().map(|solved| solved.place.segment));
+            done.parameters.extend(self.solved.iter().map(|solved| solved.place.t));
+            done.statuses.extend(self.solved.iter().map(|solved| solved.status));
+            return self.account(first, report);
+        }
         let (mut before, closing) = (u32::MAX, self.node_of.first().copied().unwrap_or(0));
-        let mut partial = false;
         for (i, &node) in points.clone().zip(&self.node_of) {
             let Solved { place, mut status } = self.solved[node as usize];
             let repeats = node == before || (node == closing && i > points.start && self.outlines.closed);
@@ -285,9 +309,17 @@ impl<'a> Worker<'a> {
                 }
             }
             before = node;
-            done.places.push(place);
+            done.segments.push(place.segment);
+            done.parameters.push(place.t);
             done.statuses.push(status);
         }
+        self.account(first, report)
+    }
+
+    /// Sums up the statuses from the `first` on.
+    fn account(&mut self, first: usize, mut report: Report) -> Result<()> {
+        let done = &mut self.done;
+        let mut partial = false;
         for status in &done.statuses[first..] {
             report.not_ok += u32::from(*status != PointStatus::Ok);
             partial |= !matches!(status, PointStatus::Ok | PointStatus::Merged | PointStatus::ClampedParameter);
@@ -296,6 +328,22 @@ impl<'a> Worker<'a> {
             report.status = FitStatus::Partial;
         }
         alloc::push(&mut done.reports, report)
+    }
+}
+
+/// Appends the curve of a run.
+fn curve(
+    run: &Run<'_>,
+    options: &Options,
+    solved: &mut [Solved],
+    room: &mut Room,
+    sketch: &mut Sketch,
+    report: &mut Report,
+) -> Result<()> {
+    match options.mode {
+        Mode::BlendC1 | Mode::BlendC2 => blend::curve(run, options, solved, room, sketch),
+        Mode::CubicC2 => cubic::curve(run, options, solved, room, sketch),
+        Mode::Composite | Mode::Single => composite::curve(run, options, solved, room, sketch, report),
     }
 }
 
