@@ -295,7 +295,7 @@ impl<'a> Worker<'a> {
         for (i, &node) in points.clone().zip(&self.node_of) {
             let Solved { place, mut status } = self.solved[node as usize];
             let repeats = node == before || (node == closing && i > points.start && self.outlines.closed);
-            if repeats && status == PointStatus::Ok {
+            if repeats {
                 status = PointStatus::Merged;
             }
             if !repeats && (place.t == 0.0 || place.t == 1.0) && !self.sketch.is_empty() {
