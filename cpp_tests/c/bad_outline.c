@@ -149,7 +149,7 @@ static void results(void) {
     const uint32_t offsets[4] = {0, 4, 4, 5};
     const double points[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {9, 9}};
     char unaligned[1 + sizeof points];
-    gusset_outlines outlines = given(unaligned + 1, 5);
+    gusset_outlines outlines;
     gusset_outline_parts parts;
     gusset_outline_report report;
     gusset_sections_parts sections_parts;
@@ -158,6 +158,7 @@ static void results(void) {
     size_t i;
 
     memcpy(unaligned + 1, points, sizeof points);
+    outlines = given(unaligned + 1, 5);
     memset(&parts, 0, sizeof parts);
     memset(&report, 0, sizeof report);
     memset(&sections_parts, 0, sizeof sections_parts);
