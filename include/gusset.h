@@ -617,7 +617,7 @@ enum gusset_status
      */
     GUSSET_ERROR_EMPTY_MESH = 1002,
     /**
-     * Face offsets do not start at 0 or decrease.
+     * Offsets, of faces, outlines or segments, do not start at 0, decrease, or end elsewhere than their elements.
      */
     GUSSET_ERROR_BAD_OFFSETS = 1003,
     /**
@@ -672,6 +672,18 @@ enum gusset_status
      * The planes through the loops' centres cannot tell which vertices face each other: such loops are joined whole.
      */
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
+    /**
+     * A closed curve does not end where it begins.
+     */
+    GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
+    /**
+     * A control point of what must be a plane curve has z other than 0.
+     */
+    GUSSET_ERROR_CURVE_NOT_PLANE = 1201,
+    /**
+     * A curve without segments, or without points, where one is needed.
+     */
+    GUSSET_ERROR_EMPTY_CURVE = 1202,
     /**
      * Memory could not be had.
      */
@@ -1965,6 +1977,21 @@ typedef struct gusset_winged_view {
  * A count of elements or bytes.
  */
 #define GUSSET_ELEMENT_COUNT 6
+
+/**
+ * A point of an outline or a curve, counted over all outlines.
+ */
+#define GUSSET_ELEMENT_POINT 7
+
+/**
+ * A constraint on an outline.
+ */
+#define GUSSET_ELEMENT_CONSTRAINT 8
+
+/**
+ * One of the places on a curve that were given.
+ */
+#define GUSSET_ELEMENT_PLACE 9
 
 #ifdef __cplusplus
 extern "C" {

@@ -7,12 +7,14 @@
 //! * [`Method`]: the sections by themselves, closed forms.
 //! * [`fit`](fit()): whole outlines, many at a time, open or closed, by the [`Mode`]s.
 //! * [`CurveView`], [`Curve`]: what comes out.
+//! * [`ops`]: what can be asked of curves, and what can be made of them.
 
 mod composite;
 mod curve;
 mod fit;
 mod judge;
 mod method;
+pub mod ops;
 mod request;
 mod run;
 mod segment;
