@@ -914,6 +914,14 @@ enum gusset_status
      */
     GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
     /**
+     * A control point of what must be a plane curve has z other than 0.
+     */
+    GUSSET_ERROR_CURVE_NOT_PLANE = 1201,
+    /**
+     * A curve without segments, or without points, where one is needed.
+     */
+    GUSSET_ERROR_EMPTY_CURVE = 1202,
+    /**
      * Memory could not be had.
      */
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
@@ -2494,6 +2502,11 @@ typedef struct gusset_winged_view {
  * A constraint on an outline.
  */
 #define GUSSET_ELEMENT_CONSTRAINT 8
+
+/**
+ * One of the places on a curve that were given.
+ */
+#define GUSSET_ELEMENT_PLACE 9
 
 #ifdef __cplusplus
 extern "C" {

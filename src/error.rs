@@ -109,6 +109,22 @@ pub enum Error {
     },
     /// A closed curve does not end where it begins.
     CurveNotClosed,
+    /// A plane curve is asked for, and a control point has z other than 0.
+    CurveNotPlane {
+        /// The control point.
+        point: u32,
+    },
+    /// A curve without segments, or without points, where one is needed.
+    EmptyCurve,
+    /// There is no such place on the curve.
+    NoSuchPlace {
+        /// Which of the places given.
+        index: u32,
+        /// Its segment.
+        segment: u32,
+        /// Its parameter.
+        t: f64,
+    },
     /// A constraint names a point that does not exist, or that the one before it names or passes.
     NoSuchPoint {
         /// The constraint.
@@ -228,6 +244,11 @@ impl fmt::Display for Error {
                 write!(f, "point {point}, or a tangent there, has a coordinate that is {value}")
             }
             Error::CurveNotClosed => f.write_str("a closed curve ends where it begins; this one does not"),
+            Error::CurveNotPlane { point } => write!(f, "control point {point} is not in the plane z = 0"),
+            Error::EmptyCurve => f.write_str("the curve is empty"),
+            Error::NoSuchPlace { index, segment, t } => {
+                write!(f, "place {index}: there is no segment {segment} with parameter {t}")
+            }
             Error::NoSuchPoint { constraint, point } => {
                 write!(f, "constraint {constraint} is on point {point}, which does not exist or comes earlier")
             }

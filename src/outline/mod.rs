@@ -8,6 +8,7 @@
 //! * [`sections`](sections()): the sections of all points of outlines.
 //! * [`fit`](fit()): whole outlines, many at a time, open or closed, by the [`Mode`]s.
 //! * [`CurveView`], [`Curve`]: what comes out.
+//! * [`ops`]: what can be asked of curves, and what can be made of them.
 
 mod blend;
 mod composite;
@@ -16,6 +17,7 @@ mod curve;
 mod fit;
 mod judge;
 mod method;
+pub mod ops;
 mod request;
 mod run;
 mod sections;
