@@ -9,13 +9,17 @@
 //! * [`CurveView`], [`Curve`]: what comes out.
 
 mod composite;
+mod consistent;
 mod curve;
 mod fit;
+mod joints;
 mod judge;
 mod method;
 mod request;
 mod run;
 mod segment;
+mod stepping;
+mod sweeps;
 mod worker;
 
 pub use curve::{Curve, CurveView, MAX_DEGREE, Place};
@@ -23,6 +27,7 @@ pub use fit::{Fit, fit};
 pub use method::{
     Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent, tangent_of_angle,
 };
+pub use stepping::step_section;
 pub use request::{
     Constraint, Demand, Ends, FitStatus, Joint, Lock, MAX_POINTS, Mode, Options, Outlines, PointStatus, Points, Report,
     Solver,
