@@ -9,16 +9,17 @@
 //! beta_i = sqrt((1 - beta_(i-1)) D_i) / (sqrt((1 - beta_(i-1)) D_i) + sqrt(beta_(i+1) D_(i+1))).
 //!
 //! The roots of D_i and D_(i+1) alone, as one reads at times, would do for equal shares only. Where the polygon turns the other way behind
-//! the joint, no share does, and it is in the middle.
+//! the joint, the curvatures are as large as each other, but have different signs.
 //!
 //! Source: Yan, Schiller, Wilensky, Carr and Schaefer, k-Curves, 2017, for the shares by areas.
 
 use super::composite;
 use super::method::power;
-use super::request::{Options, PointStatus, Report};
+use super::request::{FitStatus, Options, PointStatus, Report};
 use super::run::{Room, Run, Solution, Solved, mark};
 use crate::alloc;
 use crate::error::Result;
+use glam::DVec3;
 
 /// How far from its point a control point may be, in sizes of the outline. With joints in the middle it cannot be farther, as the inverse of
 /// the equations has at most the norm 3.6 and no point is farther than 1/2 from the middle of the box in any coordinate.
@@ -97,8 +98,8 @@ fn astray<'a>(run: &'a Run<'_>, solution: &'a Solution) -> impl Iterator<Item = 
     })
 }
 
-/// Finds the curve with joints by curvatures: solves for the control points and shares in turn, until the shares rest. Joints that do not
-/// rest, or come too near a control point, fall back to the middle.
+/// Finds the curve with joints by curvatures: solves for the control points and shares in turn, until the shares rest. Joints are kept
+/// from coming too near a control point.
 pub(super) fn curvatures(
     run: &Run<'_>,
     options: &Options,
@@ -110,42 +111,48 @@ pub(super) fn curvatures(
     let n = run.points.len();
     let tolerance = options.tolerance.max(4.0 * f64::EPSILON);
     settle(run, options, solved, room, report)?;
+    let joints = if run.closed { 0..n } else { 1..n.saturating_sub(2).max(1) };
+    let next = |i: usize| if i + 1 == n { 0 } else { i + 1 };
     for _ in 0..options.max_sweeps {
         report.iterations += 1;
-        let moved = reshare(run, room);
-        room.solution.t[..n].copy_from_slice(&room.solution.given[..n]);
+        report.last_move = 0.0;
+        for i in joints.clone() {
+            if [i, next(i)].iter().any(|&k| solved[k].status == PointStatus::FellBack) {
+                continue;
+            }
+            let share = share_by_curvatures(run, &room.solution, i).clamp(LEAST_SHARE, 1.0 - LEAST_SHARE);
+            let beta = &mut room.solution.beta[i];
+            report.last_move = report.last_move.max((share - *beta).abs());
+            *beta = share;
+        }
         settle(run, options, solved, room, report)?;
-        report.last_move = moved;
-        if moved <= tolerance {
-            return Ok(());
+        if report.last_move <= tolerance {
+            break;
+        }
+    }
+    // The curve is smooth and passes its points with any shares: those that still move keep what they have.
+    for i in joints {
+        let (share, beta) = (share_by_curvatures(run, &room.solution, i), room.solution.beta[i]);
+        if (share.clamp(LEAST_SHARE, 1.0 - LEAST_SHARE) - beta).abs() > 10.0 * tolerance {
+            report.status = FitStatus::NotConverged;
+            [i, next(i)].iter().for_each(|&k| mark(&mut solved[k], PointStatus::NotConverged));
+        } else if share != beta && !(LEAST_SHARE..=1.0 - LEAST_SHARE).contains(&share) {
+            [i, next(i)].iter().for_each(|&k| mark(&mut solved[k], PointStatus::FellBack));
         }
     }
     Ok(())
 }
 
-/// Finds new shares for the control points there are; the largest change.
-fn reshare(run: &Run<'_>, room: &mut Room) -> f64 {
+/// The share that joint `i` should have for the control points and the other shares as they are.
+fn share_by_curvatures(run: &Run<'_>, solution: &Solution, i: usize) -> f64 {
     let n = run.points.len();
-    let solution = &mut room.solution;
-    let mut moved = 0.0f64;
-    let joints = if run.closed { 0..n } else { 1..n.saturating_sub(2) };
-    for i in joints {
-        let at = |k: usize| (i + k) % n;
-        let [a, b, c, d] = [n - 1, 0, 1, 2].map(|k| solution.controls[at(k)]);
-        let (before, after) = (solution.share(run, at(n - 1)), solution.share(run, at(1)));
-        let (here, there) = ((b - a).cross(c - b), (c - b).cross(d - c));
-        let share = match here.dot(there) > 0.0 {
-            true => {
-                let here = ((1.0 - before) * here.length()).sqrt();
-                let there = (after * there.length()).sqrt();
-                (here / (here + there)).clamp(LEAST_SHARE, 1.0 - LEAST_SHARE)
-            }
-            false => 0.5,
-        };
-        moved = moved.max((share - solution.beta[i]).abs());
-        solution.beta[i] = share;
-    }
-    moved
+    let at = |k: usize| (i + k) % n;
+    let [a, b, c, d] = [n - 1, 0, 1, 2].map(|k| solution.controls[at(k)]);
+    let (before, after) = (solution.share(run, at(n - 1)), solution.share(run, at(1)));
+    let [here, there] = [(b - a).cross(c - b), (c - b).cross(d - c)].map(DVec3::length);
+    let [here, there] = [(1.0 - before) * here, after * there].map(f64::sqrt);
+    // Straight on both sides.
+    if here + there > 0.0 { here / (here + there) } else { 0.5 }
 }
 
 /// All shares 1/2.

@@ -11,6 +11,7 @@
 mod composite;
 mod consistent;
 mod curve;
+mod dense;
 mod fit;
 mod joints;
 mod judge;
@@ -18,6 +19,7 @@ mod method;
 mod request;
 mod run;
 mod segment;
+mod single;
 mod stepping;
 mod sweeps;
 mod worker;

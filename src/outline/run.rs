@@ -3,6 +3,7 @@
 use super::consistent::Newton;
 use super::curve::Place;
 use super::request::PointStatus;
+use super::single::Single;
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
@@ -140,6 +141,7 @@ pub(super) struct Room {
     pub(super) iteration: Iteration,
     pub(super) flat: Newton<2>,
     pub(super) spatial: Newton<3>,
+    pub(super) single: Single,
 }
 
 /// What the iterations share: one of each for every point of the run.

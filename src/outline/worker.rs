@@ -4,7 +4,7 @@ use super::curve::Place;
 use super::fit::{Fit, span};
 use super::request::{Constraint, Demand, Ends, FitStatus, Mode, Options, Outlines, PointStatus, Report};
 use super::run::{Room, Run, Sketch, Solved};
-use super::{composite, judge};
+use super::{composite, judge, single};
 use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;
@@ -235,7 +235,7 @@ impl<'a> Worker<'a> {
         }
         if self.cuts.is_empty() {
             let run = Run { points: &self.nodes, closed: true, tangents: [None, None], size };
-            return composite::curve(&run, self.options, &mut self.solved, &mut self.room, &mut self.sketch, report);
+            return identify(&run, self.options, &mut self.solved, &mut self.room, &mut self.sketch, report);
         }
         for pair in 0..self.cuts.len() - 1 {
             let [from, to] = [self.cuts[pair], self.cuts[pair + 1]];
@@ -248,7 +248,7 @@ impl<'a> Worker<'a> {
             if pair > 0 && from.tangent.is_none() {
                 self.sketch.mark_corner()?;
             }
-            composite::curve(&run, self.options, solved, &mut self.room, &mut self.sketch, report)?;
+            identify(&run, self.options, solved, &mut self.room, &mut self.sketch, report)?;
         }
         if self.is_closed() && self.cuts[0].tangent.is_none() {
             self.sketch.mark_corner()?;
@@ -296,6 +296,21 @@ impl<'a> Worker<'a> {
             report.status = FitStatus::Partial;
         }
         alloc::push(&mut done.reports, report)
+    }
+}
+
+/// Appends the curve of a run, by the mode.
+fn identify(
+    run: &Run<'_>,
+    options: &Options,
+    solved: &mut [Solved],
+    room: &mut Room,
+    sketch: &mut Sketch,
+    report: &mut Report,
+) -> Result<()> {
+    match options.mode {
+        Mode::Single => single::curve(run, options, solved, room, sketch, report),
+        _ => composite::curve(run, options, solved, room, sketch, report),
     }
 }
 
