@@ -115,18 +115,19 @@ pub(super) fn curvatures(
     let next = |i: usize| if i + 1 == n { 0 } else { i + 1 };
     for _ in 0..options.max_sweeps {
         report.iterations += 1;
-        report.last_move = 0.0;
+        let mut moved = 0.0f64;
         for i in joints.clone() {
             if [i, next(i)].iter().any(|&k| solved[k].status == PointStatus::FellBack) {
                 continue;
             }
             let share = share_by_curvatures(run, &room.solution, i).clamp(LEAST_SHARE, 1.0 - LEAST_SHARE);
             let beta = &mut room.solution.beta[i];
-            report.last_move = report.last_move.max((share - *beta).abs());
+            moved = moved.max((share - *beta).abs());
             *beta = share;
         }
         settle(run, options, solved, room, report)?;
-        if report.last_move <= tolerance {
+        report.last_move = report.last_move.max(moved);
+        if moved <= tolerance {
             break;
         }
     }
