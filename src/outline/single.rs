@@ -37,6 +37,9 @@ const FAR: f64 = 2.0;
 /// A curve that passes its points no nearer than this, times the size, is none.
 const MISSED: f64 = 1e-12;
 
+/// A point that the curve passes no nearer than this, times the size, is said to be missed by rounding.
+const EXACT: f64 = 1e-14;
+
 /// The room of single curves: all for the points of the run, the first once more at the end of a closed one.
 #[derive(Default)]
 pub(super) struct Single {
@@ -83,7 +86,7 @@ pub(super) fn curve(
     let mut done = false;
     if let Some(normal) = normal {
         single.find_guides(run, options, solved, normal);
-        done = single.on_guides(run, options, normal, report)?;
+        done = single.on_guides(run, options, solved, normal, report)?;
         if !done {
             report.status = FitStatus::NotConverged;
             solved.iter_mut().for_each(|solved| mark(solved, PointStatus::FellBack));
@@ -92,16 +95,20 @@ pub(super) fn curve(
         }
     }
     if !done {
-        single.collocate(run, options, report)?;
+        single.collocate(run, options, solved, report)?;
     }
-    let far = single.farthest(run) > FAR * run.size;
-    if far {
+    if single.farthest() > FAR * run.size {
         report.status = FitStatus::IllConditioned;
     }
     let misses = single.residual().0;
     if misses.is_nan() || misses > MISSED * run.size {
         report.status = FitStatus::IllConditioned;
         return instead(run, options, solved, room, sketch, report);
+    }
+    for (i, solved) in solved.iter_mut().enumerate() {
+        if single.distance(i) > EXACT * run.size {
+            mark(solved, PointStatus::NotConverged);
+        }
     }
     let segment = sketch.len() as u32;
     for (solved, &t) in solved.iter_mut().zip(&single.t) {
@@ -134,7 +141,13 @@ fn seam(run: &Run<'_>, options: &Options) -> DVec3 {
     direction.ok().and_then(DVec3::try_normalize).unwrap_or_else(|| (c - p).any_orthogonal_vector().normalize_or_zero())
 }
 
-/// J_(N,j)(t) for all j, from the nearer end on, so that no power overflows its binomial.
+/// Says that sweeps have ended before they came to rest.
+fn unfinished(solved: &mut [Solved], report: &mut Report) {
+    report.status = FitStatus::NotConverged;
+    solved.iter_mut().for_each(|solved| mark(solved, PointStatus::NotConverged));
+}
+
+/// J_(N,j)(t) for all j.
 fn bernstein(basis: &mut [f64], t: f64) {
     let degree = basis.len() - 1;
     basis[0] = 1.0;
@@ -235,18 +248,34 @@ impl Single {
         }
     }
 
-    /// Solves the linear equations for the parameters as they are.
-    fn collocate(&mut self, run: &Run<'_>, options: &Options, report: &mut Report) -> Result<()> {
-        let (inner, first) = (self.inner(), self.own(1));
+    /// Finds the control points for the parameters as they are.
+    fn collocate(
+        &mut self,
+        run: &Run<'_>,
+        options: &Options,
+        solved: &mut [Solved],
+        report: &mut Report,
+    ) -> Result<()> {
         if options.solver == Solver::Step {
-            (1..=inner).for_each(|i| {
-                let own = self.own(i);
-                self.controls[own] = self.points[i];
-            });
-            if self.sweep(run, options, None, options.max_sweeps, report) {
-                return Ok(());
+            self.start_at_points();
+            if !self.sweep(run, options, None, options.max_sweeps, report) {
+                unfinished(solved, report);
             }
         }
+        self.eliminate()
+    }
+
+    /// Puts the control points on their points, where the paper begins.
+    fn start_at_points(&mut self) {
+        for i in 1..=self.inner() {
+            let own = self.own(i);
+            self.controls[own] = self.points[i];
+        }
+    }
+
+    /// Solves the linear equations for the parameters as they are.
+    fn eliminate(&mut self) -> Result<()> {
+        let (inner, first) = (self.inner(), self.own(1));
         (1..=inner).for_each(|i| {
             let own = self.own(i);
             self.controls[own] = DVec3::ZERO;
@@ -257,7 +286,7 @@ impl Single {
             self.matrix.row(i - 1).copy_from_slice(&self.basis[first..first + inner]);
         }
         if !self.matrix.factor() {
-            self.controls[1] = DVec3::NAN;
+            self.start_at_points();
             return Ok(());
         }
         // What is left after the first time is rounding, and the second time takes most of it away.
@@ -275,16 +304,21 @@ impl Single {
     }
 
     /// The farthest control point from its point.
-    fn farthest(&self, run: &Run<'_>) -> f64 {
+    fn farthest(&self) -> f64 {
         let away = |i: usize| self.controls[self.own(i)].distance(self.points[i]);
-        (1..=self.inner()).map(away).fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most }).min(1e300 * run.size)
+        (1..=self.inner()).map(away).fold(0.0, f64::max).min(1e300)
+    }
+
+    /// The distance of a point from its place on the curve.
+    fn distance(&self, i: usize) -> f64 {
+        segment::point(&self.controls, self.t[i]).distance(self.points[i])
     }
 
     /// The farthest point from its place on the curve, and the sum of the squares of the distances.
     fn residual(&self) -> (f64, f64) {
         let (mut farthest, mut sum) = (0.0f64, 0.0);
         for i in 1..=self.inner() {
-            let square = segment::point(&self.controls, self.t[i]).distance_squared(self.points[i]);
+            let square = self.distance(i).powi(2);
             if square > farthest || square.is_nan() {
                 farthest = square;
             }
@@ -294,21 +328,30 @@ impl Single {
     }
 
     /// Finds control points on the guides. False if it fails.
-    fn on_guides(&mut self, run: &Run<'_>, options: &Options, normal: DVec3, report: &mut Report) -> Result<bool> {
-        for i in 1..=self.inner() {
-            let own = self.own(i);
-            self.controls[own] = self.points[i];
+    fn on_guides(
+        &mut self,
+        run: &Run<'_>,
+        options: &Options,
+        solved: &mut [Solved],
+        normal: DVec3,
+        report: &mut Report,
+    ) -> Result<bool> {
+        self.start_at_points();
+        if options.solver == Solver::Fast {
+            self.sweep(run, options, Some(normal), SWEEPS.min(options.max_sweeps), report);
+            report.iterations = 0;
+            return self.newton(run, options, normal, report);
         }
-        if options.solver == Solver::Step {
-            return Ok(self.sweep(run, options, Some(normal), options.max_sweeps, report) && self.is_in_order());
+        let rests = self.sweep(run, options, Some(normal), options.max_sweeps, report);
+        if !self.is_in_order() {
+            return Ok(false);
         }
-        self.sweep(run, options, Some(normal), SWEEPS.min(options.max_sweeps), report);
-        report.iterations = 0;
-        if self.newton(run, options, normal, report)? {
-            return Ok(true);
+        if !rests {
+            unfinished(solved, report);
         }
-        // From the curve by parameters, which may be nearer.
-        Ok(false)
+        // What the steps leave of the deviations; the guides are left by no more than that.
+        self.eliminate()?;
+        Ok(self.residual().0 <= MISSED * run.size)
     }
 
     /// Whether the parameters rise from 0 to 1.
