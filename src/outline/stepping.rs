@@ -44,10 +44,10 @@ pub(super) fn step(
 }
 
 /// The section from A through P to C by the paper's stepping, and the number of steps: B goes from P along the guide, until the curve crosses
-/// the guide at P. The crossing is that of the curve with the guide: with f = 0 on the guide, t / (1 - t) = sqrt(-f(A) / f(C)), wherever B is.
+/// the guide at P. It crosses it at the same parameter wherever B is, as the paper observes of the normal and as holds for all guides.
 ///
 /// # Errors
-/// Those of [`Method::section`]; [`PointStatus::Collinear`] if the guide is along the chord, [`PointStatus::NotConverged`] if the steps are used up.
+/// Those of [`Method::section`]; [`PointStatus::NotConverged`] if the steps are used up.
 pub fn step_section(
     a: DVec3,
     p: DVec3,
@@ -55,27 +55,15 @@ pub fn step_section(
     method: Method,
     options: &Options,
 ) -> Result<(Section, u64), PointStatus> {
-    let wanted = method.section(a, p, c)?;
+    let t = method.section(a, p, c)?.t;
+    let s = 1.0 - t;
     let (u, w) = (a - p, c - p);
     let size = u.abs().max_element().max(w.abs().max_element()).max((c - a).abs().max_element());
-    // The foot divides the chord as the squares of t and 1 - t.
-    let (after, before) = (wanted.t * wanted.t, (1.0 - wanted.t) * (1.0 - wanted.t));
-    let guide = -(u * before + w * after) / (before + after);
-    if guide.length() <= 1e-14 * size {
-        // P is the foot: B has nowhere to go.
-        return Ok((Section { control: p, t: wanted.t }, 0));
-    }
-    let guide = guide.normalize();
-    let normal = (c - a) - guide * (c - a).dot(guide);
-    let (before, after) = (-normal.dot(u), normal.dot(w));
-    if normal.length() <= 1e-9 * size || before <= 0.0 || after <= 0.0 {
-        return Err(PointStatus::Collinear);
-    }
-    let (before, after) = (before.sqrt(), after.sqrt());
-    let t = before / (before + after);
-    let s = 1.0 - t;
-    let still = u.dot(guide) * s * s + w.dot(guide) * t * t;
+    // From the foot, which divides the chord as t^2 and (1 - t)^2, to the point. A point that is the foot has nowhere to go.
+    let still = u * (s * s) + w * (t * t);
+    let guide = -still.normalize_or_zero();
     let mut steps = 0;
-    let along = step(options, size, |x| -(still + 2.0 * t * s * x), &mut steps).ok_or(PointStatus::NotConverged)?;
+    let deviation = |x: f64| -(still.dot(guide) + 2.0 * t * s * x);
+    let along = step(options, size, deviation, &mut steps).ok_or(PointStatus::NotConverged)?;
     Ok((Section { control: p + guide * along, t }, steps))
 }
