@@ -12,9 +12,12 @@
 
 mod blend;
 mod composite;
+mod consistent;
 mod cubic;
 mod curve;
+mod dense;
 mod fit;
+mod joints;
 mod judge;
 mod method;
 pub mod ops;
@@ -22,6 +25,9 @@ mod request;
 mod run;
 mod sections;
 mod segment;
+mod single;
+mod stepping;
+mod sweeps;
 mod tridiagonal;
 mod worker;
 
@@ -35,3 +41,4 @@ pub use request::{
     Solver,
 };
 pub use sections::{Sections, sections};
+pub use stepping::step_section;
