@@ -8,6 +8,7 @@
 //! * [`sections`](sections()): the sections of all points of outlines.
 //! * [`fit`](fit()): whole outlines, many at a time, open or closed, by the [`Mode`]s.
 //! * [`CurveView`], [`Curve`]: what comes out.
+//! * [`frame`]: curves across and along a body, through a grid of nodes.
 //! * [`ops`]: what can be asked of curves, and what can be made of them.
 
 mod blend;
@@ -17,6 +18,7 @@ mod cubic;
 mod curve;
 mod dense;
 mod fit;
+pub mod frame;
 mod joints;
 mod judge;
 mod method;
