@@ -221,6 +221,107 @@ static void results(void) {
     gusset_sections_destroy(sections);
 }
 
+static void frames(void) {
+    /* Two squares, one above the other. */
+    const double points[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    const uint32_t offsets[3] = {0, 4, 8}, uneven[3] = {0, 3, 8}, landmarks[4] = {0, 2, 1, 3};
+    const double middle[3] = {0, 0, 0.5}, up[3] = {0, 0, 2}, nothing[3] = {0, 0, 0}, nan[3] = {0, NAN, 0};
+    gusset_outlines sections = given(points, 8);
+    gusset_frame_options options;
+    gusset_outline_options curves;
+    gusset_frame_parts parts;
+    gusset_measure measure;
+    gusset_frame *frame = (gusset_frame *)misaligned();
+    gusset_outline *section = NULL;
+    const gusset_outline *across = NULL, *along = NULL;
+    gusset_report report;
+
+    memset(&report, 0, sizeof report);
+    memset(&options, 0, sizeof options);
+    memset(&curves, 0, sizeof curves);
+    memset(&parts, 0, sizeof parts);
+    report.struct_size = sizeof report;
+    sections.dimension = 3, sections.offsets = offsets, sections.outline_count = 2;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_create(context, NULL, NULL, &frame));
+    CHECK(frame == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_create(context, &sections, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_create(context, &sections, misaligned(), &frame));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_create(context, &sections, &options, &frame));
+    options.struct_size = sizeof options, options.correspondence = 9;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
+    options.correspondence = GUSSET_CORRESPONDENCE_GIVEN, options.ring = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
+    options.ring = 1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.ring = 0, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
+    options.reserved = 0, options.across = &curves;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_create(context, &sections, &options, &frame));
+    curves.struct_size = sizeof curves, curves.curve = GUSSET_CURVE_CUBIC_C2;
+    options.correspondence = GUSSET_CORRESPONDENCE_ARC_LENGTH, options.columns = UINT32_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.columns = 0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.correspondence = GUSSET_CORRESPONDENCE_ANGLE, options.columns = 4;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_direction[2] = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_direction[2] = 1.0, options.reference[0] = 1.0, options.axis_point[0] = 9.0;
+    EXPECT(GUSSET_ERROR_NO_NODE, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_point[0] = NAN;
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_frame_create(context, &sections, &options, &frame));
+    options.correspondence = GUSSET_CORRESPONDENCE_LANDMARKS, options.columns = 2;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.landmarks.count = 4;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_create(context, &sections, &options, &frame));
+    options.landmarks.data = landmarks;
+    EXPECT(GUSSET_OK, gusset_frame_create(context, &sections, &options, &frame));
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_frame_view(frame, &parts));
+    CHECK(parts.rows == 2 && parts.columns == 4 && parts.max_gap < 1e-15);
+    gusset_frame_destroy(frame);
+    sections.offsets = uneven;
+    EXPECT(GUSSET_ERROR_SECTIONS_DIFFER, gusset_frame_create(context, &sections, NULL, &frame));
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.element == GUSSET_ELEMENT_SECTION && report.index == 1 && report.value == 5);
+    sections.offsets = offsets;
+
+    EXPECT(GUSSET_OK, gusset_frame_create(NULL, &sections, NULL, &frame));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_view(NULL, &parts));
+    parts.struct_size = 4;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_view(frame, &parts));
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_frame_view(frame, &parts));
+    CHECK(parts.rows == 2 && parts.columns == 4 && memcmp(parts.nodes, points, sizeof points) == 0);
+    CHECK(parts.along[2] == 1.0 && parts.turned[1] == 0 && parts.ambiguous.count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_curves(NULL, &across, &along));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_curves(frame, misaligned(), NULL));
+    EXPECT(GUSSET_OK, gusset_frame_curves(frame, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_frame_curves(frame, &across, &along));
+    EXPECT(GUSSET_OK, gusset_outline_measure(across, 1, &measure));
+    CHECK(measure.centre[2] == 1.0 && measure.area > 1.0);
+    EXPECT(GUSSET_OK, gusset_outline_measure(along, 3, &measure));
+    CHECK(measure.girth == 1.0 && measure.area == 0.0);
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_measure(along, 4, &measure));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(along, 3, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(NULL, 3, &measure));
+
+    EXPECT(GUSSET_OK, gusset_frame_slice(context, frame, middle, up, &section));
+    EXPECT(GUSSET_OK, gusset_outline_measure(section, 0, &measure));
+    CHECK(fabs(measure.centre[2] - 0.5) < 1e-15);
+    gusset_outline_destroy(section);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_slice(context, frame, middle, nothing, &section));
+    CHECK(section == NULL);
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_frame_slice(context, frame, nan, up, &section));
+    EXPECT(GUSSET_ERROR_NO_NODE, gusset_frame_slice(context, frame, up, up, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, NULL, middle, up, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, frame, NULL, up, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, frame, middle, NULL, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, frame, middle, up, NULL));
+    gusset_frame_destroy(frame);
+    gusset_frame_destroy(NULL);
+}
+
 int main(void) {
     if (gusset_context_create(&context) != GUSSET_OK) {
         return 1;
@@ -229,6 +330,7 @@ int main(void) {
     data();
     options();
     results();
+    frames();
     gusset_context_destroy(context);
     return failures != 0;
 }

@@ -105,3 +105,43 @@ TEST_CASE("the bisector's section halves the angle") {
     CHECK(angle(points[0]) == doctest::Approx(48.56).epsilon(1e-4));
     CHECK(angle(points[2]) == doctest::Approx(48.56).epsilon(1e-4));
 }
+
+TEST_CASE("the frame of a ball: nodes, curves, new sections and their measures") {
+    std::vector<Space> points;
+    std::vector<uint32_t> offsets = {0};
+    for (int k = 0; k < 9; ++k) {
+        const double z = -1.6 + 0.4 * k, r = std::sqrt(4 - z * z);
+        for (int i = 0; i < 20 + k; ++i) {
+            const double angle = turn * i / (20 + k);
+            points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+        }
+        offsets.push_back(static_cast<uint32_t>(points.size()));
+    }
+    gusset::OutlineOptions cubic;
+    cubic.curve = gusset::CurveKind::cubic_c2;
+    const gusset::Frame frame(gusset::Outlines(points, true).offsets(offsets),
+                              gusset::Correspondence::angle(16, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}), cubic, cubic);
+    const gusset_frame_parts parts = frame.parts();
+    REQUIRE(parts.rows == 9);
+    REQUIRE(parts.columns == 16);
+    CHECK(parts.max_gap < 1e-15);
+    CHECK(parts.min_sine > 0.99);
+    CHECK(frame.across(8).size() == 16);
+    CHECK(frame.along(15).size() == 8);
+    for (const Space &p : frame.nodes()) {
+        CHECK(std::hypot(p[0], p[1], p[2]) == doctest::Approx(2).epsilon(1e-3));
+    }
+    const gusset_measure measure = frame.slice({0, 0, 0.13}, {0, 0, 7}).measure();
+    const double r = std::sqrt(4 - 0.13 * 0.13);
+    CHECK(measure.girth == doctest::Approx(turn * r).epsilon(1e-3));
+    CHECK(measure.area == doctest::Approx(turn / 2 * r * r).epsilon(1e-3));
+    CHECK(measure.centre[2] == doctest::Approx(0.13).epsilon(1e-6));
+    try {
+        frame.slice({0, 0, 5}, {0, 0, 1});
+        FAIL("the plane is beyond the ball");
+    } catch (const gusset::Error &error) {
+        CHECK(error.status() == GUSSET_ERROR_NO_NODE);
+    }
+    CHECK_THROWS_AS(gusset::Frame(gusset::Outlines(points, true).offsets(offsets)), gusset::Error);
+    CHECK_THROWS_AS(frame.across(9), gusset::Error);
+}

@@ -133,9 +133,21 @@ struct OutlineCurve {
     Points segment(std::size_t s) const { return {controls.data() + ends[s], ends[s + 1] - ends[s] + 1}; }
 };
 
+namespace detail {
+/// What can be asked of outlines, owned or lent.
+inline gusset_outline_parts parts(const gusset_outline *outline) {
+    gusset_outline_parts parts{};
+    parts.struct_size = sizeof parts;
+    check(gusset_outline_view(outline, &parts));
+    return parts;
+}
+} // namespace detail
+
 /// The curves through the points of outlines; see gusset_outline_create.
 class Outline {
 public:
+    /// Takes over what a C function made.
+    explicit Outline(gusset_outline *made) : outline_(made) {}
     explicit Outline(const Outlines &outlines, const OutlineOptions &options = {}, const Context &context = Context()) {
         const gusset_outline_options given = options.get();
         gusset_outline *created = nullptr;
@@ -144,22 +156,28 @@ public:
     }
     /// All arrays, valid as long as this lives.
     gusset_outline_parts parts() const {
-        gusset_outline_parts parts{};
-        parts.struct_size = sizeof parts;
-        detail::check(gusset_outline_view(outline_.get(), &parts));
-        return parts;
+        return detail::parts(outline_.get());
     }
     /// The number of outlines.
     std::size_t size() const { return parts().outline_count; }
     /// The curve of outline k.
     OutlineCurve curve(std::size_t k = 0) const {
-        const gusset_outline_parts all = parts();
+        return curve_of(parts(), k);
+    }
+    /// The curve of outline k of those that are lent.
+    static OutlineCurve curve_of(const gusset_outline_parts &all, std::size_t k) {
         if (k >= all.outline_count) {
             detail::check(GUSSET_ERROR_NO_SUCH_ELEMENT);
         }
         const std::size_t *from = all.starts + 2 * k, *to = from + 2;
         return {{reinterpret_cast<const std::array<double, 3> *>(all.controls) + from[0], to[0] - from[0]},
                 {all.ends.data + from[1], to[1] - from[1]}};
+    }
+    /// Girth, area and centre of outline k.
+    gusset_measure measure(std::size_t k = 0) const {
+        gusset_measure measure{};
+        detail::check(gusset_outline_measure(outline_.get(), k, &measure));
+        return measure;
     }
     /// What became of outline k.
     gusset_outline_report report(std::size_t k = 0) const {
