@@ -8,6 +8,7 @@
 //! * length, [`Lengths`]: arc length and its inverse. area, [`Moments`]: integrals over what a curve encloses.
 //! * bounds: the exact bounding box.
 //! * cross: crossings with lines and planes.
+//! * meet, pair: common points of two plane curves, and of one with itself.
 //! * resample, [`Samples`]: points along a curve.
 //! * export: SVG paths, TrueType contours, B-splines.
 //!
@@ -27,7 +28,9 @@ mod evaluate;
 mod export;
 mod frame;
 mod length;
+mod meet;
 mod nearest;
+mod pair;
 mod resample;
 mod roots;
 mod split;
@@ -39,6 +42,7 @@ pub use cross::Crossings;
 pub use degree::Reduced;
 pub use export::{Contour, Spline};
 pub use length::Lengths;
+pub use meet::{Meeting, Meetings, Overlap};
 pub use nearest::Nearest;
 pub use resample::Samples;
 
