@@ -1,6 +1,7 @@
 //! Operations on curves, against formulas, brute force and identities.
 
 use glam::DVec3;
+use gusset::outline::ops::OffsetOptions;
 use gusset::outline::{Curve, CurveView, Place};
 use gusset::{Error, Job};
 use proptest::prelude::*;
@@ -601,5 +602,80 @@ proptest! {
         let coordinates: Vec<f64> = given.points.iter().flat_map(|p| [p.x, p.y]).collect();
         prop_assert_eq!(numbers, coordinates);
         prop_assert_eq!(text.ends_with('Z'), given.closed);
+    }
+}
+
+fn offset_options(degree: usize, tolerance: f64) -> OffsetOptions {
+    OffsetOptions { degree, tolerance, max_segments: 10_000 }
+}
+
+/// The largest difference of the distance from `given` of points of `offset`, and `distance`.
+fn off_by(given: &CurveView<'_>, offset: &CurveView<'_>, distance: f64) -> f64 {
+    let places: Vec<Place> =
+        (0..offset.len() as u32).flat_map(|k| (0..=20).map(move |i| at(k, f64::from(i) / 20.0))).collect();
+    let found = given.nearest(&offset.points_at(&places).unwrap(), &Job::default()).unwrap();
+    found.iter().fold(0.0, |m, n| f64::max(m, (n.distance - distance.abs()).abs()))
+}
+
+#[test]
+fn offsets_of_circles_and_parabolas() {
+    for scale in [1.0, 1e200, 1e-200] {
+        let given = circle(scale, 8);
+        for (degree, tolerance) in [(2, 1e-3), (2, 1e-6), (3, 1e-6), (3, 1e-10)] {
+            for d in [0.5, -0.5, 0.9] {
+                let done = given.view().offset(d * scale, &offset_options(degree, tolerance * scale)).unwrap();
+                let curve = done.curve.view();
+                assert!(curve.is_closed() && done.reached && !done.tight && done.corners == 0);
+                assert!(done.deviation <= tolerance * scale);
+                assert!(curve.segments().all(|c| c.len() == degree + 1));
+                // Both curves are circles but for 1e-5 of the given one.
+                let points: Vec<f64> =
+                    curve.points_at(&[at(0, 0.3), at(1, 0.7)]).unwrap().iter().map(|p| (*p / scale).length()).collect();
+                assert!(points.iter().all(|r| (r - (1.0 - d)).abs() < 2e-5 + tolerance), "{points:?}");
+                assert!(off_by(&given.view(), &curve, d * scale) / scale <= 1.01 * tolerance + 1e-14);
+                // One tangent at the joints.
+                for k in 1..curve.len() as u32 {
+                    let t = curve.tangents_at(&[at(k - 1, 1.0), at(k, 0.0)]).unwrap();
+                    assert!((t[0] - t[1]).length() < 1e-7, "{k} {} {}", t[0], t[1]);
+                }
+            }
+        }
+    }
+    let given = parabola(-1.0, 1.0);
+    // The radius at the top is 1/2.
+    let inside = given.view().offset(0.4, &offset_options(3, 1e-8)).unwrap();
+    assert!(!inside.tight && inside.reached && off_by(&given.view(), &inside.curve.view(), 0.4) < 1.1e-8);
+    let beyond = given.view().offset(0.6, &offset_options(3, 1e-8)).unwrap();
+    assert!(beyond.tight && beyond.deviation.is_finite());
+    assert!(!given.view().offset(-5.0, &offset_options(2, 1e-6)).unwrap().tight);
+    let few = given.view().offset(-0.4, &OffsetOptions { max_segments: 1, ..offset_options(2, 1e-12) }).unwrap();
+    assert!(!few.reached && few.deviation > 1e-3 && few.curve.view().len() < 20);
+    // A square: four corners outside.
+    let square = Given {
+        points: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]].map(|[x, y]| v(x, y, 0.0)).to_vec(),
+        ends: (0..5).collect(),
+        closed: true,
+    };
+    let done = square.view().offset(-1.0, &offset_options(2, 1e-9)).unwrap();
+    assert_eq!((done.corners, done.curve.view().len()), (4, 8));
+    assert!((done.curve.view().area().unwrap() - 7.0).abs() < 1e-12);
+    assert!(square.view().offset(f64::NAN, &offset_options(2, 1.0)).is_err());
+    assert!(square.view().offset(1.0, &offset_options(4, 1.0)).is_err());
+}
+
+proptest! {
+    #[test]
+    fn offsets_of_anything_come_to_an_end(given in curves(true), d in -0.5..0.5f64, degree in 2usize..4) {
+        let unit = size(&given);
+        let options = OffsetOptions { max_segments: 300, ..offset_options(degree, 1e-4 * unit) };
+        match given.view().offset(d * unit, &options) {
+            Ok(done) => {
+                prop_assert!(done.curve.view().points().iter().all(|p| p.is_finite()));
+                prop_assert!(done.curve.view().len() < 1000);
+                let view = done.curve.view();
+                prop_assert!(CurveView::new(view.points(), view.ends(), view.is_closed()).is_ok());
+            }
+            Err(error) => prop_assert_eq!(error, Error::EmptyCurve),
+        }
     }
 }

@@ -9,6 +9,7 @@
 //! * bounds: the exact bounding box.
 //! * cross: crossings with lines and planes.
 //! * meet, pair: common points of two plane curves, and of one with itself.
+//! * offset: the curve at a distance.
 //! * resample, [`Samples`]: points along a curve.
 //! * export: SVG paths, TrueType contours, B-splines.
 //!
@@ -30,6 +31,7 @@ mod frame;
 mod length;
 mod meet;
 mod nearest;
+mod offset;
 mod pair;
 mod resample;
 mod roots;
@@ -44,6 +46,7 @@ pub use export::{Contour, Spline};
 pub use length::Lengths;
 pub use meet::{Meeting, Meetings, Overlap};
 pub use nearest::Nearest;
+pub use offset::{Offset, OffsetOptions};
 pub use resample::Samples;
 
 use super::curve::{Curve, CurveView, Place};
