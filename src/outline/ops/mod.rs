@@ -8,6 +8,10 @@
 //! * length, [`Lengths`]: arc length and its inverse. area, [`Moments`]: integrals over what a curve encloses.
 //! * bounds: the exact bounding box.
 //! * cross: crossings with lines and planes.
+//! * meet, pair: common points of two plane curves, and of one with itself.
+//! * offset: the curve at a distance.
+//! * resample, [`Samples`]: points along a curve.
+//! * export: SVG paths, TrueType contours, B-splines.
 //!
 //! What they stand on: frame (numbers near 1, whatever the unit), bernstein and roots (polynomials on 0 to 1 and where they vanish),
 //! cubic (the closed form).
@@ -20,10 +24,16 @@ mod bernstein;
 mod bounds;
 mod cross;
 mod cubic;
+mod degree;
 mod evaluate;
+mod export;
 mod frame;
 mod length;
+mod meet;
 mod nearest;
+mod offset;
+mod pair;
+mod resample;
 mod roots;
 mod split;
 mod tree;
@@ -31,8 +41,13 @@ mod tree;
 pub use area::Moments;
 pub use bounds::Bounds;
 pub use cross::Crossings;
+pub use degree::Reduced;
+pub use export::{Contour, Spline};
 pub use length::Lengths;
+pub use meet::{Meeting, Meetings, Overlap};
 pub use nearest::Nearest;
+pub use offset::{Offset, OffsetOptions};
+pub use resample::Samples;
 
 use super::curve::{Curve, CurveView, Place};
 use crate::error::{Error, Result};
