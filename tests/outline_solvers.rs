@@ -5,12 +5,12 @@
 
 mod outline_data;
 
+use glam::DVec3;
 use gusset::job::Job;
 use gusset::outline::{
     Constraint, CurveView, Demand, Fit, FitStatus, Joint, Lock, Method, Mode, Options, Outlines, PointStatus, Points,
     Solver, fit, step_section,
 };
-use glam::DVec3;
 use outline_data::{Line, adversarial, arc, blob, foot_half, outlines, random, sine};
 
 fn solve(line: &Line, options: &Options) -> Fit {
@@ -56,8 +56,14 @@ fn check(line: &Line, fit: &Fit, what: &str) {
         let far = casteljau(controls, place.t).distance(*p);
         // Rounding: of the solution, of control points far out, and of coordinates far from the origin.
         let out = controls.iter().map(|b| b.distance(*p)).fold(0.0, f64::max);
-        let bound = 4e-15 * size.max(out) + 2.0 * controls.len() as f64 * f64::EPSILON * reach + 1.1e-12 * size * f64::from(status == PointStatus::Merged);
-        assert!(far <= bound, "{what} {}: point {i} is {far:e} from the curve of size {size:e} ({status:?})", line.name);
+        let bound = 4e-15 * size.max(out)
+            + 2.0 * controls.len() as f64 * f64::EPSILON * reach
+            + 1.1e-12 * size * f64::from(status == PointStatus::Merged);
+        assert!(
+            far <= bound,
+            "{what} {}: point {i} is {far:e} from the curve of size {size:e} ({status:?})",
+            line.name
+        );
     }
     assert!(report.max_joint_sine < 1e-6, "{what} {}: joint {report:?}", line.name);
 }
@@ -88,7 +94,10 @@ fn self_consistent_parameters_on_all_outlines() {
         for i in 0..line.points.len() {
             let status = fit.statuses()[i];
             let Some((controls, t)) = section(curve, &fit, i) else { continue };
-            assert!(matches!(status, PointStatus::Ok | PointStatus::ClampedParameter | PointStatus::Merged), "{status:?}");
+            assert!(
+                matches!(status, PointStatus::Ok | PointStatus::ClampedParameter | PointStatus::Merged),
+                "{status:?}"
+            );
             let wanted = centripetal(controls[0], line.points[i], controls[2]).clamp(1.0 / 6.0, 5.0 / 6.0);
             let error = (t - wanted).abs() * controls[2].distance(controls[0]);
             assert!(error <= 1e-11 * size, "{} {i}: t {t}, not {wanted}", line.name);
@@ -106,7 +115,8 @@ fn control_points_lie_on_the_guides_of_the_data() {
     let options = Options { lock: Lock::DataGuide, ..Options::default() };
     for solver in [Solver::Fast, Solver::Step] {
         let (mut kept, mut all) = (0, 0);
-        for line in outlines().into_iter().chain([blob(24, 0.0), blob(25, 1.0)]).filter(|line| line.points.len() < 600) {
+        for line in outlines().into_iter().chain([blob(24, 0.0), blob(25, 1.0)]).filter(|line| line.points.len() < 600)
+        {
             let n = line.points.len();
             let fit = solve(&line, &Options { solver, ..options });
             check(&line, &fit, "guides");
@@ -160,7 +170,8 @@ fn stepping_agrees_with_closed_forms_on_sections() {
     }
     assert!(agreed > 1200, "{agreed}");
     // On the chord, at its middle, and there and back.
-    let (section, steps) = step_section(DVec3::ZERO, DVec3::X, DVec3::X * 2.0, Method::Median, &Options::default()).unwrap();
+    let (section, steps) =
+        step_section(DVec3::ZERO, DVec3::X, DVec3::X * 2.0, Method::Median, &Options::default()).unwrap();
     assert_eq!((section.control, section.t, steps), (DVec3::X, 0.5, 0));
     let back = step_section(DVec3::ZERO, DVec3::X, DVec3::ZERO, Method::Bisector, &Options::default());
     assert!(back.is_err() || back.unwrap().0.control.is_finite());
@@ -168,7 +179,8 @@ fn stepping_agrees_with_closed_forms_on_sections() {
 
 #[test]
 fn stepping_agrees_with_fast_solutions_of_outlines() {
-    let lines: Vec<Line> = outlines().into_iter().filter(|line| line.name.starts_with("foot") && line.points.len() < 300).collect();
+    let lines: Vec<Line> =
+        outlines().into_iter().filter(|line| line.name.starts_with("foot") && line.points.len() < 300).collect();
     for line in lines.into_iter().chain([blob(24, 0.0), blob(31, 0.7), arc(9)]) {
         for lock in [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide] {
             let fast = Options { lock, ..Options::default() };
@@ -208,7 +220,14 @@ fn nothing_breaks_the_solvers() {
                     let options = Options { method, lock, joint, max_sweeps: 60, ..Options::default() };
                     check(line, &solve(line, &options), &format!("{method:?} {lock:?} {joint:?}"));
                 }
-                let step = Options { method, lock, solver: Solver::Step, max_sweeps: 20, max_steps: 300, ..Options::default() };
+                let step = Options {
+                    method,
+                    lock,
+                    solver: Solver::Step,
+                    max_sweeps: 20,
+                    max_steps: 300,
+                    ..Options::default()
+                };
                 check(line, &solve(line, &step), &format!("{method:?} {lock:?} steps"));
                 let single = Options { mode: Mode::Single, ..step };
                 check(line, &solve(line, &single), &format!("single {method:?} {lock:?} steps"));
@@ -269,7 +288,11 @@ fn solutions_move_with_the_points() {
 fn points_in_space() {
     let helix = |n: usize| {
         let at = |i: usize| (i as f64 * 0.4).sin_cos();
-        Line { name: "helix".into(), closed: false, points: (0..n).map(|i| DVec3::new(at(i).0, at(i).1, 0.1 * i as f64)).collect() }
+        Line {
+            name: "helix".into(),
+            closed: false,
+            points: (0..n).map(|i| DVec3::new(at(i).0, at(i).1, 0.1 * i as f64)).collect(),
+        }
     };
     let line = helix(40);
     let fit = solve(&line, &Options { lock: Lock::SelfConsistent, ..Options::default() });
@@ -285,9 +308,8 @@ fn points_in_space() {
         assert!(fit.statuses()[1..7].iter().all(|&status| status == PointStatus::OutOfPlane), "{:?}", fit.statuses());
     }
     // A plane outline gives the same curve in any plane.
-    let (line, turn) = (blob(24, 0.0), |p: DVec3| {
-        glam::DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), 1.1) * p
-    });
+    let (line, turn) =
+        (blob(24, 0.0), |p: DVec3| glam::DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), 1.1) * p);
     let tilted = Line { points: line.points.iter().map(|&p| turn(p)).collect(), ..line.clone() };
     for lock in [Lock::SelfConsistent, Lock::DataGuide] {
         let options = Options { lock, tolerance: 1e-14, ..Options::default() };
@@ -314,7 +336,12 @@ fn joints_by_knots() {
         assert!((ratio / spans - 1.0).abs() < 1e-9, "{i}: {ratio} {spans}");
     }
     // Spans of 1 and a million: it runs away, and falls back.
-    let line = Line { points: (0..40).map(|i| DVec3::new(f64::from(i / 2) + 1e-6 * f64::from(i % 2), f64::from(i * i % 7), 0.0)).collect(), ..line };
+    let line = Line {
+        points: (0..40)
+            .map(|i| DVec3::new(f64::from(i / 2) + 1e-6 * f64::from(i % 2), f64::from(i * i % 7), 0.0))
+            .collect(),
+        ..line
+    };
     let fit = solve(&line, &Options { joint: Joint::Knot, method: Method::Symmedian, ..Options::default() });
     check(&line, &fit, "knots");
 }
@@ -336,7 +363,11 @@ fn joints_by_curvatures() {
             }
             let before = -curvature(here[2], here[1], here[0]);
             let after = curvature(there[0], there[1], there[2]);
-            assert!((before.abs() - after.abs()).abs() <= 1e-8 * before.abs().max(1.0), "{} {k}: {before} {after}", line.name);
+            assert!(
+                (before.abs() - after.abs()).abs() <= 1e-8 * before.abs().max(1.0),
+                "{} {k}: {before} {after}",
+                line.name
+            );
             checked += 1;
         }
     }
@@ -394,7 +425,10 @@ fn single_curves_have_their_tangents_and_seams() {
         let options = Options { mode: Mode::Single, lock, ..Options::default() };
         let line = sine(7);
         let tangent = DVec3::new(1.0, 2.0, 0.0);
-        let constraints = [Constraint { point: 0, demand: Demand::Tangent(tangent) }, Constraint { point: 6, demand: Demand::Tangent(DVec3::X) }];
+        let constraints = [
+            Constraint { point: 0, demand: Demand::Tangent(tangent) },
+            Constraint { point: 6, demand: Demand::Tangent(DVec3::X) },
+        ];
         let fit = solve_with(&line, &options, &constraints);
         check(&line, &fit, "tangents");
         let controls = fit.curve(0).segment(0);

@@ -20,9 +20,13 @@ use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
-/// Rows of a closed run that are taken before its first and after its last once more: the equations of a cyclic system fade by 0.2 or so
-/// from row to row, and what is left of them makes Newton's step inexact, but not the solution.
+/// Rows of a closed run that are taken before its first and after its last once more: the influence of a row fades by 0.2 or so from
+/// one to the next, and what is left of it makes Newton's step inexact, but not the solution. With the symmedian it fades slowly: as many
+/// again after every few iterations, up to [`MOST_OVERLAP`].
 const OVERLAP: usize = 12;
+
+/// See [`OVERLAP`].
+const MOST_OVERLAP: usize = OVERLAP << 5;
 
 /// Below a step of this, times the size, Newton's next one would be within the rounding.
 const NEAR: f64 = 1e-6;
@@ -93,8 +97,12 @@ impl<const D: usize> Newton<D> {
         report: &mut Report,
     ) -> Result<bool> {
         let n = run.points.len();
-        let length = n + if run.closed { 2 * OVERLAP } else { 0 };
-        resize(&mut self.rows, n, Row { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] })?;
+        let length = n + if run.closed { 2 * MOST_OVERLAP } else { 0 };
+        resize(
+            &mut self.rows,
+            n,
+            Row { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] },
+        )?;
         resize(&mut self.upper, length, [[0.0; D]; D])?;
         resize(&mut self.right, length, [0.0; D])?;
         resize(&mut self.step, n, [0.0; D])?;
@@ -137,7 +145,8 @@ impl<const D: usize> Newton<D> {
         tolerance: f64,
     ) -> bool {
         let (mut least, mut share, mut halvings) = (f64::INFINITY, 0.0, 0);
-        for _ in 0..options.max_sweeps {
+        for sweep in 0..options.max_sweeps {
+            let overlap = (OVERLAP << (sweep / 4).min(8)).min(MOST_OVERLAP);
             let mut worth = self.evaluate(run, options, solution, iteration);
             while worth > least && halvings < HALVINGS {
                 halvings += 1;
@@ -146,7 +155,7 @@ impl<const D: usize> Newton<D> {
                 worth = self.evaluate(run, options, solution, iteration);
             }
             report.iterations += 1;
-            if worth > least || !self.eliminate(run) {
+            if worth > least || !self.eliminate(run, overlap) {
                 // The map itself; it need not make F smaller.
                 composite::solve(run, solution);
                 least = f64::INFINITY;
@@ -217,12 +226,12 @@ impl<const D: usize> Newton<D> {
     }
 
     /// Finds Newton's step. False if the equations are singular.
-    fn eliminate(&mut self, run: &Run<'_>) -> bool {
+    fn eliminate(&mut self, run: &Run<'_>, overlap: usize) -> bool {
         let n = run.points.len();
         let sections = run.sections();
         // The rows in their order; those of a closed run with its overlap.
         let (count, from) = match run.closed {
-            true => (n + 2 * OVERLAP, n * OVERLAP.div_ceil(n) - OVERLAP),
+            true => (n + 2 * overlap, n * overlap.div_ceil(n) - overlap),
             false => (sections.len(), 1),
         };
         let mut at = from;
@@ -265,7 +274,7 @@ impl<const D: usize> Newton<D> {
                 std::array::from_fn(|r| self.right[k][r] - (0..D).map(|c| upper[r][c] * next[c]).sum::<f64>());
             next = here;
             match run.closed {
-                true if (OVERLAP..OVERLAP + n).contains(&k) => self.step[k - OVERLAP] = next,
+                true if (overlap..overlap + n).contains(&k) => self.step[k - overlap] = next,
                 true => {}
                 false => self.step[k + 1] = next,
             }

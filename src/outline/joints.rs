@@ -58,13 +58,7 @@ pub(super) fn knots(
 }
 
 /// Finds the curve for the shares there are; where it runs away, they fall back to halves.
-fn settle(
-    run: &Run<'_>,
-    options: &Options,
-    solved: &mut [Solved],
-    room: &mut Room,
-    report: &mut Report,
-) -> Result<()> {
+fn settle(run: &Run<'_>, options: &Options, solved: &mut [Solved], room: &mut Room, report: &mut Report) -> Result<()> {
     for round in 0..=ROUNDS {
         let sound = composite::solve(run, &mut room.solution)
             && !astray(run, &room.solution).any(|_| true)

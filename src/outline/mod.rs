@@ -29,8 +29,8 @@ pub use fit::{Fit, fit};
 pub use method::{
     Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent, tangent_of_angle,
 };
-pub use stepping::step_section;
 pub use request::{
     Constraint, Demand, Ends, FitStatus, Joint, Lock, MAX_POINTS, Mode, Options, Outlines, PointStatus, Points, Report,
     Solver,
 };
+pub use stepping::step_section;

@@ -136,7 +136,8 @@ fn instead(
 fn seam(run: &Run<'_>, options: &Options) -> DVec3 {
     let [a, p, c] = run.triple(0);
     let section = options.method.section(a, p, c).or_else(|_| Method::Bisector.section(a, p, c));
-    let direction = section.map(|section| (section.control - a) * (1.0 - section.t) + (c - section.control) * section.t);
+    let direction =
+        section.map(|section| (section.control - a) * (1.0 - section.t) + (c - section.control) * section.t);
     // There and back: across.
     direction.ok().and_then(DVec3::try_normalize).unwrap_or_else(|| (c - p).any_orthogonal_vector().normalize_or_zero())
 }

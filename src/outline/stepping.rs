@@ -11,12 +11,7 @@ use glam::DVec3;
 
 /// The offset x at which `deviation` is 0, from x = 0 on, and the number of steps; `None` if the steps are used up. The
 /// deviation falls with x.
-pub(super) fn step(
-    options: &Options,
-    size: f64,
-    deviation: impl Fn(f64) -> f64,
-    steps: &mut u64,
-) -> Option<f64> {
+pub(super) fn step(options: &Options, size: f64, deviation: impl Fn(f64) -> f64, steps: &mut u64) -> Option<f64> {
     // The deviation has a slope of 0.28 to 1 in our uses: what is left of an offset is that much more than the deviation.
     let tolerance = (options.tolerance * 0.125).max(f64::EPSILON) * size;
     let (mut x, mut step) = (0.0f64, options.first_step * size);

@@ -13,7 +13,8 @@ pub struct Line {
 
 fn directory() -> Option<PathBuf> {
     let given = std::env::var_os("GUSSET_DATA").map(PathBuf::from);
-    let data = given.unwrap_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data")).join("outlines");
+    let data =
+        given.unwrap_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data")).join("outlines");
     if !data.is_dir() {
         println!("SKIPPED: no outlines in {}; set GUSSET_DATA", data.display());
         return None;
@@ -24,7 +25,8 @@ fn directory() -> Option<PathBuf> {
 /// The outlines of the data directory; none if it is not there.
 pub fn outlines() -> Vec<Line> {
     let Some(data) = directory() else { return Vec::new() };
-    let mut names: Vec<String> = std::fs::read_dir(&data).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<String> =
+        std::fs::read_dir(&data).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     names.retain(|name| name.ends_with(".csv") || name.ends_with(".dat"));
     names.sort();
     let mut lines = Vec::new();
@@ -32,7 +34,8 @@ pub fn outlines() -> Vec<Line> {
         let mut path = String::new();
         // Columns: perhaps those that tell contours apart, then x and y.
         for row in std::fs::read_to_string(data.join(&name)).unwrap().lines() {
-            let fields: Vec<f64> = row.split([',', ' ']).filter(|f| !f.is_empty()).map_while(|f| f.parse().ok()).collect();
+            let fields: Vec<f64> =
+                row.split([',', ' ']).filter(|f| !f.is_empty()).map_while(|f| f.parse().ok()).collect();
             if fields.len() < 2 {
                 continue;
             }
@@ -55,7 +58,9 @@ pub fn foot_half(k: usize, n: usize) -> Option<Line> {
     let text = std::fs::read_to_string(directory()?.join(&name)).unwrap();
     let all: Vec<DVec3> = text
         .lines()
-        .filter_map(|row| row.split_once(',').and_then(|(x, y)| Some(DVec3::new(x.parse().ok()?, y.parse().ok()?, 0.0))))
+        .filter_map(|row| {
+            row.split_once(',').and_then(|(x, y)| Some(DVec3::new(x.parse().ok()?, y.parse().ok()?, 0.0)))
+        })
         .collect();
     let points = (0..=n).map(|i| all[i * (all.len() / 2) / n]).collect();
     Some(Line { name, closed: false, points })
@@ -113,17 +118,39 @@ pub fn adversarial() -> Vec<Line> {
         ("two", plane(&[(0.0, 0.0), (1.0, 1.0)])),
         ("three", plane(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)])),
         ("there and back", plane(&[(0.0, 0.0), (1.0, 0.0), (0.0, 0.0), (1.0, 0.0)])),
-        ("repeats", plane(&[(0.0, 0.0), (0.0, 0.0), (1.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 1.0), (0.0, 0.0)])),
+        (
+            "repeats",
+            plane(&[(0.0, 0.0), (0.0, 0.0), (1.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 1.0), (0.0, 0.0)]),
+        ),
         ("straight", many(9, &|x| (x, 2.0 * x))),
         ("straight, uneven", many(9, &|x| (x * x * x, 0.0))),
         ("straight, folded", many(9, &|x| ((x * 2.4).sin(), 0.0))),
         ("zigzag", many(12, &|x| (x, (x % 2.0) * 3.0))),
         ("steep zigzag", many(12, &|x| (x * 1e-3, x % 2.0))),
-        ("spike", plane(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 50.0), (2.0, 1e-9), (3.0, 0.0), (4.0, 0.0), (4.0, -2.0), (0.0, -2.0)])),
+        (
+            "spike",
+            plane(&[
+                (0.0, 0.0),
+                (1.0, 0.0),
+                (2.0, 0.0),
+                (2.0, 50.0),
+                (2.0, 1e-9),
+                (3.0, 0.0),
+                (4.0, 0.0),
+                (4.0, -2.0),
+                (0.0, -2.0),
+            ]),
+        ),
         ("spacing", many(14, &|x| (if x % 2.0 == 0.0 { x } else { x - 1.0 + 1e-6 }, (x * 0.7).sin()))),
         ("geometric", many(20, &|x| (2f64.powf(-x), 3f64.powf(-x)))),
         ("square", plane(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])),
-        ("star", many(10, &|x| { let r = 0.2 + x % 2.0; (r * (x * 0.628).cos(), r * (x * 0.628).sin()) })),
+        (
+            "star",
+            many(10, &|x| {
+                let r = 0.2 + x % 2.0;
+                (r * (x * 0.628).cos(), r * (x * 0.628).sin())
+            }),
+        ),
         ("large", many(8, &|x| (1e300 * (x * 0.8).cos(), 1e300 * (x * 0.8).sin()))),
         ("small", many(8, &|x| (1e-300 * (x * 0.8).cos(), 1e-300 * (x * 0.8).sin()))),
         ("far away", many(8, &|x| (1e9 + (x * 0.8).cos(), 1e9 + (x * 0.8).sin()))),
