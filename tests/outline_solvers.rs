@@ -1,7 +1,7 @@
 //! The iterations that find curves through points: do they solve the equations they should, and what becomes of hard data?
 //!
-//! Everything is checked on what comes out, against the definitions: the curve is evaluated by de Casteljau's scheme here, the parameters
-//! of the method are computed from angles and lengths here.
+//! Everything is checked on what comes out, against the definitions: the curve is evaluated by de Casteljau's scheme here,
+//! the parameters of the method are computed from angles and lengths here.
 
 mod outline_data;
 

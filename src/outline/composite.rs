@@ -9,8 +9,8 @@
 //! solution for any points at all, in any dimension, and the norm of its inverse is at most 1 / min 2 t (1 - t): 3.6 for
 //! parameters between 1/6 and 5/6.
 //!
-//! The first section of an open run begins at the first point. Where a tangent is given there, a control point T on it comes before
-//! B_1, and a segment (P_0, T, J_0) before the first section; the equations stay the same. So at the end.
+//! The first section of an open run begins at the first point. Where a tangent is given there, a control point T on it comes
+//! before B_1, and a segment (P_0, T, J_0) before the first section; the equations stay the same. So at the end.
 
 use super::curve::Place;
 use super::method::{Method, power};
@@ -48,8 +48,8 @@ pub(super) fn curve(
     append(run, &room.solution, solved, sketch)
 }
 
-/// Finds parameters and control points for the shares of the joints, from control points that solve the linear equations. False if these
-/// are singular.
+/// Finds parameters and control points for the shares of the joints, from control points that solve the linear equations.
+/// False if these are singular.
 pub(super) fn lock(
     run: &Run<'_>,
     options: &Options,
@@ -106,10 +106,10 @@ fn append(run: &Run<'_>, solution: &Solution, solved: &mut [Solved], sketch: &mu
     if run.closed {
         let start = solution.joint(run, n - 1);
         sketch.begin(start)?;
-        for i in 0..n {
+        for (i, solved) in solved.iter_mut().enumerate().take(n) {
             let joint = if i + 1 == n { start } else { solution.joint(run, i) };
             sketch.push(&[solution.controls[i], joint])?;
-            solved[i].place = Place { segment: first + i as u32, t: solution.t[i] };
+            solved.place = Place { segment: first + i as u32, t: solution.t[i] };
         }
         return Ok(());
     }
@@ -187,8 +187,8 @@ fn solve_open(run: &Run<'_>, solution: &mut Solution) -> bool {
     sound
 }
 
-/// As for an open run, with the last control point carried along: by `across` in the rows from the first one on, and by `far` in the
-/// last row, until both have faded away.
+/// As for an open run, with the last control point carried along: by `across` in the rows from the first one on, and by
+/// `far` in the last row, until both have faded away.
 fn solve_closed(run: &Run<'_>, solution: &mut Solution) -> bool {
     let n = run.points.len();
     let Solution { t, beta, controls, upper, across, .. } = solution;

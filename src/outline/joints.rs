@@ -1,15 +1,17 @@
 //! The joints of composite curves elsewhere than in the middle.
 //!
-//! By knots: beta_i = h_i / (h_i + h_(i+1)) with the span h_i = (d_(i-1) + d_i) / 2 of section i and d = chord^alpha, which makes
-//! the curve a quadratic B-spline. It exists (Schoenberg and Whitney), but the rows are not dominant, and control points may lie far out.
+//! By knots: beta_i = h_i / (h_i + h_(i+1)) with the span h_i = (d_(i-1) + d_i) / 2 of section i and d = chord^alpha, which
+//! makes the curve a quadratic B-spline. It exists (Schoenberg and Whitney), but the rows are not dominant, and control
+//! points may lie far out.
 //!
-//! By curvatures: with D_i the area of the triangle of B_(i-1), B_i and B_(i+1), the sections i and i+1 arrive at and leave J_i with the
-//! curvatures (1 - beta_(i-1)) D_i / (beta_i^2 L^3) and beta_(i+1) D_(i+1) / ((1 - beta_i)^2 L^3), where L = |B_i B_(i+1)|. They agree if
+//! By curvatures: with D_i the area of the triangle of B_(i-1), B_i and B_(i+1), the sections i and i+1 arrive at and leave
+//! J_i with the curvatures (1 - beta_(i-1)) D_i / (beta_i^2 L^3) and beta_(i+1) D_(i+1) / ((1 - beta_i)^2 L^3), where L =
+//! |B_i B_(i+1)|. They agree if
 //!
 //! beta_i = sqrt((1 - beta_(i-1)) D_i) / (sqrt((1 - beta_(i-1)) D_i) + sqrt(beta_(i+1) D_(i+1))).
 //!
-//! The roots of D_i and D_(i+1) alone, as one reads at times, would do for equal shares only. Where the polygon turns the other way behind
-//! the joint, the curvatures are as large as each other, but have different signs.
+//! The roots of D_i and D_(i+1) alone, as one reads at times, would do for equal shares only. Where the polygon turns the
+//! other way behind the joint, the curvatures are as large as each other, but have different signs.
 //!
 //! Source: Yan, Schiller, Wilensky, Carr and Schaefer, k-Curves, 2017, for the shares by areas.
 
@@ -21,8 +23,9 @@ use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
-/// How far from its point a control point may be, in sizes of the outline. With joints in the middle it cannot be farther, as the inverse of
-/// the equations has at most the norm 3.6 and no point is farther than 1/2 from the middle of the box in any coordinate.
+/// How far from its point a control point may be, in sizes of the outline. With joints in the middle it cannot be farther,
+/// as the inverse of the equations has at most the norm 3.6 and no point is farther than 1/2 from the middle of the box in
+/// any coordinate.
 const FAR: f64 = 4.0;
 
 /// The rounds in which joints are let fall back, before all are.
@@ -92,8 +95,8 @@ fn astray<'a>(run: &'a Run<'_>, solution: &'a Solution) -> impl Iterator<Item = 
     })
 }
 
-/// Finds the curve with joints by curvatures: solves for the control points and shares in turn, until the shares rest. Joints are kept
-/// from coming too near a control point.
+/// Finds the curve with joints by curvatures: solves for the control points and shares in turn, until the shares rest.
+/// Joints are kept from coming too near a control point.
 pub(super) fn curvatures(
     run: &Run<'_>,
     options: &Options,

@@ -13,6 +13,7 @@ mod consistent;
 mod curve;
 mod dense;
 mod fit;
+mod guided;
 mod joints;
 mod judge;
 mod method;

@@ -35,8 +35,9 @@ impl Run<'_> {
         [self.points[before], self.points[i], self.points[after]]
     }
 
-    /// The control points next to the ends where tangents are given: a third of the way to the next point along the tangent, as on
-    /// a straight line of even speed; a quarter if the next point is the other end and both have tangents, half if only one has.
+    /// The control points next to the ends where tangents are given: a third of the way to the next point along the tangent,
+    /// as on a straight line of even speed; a quarter if the next point is the other end and both have tangents, half if
+    /// only one has.
     pub(super) fn end_controls(&self) -> [Option<DVec3>; 2] {
         let last = self.points.len() - 1;
         let share = match (last, self.tangents) {

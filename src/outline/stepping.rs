@@ -1,7 +1,7 @@
 //! The paper's way to a control point: steps along a direction, refined tenfold where the deviation changes its sign.
 //!
-//! The step is along the unit vector of the guide, not in y, as a guide may be level; it goes where the deviation says, not always up; and it
-//! ends when the step or the deviation is small, not when the sign changes for the first time.
+//! The step is along the unit vector of the guide, not in y, as a guide may be level; it goes where the deviation says, not
+//! always up; and it ends when the step or the deviation is small, not when the sign changes for the first time.
 //!
 //! Source: Nadopta, points 4 to 6 of the method of the normal.
 
@@ -38,8 +38,9 @@ pub(super) fn step(options: &Options, size: f64, deviation: impl Fn(f64) -> f64,
     None
 }
 
-/// The section from A through P to C by the paper's stepping, and the number of steps: B goes from P along the guide, until the curve crosses
-/// the guide at P. It crosses it at the same parameter wherever B is, as the paper observes of the normal and as holds for all guides.
+/// The section from A through P to C by the paper's stepping, and the number of steps: B goes from P along the guide, until
+/// the curve crosses the guide at P. It crosses it at the same parameter wherever B is, as the paper observes of the normal
+/// and as holds for all guides.
 ///
 /// # Errors
 /// Those of [`Method::section`]; [`PointStatus::NotConverged`] if the steps are used up.
