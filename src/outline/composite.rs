@@ -16,7 +16,7 @@ use super::curve::Place;
 use super::method::{Method, power};
 use super::request::{Joint, Lock, Options, PointStatus, Report, Solver};
 use super::run::{Room, Run, Sketch, Solution, Solved, mark};
-use super::{consistent, joints, sweeps};
+use super::{consistent, curvature, joints, sweeps};
 use crate::error::Result;
 use glam::DVec3;
 
@@ -42,7 +42,7 @@ pub(super) fn curve(
         match options.joint {
             Joint::Half => lock(run, options, solved, room, report).map(|_| ())?,
             Joint::Knot => joints::knots(run, options, solved, room, report)?,
-            Joint::G2 => joints::curvatures(run, options, solved, room, report)?,
+            Joint::G2 => curvature::curvatures(run, options, solved, room, report)?,
         }
     }
     append(run, &room.solution, solved, sketch)

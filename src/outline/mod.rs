@@ -10,6 +10,7 @@
 
 mod composite;
 mod consistent;
+mod curvature;
 mod curve;
 mod dense;
 mod fit;

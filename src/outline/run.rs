@@ -1,6 +1,7 @@
 //! A run: an outline, or the part of one between two points where it is cut, in coordinates of its own.
 
 use super::consistent::Newton;
+use super::curvature::Shares;
 use super::curve::Place;
 use super::request::PointStatus;
 use super::single::Single;
@@ -142,6 +143,7 @@ pub(super) struct Room {
     pub(super) iteration: Iteration,
     pub(super) flat: Newton<2>,
     pub(super) spatial: Newton<3>,
+    pub(super) shares: Shares,
     pub(super) single: Single,
 }
 
