@@ -380,3 +380,42 @@ fn resize<T: Clone>(list: &mut Vec<T>, n: usize, empty: T) -> Result<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gradients_are_those_of_the_parameter() {
+        let (u, v) = (DVec3::new(-1.0, 0.3, 0.2), DVec3::new(0.7, 0.4, -0.5));
+        for method in [Method::Bisector, Method::Symmedian, Method::Alpha(0.3), Method::Normal] {
+            let options = Options { method, ..Options::default() };
+            let (_, gradients) = parameter(&options, u, v);
+            for axis in DVec3::AXES {
+                let h = axis * 1e-6;
+                let by_u = (parameter(&options, u + h, v).0 - parameter(&options, u - h, v).0) / 2e-6;
+                let by_v = (parameter(&options, u, v + h).0 - parameter(&options, u, v - h).0) / 2e-6;
+                assert!((gradients[0].dot(axis) - by_u).abs() < 1e-9, "{method:?} {by_u} {:?}", gradients[0]);
+                assert!((gradients[1].dot(axis) - by_v).abs() < 1e-9, "{method:?} {by_v} {:?}", gradients[1]);
+            }
+        }
+        // At the limits, and where all is one point.
+        let options = Options::default();
+        assert_eq!(parameter(&options, DVec3::ZERO, v), (1.0 / 6.0, [DVec3::ZERO; 2]));
+        assert_eq!(parameter(&options, DVec3::ZERO, DVec3::ZERO), (0.5, [DVec3::ZERO; 2]));
+    }
+
+    #[test]
+    fn inverses() {
+        let m = [[2.0, 1.0, 0.0], [0.5, 3.0, 1.0], [1.0, 0.0, 1.5]];
+        let inverse3 = inverse(&m).unwrap();
+        for r in 0..3 {
+            for c in 0..3 {
+                let product: f64 = (0..3).map(|k| m[r][k] * inverse3[k][c]).sum();
+                assert!((product - f64::from(u8::from(r == c))).abs() < 1e-15);
+            }
+        }
+        assert_eq!(inverse(&[[2.0, 0.0], [1.0, 4.0]]).unwrap(), [[0.5, 0.0], [-0.125, 0.25]]);
+        assert!(inverse(&[[1.0, 2.0], [2.0, 4.0]]).is_none());
+    }
+}

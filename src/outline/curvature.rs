@@ -50,8 +50,8 @@ const VARIATION: f64 = 1e-6;
 /// The farthest that Newton's method may move a share at once.
 const STRIDE: f64 = 0.2;
 
-/// Rounds without progress before the best is taken.
-const PATIENCE: u32 = 16;
+/// Rounds without progress after which Newton's method is left.
+const PATIENCE: u32 = 24;
 
 /// The room of Newton's method for the shares, one of each for every joint.
 #[derive(Default)]
@@ -89,21 +89,23 @@ pub(super) fn curvatures(
         let (farthest, worth) = room.shares.measure(run, &room.solution, solved, joints.clone());
         report.last_move = farthest;
         if worth < best {
-            stale = if worth < 0.5 * best { 0 } else { stale + 1 };
+            stale = if worth < 0.5 * best && stale < PATIENCE { 0 } else { stale + 1 };
             best = worth;
             room.shares.best.copy_from_slice(&room.solution.beta[..n]);
         } else {
             stale += 1;
         }
-        if farthest <= tolerance || stale > PATIENCE {
+        if farthest <= tolerance {
             break;
         }
         report.iterations += 1;
-        // Newton's method, unless it has just made things worse: then the map itself once.
-        plain = !plain && worth > least;
+        // Newton's method, unless it has just made things worse: then the map itself once. Without progress for long the map
+        // itself, from the best on.
+        let gives_up = stale == PATIENCE;
+        plain = stale >= PATIENCE || (!plain && worth > least);
         let Room { shares, solution, .. } = room;
-        if plain {
-            solution.beta[..n].copy_from_slice(&shares.kept);
+        if gives_up || (plain && stale < PATIENCE) {
+            solution.beta[..n].copy_from_slice(if gives_up { &shares.best } else { &shares.kept });
             composite::solve(run, solution);
             shares.measure(run, solution, solved, joints.clone());
         }

@@ -228,3 +228,27 @@ fn root(f: impl Fn(f64) -> f64, a: (f64, f64), b: (f64, f64)) -> f64 {
     }
     y
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_to_the_last_bits() {
+        for (at, power) in [(0.3, 1), (0.9, 3), (0.123_456, 5)] {
+            let f = |t: f64| (t - at) * (1.0 + t).powi(power);
+            assert!((root(f, (0.0, f(0.0)), (1.0, f(1.0))) - at).abs() <= 4e-16);
+        }
+    }
+
+    #[test]
+    fn basis_functions() {
+        let mut basis = [0.0; 21];
+        for t in [0.0, 0.1, 0.5, 0.97, 1.0] {
+            bernstein(&mut basis, t);
+            assert!((basis.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+            let wanted = 1140.0 * t * t * t * (1.0f64 - t).powi(17);
+            assert!((basis[3] - wanted).abs() < 1e-15, "{t}");
+        }
+    }
+}

@@ -63,3 +63,25 @@ pub fn step_section(
     let along = step(options, size, deviation, &mut steps).ok_or(PointStatus::NotConverged)?;
     Ok((Section { control: p + guide * along, t }, steps))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_refined_where_the_sign_changes() {
+        let mut steps = 0;
+        let options = Options { tolerance: 8e-6, ..Options::default() };
+        // 0.1 until 0.4, back, then by hundredths and so on.
+        let x = step(&options, 1.0, |x| 0.345_678_9 - x, &mut steps).unwrap();
+        assert!((x - 0.345_678_9).abs() <= 1e-6, "{x}");
+        assert!((15..60).contains(&steps), "{steps}");
+        // The other way, and nowhere to go.
+        assert!((step(&options, 1.0, |x| -0.7 - x, &mut steps).unwrap() + 0.7).abs() <= 1e-6);
+        assert_eq!(step(&options, 1.0, |_| 0.0, &mut steps), Some(0.0));
+        // Out of reach, and not a number.
+        let few = Options { max_steps: 5, ..options };
+        assert_eq!(step(&few, 1.0, |x| 5.0 - x, &mut steps), None);
+        assert_eq!(step(&options, 1.0, |_| f64::NAN, &mut steps), None);
+    }
+}

@@ -272,3 +272,37 @@ pub(super) fn guide(method: Method, u: DVec3, w: DVec3, normal: DVec3) -> std::r
     };
     direction.try_normalize().ok_or(PointStatus::Collinear)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn planes() {
+        let run = |points: &[DVec3]| plane(&Run { points, closed: false, tangents: [None, None], size: 4.0 });
+        assert_eq!(run(&[DVec3::ZERO, DVec3::X, DVec3::Y]), Some(DVec3::Z));
+        let tilted = [DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0), DVec3::Y, DVec3::new(-2.0, 1.0, -2.0)];
+        let normal = run(&tilted).unwrap();
+        assert!(normal.cross(DVec3::new(1.0, 0.0, -1.0)).length() < 1e-15, "{normal}");
+        // A straight run lies in a plane; four corners of a box do not.
+        let straight = run(&[DVec3::ZERO, DVec3::ONE, DVec3::ONE * 3.0]).unwrap();
+        assert!(straight.dot(DVec3::ONE).abs() < 1e-15);
+        assert_eq!(run(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z]), None);
+    }
+
+    #[test]
+    fn guides_of_triangles() {
+        let (u, w) = (DVec3::new(-3.0, -4.0, 0.0), DVec3::new(7.0, -4.0, 0.0));
+        // The errata's triangle: the foot of the bisector of (0, 0), (3, 4), (10, 0) is at 3.83, not at 6.20 as printed.
+        let bisector = guide(Method::Bisector, u, w, DVec3::Z).unwrap();
+        let foot = 3.0 - 4.0 * bisector.x / bisector.y;
+        assert!((foot - 10.0 * 5.0 / (5.0 + 65f64.sqrt())).abs() < 1e-14, "{foot}");
+        let normal = guide(Method::Normal, u, w, DVec3::Z).unwrap();
+        assert!(normal.x.abs() < 1e-15);
+        let median = guide(Method::Median, u, w, DVec3::Z).unwrap();
+        assert!((3.0 - 4.0 * median.x / median.y - 5.0).abs() < 1e-14);
+        // Flat: across the chord; there and back: along it.
+        assert!(guide(Method::Bisector, -DVec3::X, DVec3::X, DVec3::Z).unwrap().x.abs() < 1e-15);
+        assert!(guide(Method::Bisector, DVec3::X, DVec3::X, DVec3::Z).unwrap().y.abs() < 1e-15);
+    }
+}
