@@ -9,8 +9,8 @@
 //! solution for any points at all, in any dimension, and the norm of its inverse is at most 1 / min 2 t (1 - t): 3.6 for
 //! parameters between 1/6 and 5/6.
 //!
-//! The first section of an open run begins at the first point. Where a tangent is given there, a control point T on it comes before
-//! B_1, and a segment (P_0, T, J_0) before the first section; the equations stay the same. So at the end.
+//! The first section of an open run begins at the first point. Where a tangent is given there, a control point T on it comes
+//! before B_1, and a segment (P_0, T, J_0) before the first section; the equations stay the same. So at the end.
 
 use super::curve::Place;
 use super::judge::Smoothness;
@@ -18,7 +18,7 @@ use super::method::{Method, power};
 use super::request::{Joint, Lock, Options, PointStatus, Report, Solver};
 use super::run::{Room, Run, Sketch, Solution, Solved, mark};
 use super::tridiagonal::Cyclic;
-use super::{consistent, joints, segment, sweeps, tridiagonal};
+use super::{consistent, curvature, joints, segment, sweeps, tridiagonal};
 use crate::error::Result;
 
 /// Appends the composite curve of a run.
@@ -40,14 +40,14 @@ pub(super) fn curve(
         match options.joint {
             Joint::Half => lock(run, options, solved, room, report).map(|_| ())?,
             Joint::Knot => joints::knots(run, options, solved, room, report)?,
-            Joint::G2 => joints::curvatures(run, options, solved, room, report)?,
+            Joint::G2 => curvature::curvatures(run, options, solved, room, report)?,
         }
     }
     append(run, &room.solution, solved, sketch, report)
 }
 
-/// Finds parameters and control points for the shares of the joints, from control points that solve the linear equations. False if these
-/// are singular.
+/// Finds parameters and control points for the shares of the joints, from control points that solve the linear equations.
+/// False if these are singular.
 pub(super) fn lock(
     run: &Run<'_>,
     options: &Options,

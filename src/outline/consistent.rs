@@ -1,13 +1,15 @@
 //! The self-consistent lock: the parameter of each point is that of the method on its section's own triangle.
 //!
-//! With the joints J_(i-1) and J_i on the control polygon, t_i = t(J_(i-1), P_i, J_i) is a function of B_(i-1), B_i and B_(i+1), and
+//! With the joints J_(i-1) and J_i on the control polygon, t_i = t(J_(i-1), P_i, J_i) is a function of B_(i-1), B_i and
+//! B_(i+1), and
 //!
 //! F_i = (1 - t_i)^2 J_(i-1) + 2 t_i (1 - t_i) B_i + t_i^2 J_i - P_i = 0
 //!
 //! are as many equations as unknowns. The derivative of F_i is the row of the linear equations, times the unit matrix, plus the
-//! product of Q_i' = 2 ((1 - t) (B_i - J_(i-1)) + t (J_i - B_i)) and the gradient of t_i: a tridiagonal matrix of small blocks, and
-//! Newton's step is one elimination. Parameters are kept within the limits, which makes the map of parameters to parameters (solve
-//! for the control points, read off the parameters) continuous on a cube, so that it has a fixed point (Brouwer).
+//! product of Q_i' = 2 ((1 - t) (B_i - J_(i-1)) + t (J_i - B_i)) and the gradient of t_i: a tridiagonal matrix of small
+//! blocks, and Newton's step is one elimination. Parameters are kept within the limits, which makes the map of parameters to
+//! parameters (solve for the control points, read off the parameters) continuous on a cube, so that it has a fixed point
+//! (Brouwer).
 //!
 //! A step that makes things worse is halved, and if that does not help, replaced by that map itself. Points that do not come
 //! to rest keep the parameters of the data's own triangles.
@@ -20,9 +22,13 @@ use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
-/// Rows of a closed run that are taken before its first and after its last once more: the equations of a cyclic system fade by 0.2 or so
-/// from row to row, and what is left of them makes Newton's step inexact, but not the solution.
-const OVERLAP: usize = 12;
+/// Rows of a closed run that are taken before its first and after its last once more: the influence of a row fades by 0.2 or
+/// so from one to the next, and what is left of it makes Newton's step inexact, but not the solution. With the symmedian it
+/// fades slowly: as many again after every few iterations, up to [`MOST_OVERLAP`].
+const OVERLAP: usize = 8;
+
+/// See [`OVERLAP`].
+const MOST_OVERLAP: usize = OVERLAP << 6;
 
 /// Below a step of this, times the size, Newton's next one would be within the rounding.
 const NEAR: f64 = 1e-6;
@@ -60,8 +66,8 @@ impl<const D: usize> Default for Newton<D> {
     }
 }
 
-/// Finds the self-consistent parameters and control points, from control points that solve the linear equations. False if these have
-/// become singular, which takes shares other than 1/2.
+/// Finds the self-consistent parameters and control points, from control points that solve the linear equations. False if
+/// these have become singular, which takes shares other than 1/2.
 pub(super) fn solve(
     run: &Run<'_>,
     options: &Options,
@@ -93,7 +99,7 @@ impl<const D: usize> Newton<D> {
         report: &mut Report,
     ) -> Result<bool> {
         let n = run.points.len();
-        let length = n + if run.closed { 2 * OVERLAP } else { 0 };
+        let length = n + if run.closed { 2 * MOST_OVERLAP } else { 0 };
         resize(
             &mut self.rows,
             n,
@@ -123,7 +129,8 @@ impl<const D: usize> Newton<D> {
         }
         let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
         for i in sections {
-            if !iteration.held[i] && !(low < solution.t[i] && solution.t[i] < high) {
+            let free = low < solution.t[i] && solution.t[i] < high;
+            if !free && !iteration.held[i] {
                 mark(&mut solved[i], PointStatus::ClampedParameter);
             }
         }
@@ -141,7 +148,8 @@ impl<const D: usize> Newton<D> {
         tolerance: f64,
     ) -> bool {
         let (mut least, mut share, mut halvings) = (f64::INFINITY, 0.0, 0);
-        for _ in 0..options.max_sweeps {
+        for sweep in 0..options.max_sweeps {
+            let overlap = (OVERLAP << (sweep / 4).min(8)).min(MOST_OVERLAP);
             let mut worth = self.evaluate(run, options, solution, iteration);
             while worth > least && halvings < HALVINGS {
                 halvings += 1;
@@ -150,7 +158,7 @@ impl<const D: usize> Newton<D> {
                 worth = self.evaluate(run, options, solution, iteration);
             }
             report.iterations += 1;
-            if worth > least || !self.eliminate(run) {
+            if worth > least || !self.eliminate(run, overlap) {
                 // The map itself; it need not make F smaller.
                 composite::solve(run, solution);
                 least = f64::INFINITY;
@@ -221,12 +229,12 @@ impl<const D: usize> Newton<D> {
     }
 
     /// Finds Newton's step. False if the equations are singular.
-    fn eliminate(&mut self, run: &Run<'_>) -> bool {
+    fn eliminate(&mut self, run: &Run<'_>, overlap: usize) -> bool {
         let n = run.points.len();
         let sections = run.sections();
         // The rows in their order; those of a closed run with its overlap.
         let (count, from) = match run.closed {
-            true => (n + 2 * OVERLAP, n * OVERLAP.div_ceil(n) - OVERLAP),
+            true => (n + 2 * overlap, n * overlap.div_ceil(n) - overlap),
             false => (sections.len(), 1),
         };
         let mut at = from;
@@ -269,7 +277,7 @@ impl<const D: usize> Newton<D> {
                 std::array::from_fn(|r| self.right[k][r] - (0..D).map(|c| upper[r][c] * next[c]).sum::<f64>());
             next = here;
             match run.closed {
-                true if (OVERLAP..OVERLAP + n).contains(&k) => self.step[k - OVERLAP] = next,
+                true if (overlap..overlap + n).contains(&k) => self.step[k - overlap] = next,
                 true => {}
                 false => self.step[k + 1] = next,
             }
@@ -304,9 +312,9 @@ pub(super) fn legs(run: &Run<'_>, solution: &Solution, shares: &[f64], i: usize)
 
 /// The parameter on the section with the joints `u` and `v`, from the point on, and its gradients by them.
 ///
-/// By the chords: t = a^alpha / (a^alpha + b^alpha), dt = alpha t (1 - t) (da / a - db / b). By the normal: t = sqrt(x) / (sqrt(x) + sqrt(y)),
-/// dt = t (1 - t) (dx / x - dy / y) / 2 for the parts x = -u.(v - u) and y = v.(v - u) of the chord; a foot outside the chord counts as its
-/// nearer end, so that the parameter remains continuous.
+/// By the chords: t = a^alpha / (a^alpha + b^alpha), dt = alpha t (1 - t) (da / a - db / b). By the normal: t = sqrt(x) /
+/// (sqrt(x) + sqrt(y)), dt = t (1 - t) (dx / x - dy / y) / 2 for the parts x = -u.(v - u) and y = v.(v - u) of the chord; a
+/// foot outside the chord counts as its nearer end, so that the parameter remains continuous.
 #[inline]
 pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 2]) {
     let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
@@ -352,12 +360,11 @@ fn inverse<const D: usize>(m: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
         adjoint[1][1] = m[0][0];
         m[0][0] * m[1][1] - m[0][1] * m[1][0]
     } else {
-        for r in 0..D {
-            for c in 0..D {
-                let ([i, j], [k, l]) = ([(c + 1) % D, (c + 2) % D], [(r + 1) % D, (r + 2) % D]);
-                adjoint[r][c] = m[i][k] * m[j][l] - m[i][l] * m[j][k];
-            }
-        }
+        let minor = |r: usize, c: usize| {
+            let ([i, j], [k, l]) = ([(c + 1) % D, (c + 2) % D], [(r + 1) % D, (r + 2) % D]);
+            m[i][k] * m[j][l] - m[i][l] * m[j][k]
+        };
+        adjoint = std::array::from_fn(|r| std::array::from_fn(|c| minor(r, c)));
         (0..D).map(|c| m[0][c] * adjoint[c][0]).sum()
     };
     let scale = 1.0 / determinant;
@@ -372,4 +379,43 @@ fn resize<T: Clone>(list: &mut Vec<T>, n: usize, empty: T) -> Result<()> {
         list.resize(n, empty);
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gradients_are_those_of_the_parameter() {
+        let (u, v) = (DVec3::new(-1.0, 0.3, 0.2), DVec3::new(0.7, 0.4, -0.5));
+        for method in [Method::Bisector, Method::Symmedian, Method::Alpha(0.3), Method::Normal] {
+            let options = Options { method, ..Options::default() };
+            let (_, gradients) = parameter(&options, u, v);
+            for axis in DVec3::AXES {
+                let h = axis * 1e-6;
+                let by_u = (parameter(&options, u + h, v).0 - parameter(&options, u - h, v).0) / 2e-6;
+                let by_v = (parameter(&options, u, v + h).0 - parameter(&options, u, v - h).0) / 2e-6;
+                assert!((gradients[0].dot(axis) - by_u).abs() < 1e-9, "{method:?} {by_u} {:?}", gradients[0]);
+                assert!((gradients[1].dot(axis) - by_v).abs() < 1e-9, "{method:?} {by_v} {:?}", gradients[1]);
+            }
+        }
+        // At the limits, and where all is one point.
+        let options = Options::default();
+        assert_eq!(parameter(&options, DVec3::ZERO, v), (1.0 / 6.0, [DVec3::ZERO; 2]));
+        assert_eq!(parameter(&options, DVec3::ZERO, DVec3::ZERO), (0.5, [DVec3::ZERO; 2]));
+    }
+
+    #[test]
+    fn inverses() {
+        let m = [[2.0, 1.0, 0.0], [0.5, 3.0, 1.0], [1.0, 0.0, 1.5]];
+        let inverse3 = inverse(&m).unwrap();
+        for r in 0..3 {
+            for c in 0..3 {
+                let product: f64 = (0..3).map(|k| m[r][k] * inverse3[k][c]).sum();
+                assert!((product - f64::from(u8::from(r == c))).abs() < 1e-15);
+            }
+        }
+        assert_eq!(inverse(&[[2.0, 0.0], [1.0, 4.0]]).unwrap(), [[0.5, 0.0], [-0.125, 0.25]]);
+        assert!(inverse(&[[1.0, 2.0], [2.0, 4.0]]).is_none());
+    }
 }

@@ -69,14 +69,16 @@ impl Dense {
         }
         for k in 0..n {
             for r in k + 1..n {
-                right[r] = right[r] - right[k] * self.entries[r * n + k];
+                let (known, rest) = (right[k], &mut right[r]);
+                *rest -= known * self.entries[r * n + k];
             }
         }
         for k in (0..n).rev() {
             for c in k + 1..n {
-                right[k] = right[k] - right[c] * self.entries[k * n + c];
+                let (known, rest) = (right[c], &mut right[k]);
+                *rest -= known * self.entries[k * n + c];
             }
-            right[k] = right[k] / self.entries[k * n + k];
+            right[k] /= self.entries[k * n + k];
         }
     }
 }

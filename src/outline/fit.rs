@@ -195,10 +195,10 @@ pub(super) fn check(outlines: &Outlines<'_>) -> Result<usize> {
         if constraint.point as usize >= count || !follows {
             return Err(Error::NoSuchPoint { constraint: k as u32, point: constraint.point });
         }
-        if let Demand::Tangent(tangent) = constraint.demand {
-            if let Some(&value) = tangent.to_array().iter().find(|x| !x.is_finite()) {
-                return Err(Error::OutlineNotFinite { point: constraint.point, value });
-            }
+        if let Demand::Tangent(tangent) = constraint.demand
+            && let Some(&value) = tangent.to_array().iter().find(|x| !x.is_finite())
+        {
+            return Err(Error::OutlineNotFinite { point: constraint.point, value });
         }
     }
     Ok(outlines.offsets.map_or(1, |offsets| offsets.len() - 1))

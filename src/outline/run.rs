@@ -1,6 +1,7 @@
 //! A run: an outline, or the part of one between two points where it is cut, in coordinates of its own.
 
 use super::consistent::Newton;
+use super::curvature::Shares;
 use super::curve::Place;
 use super::request::PointStatus;
 use super::single::Single;
@@ -35,8 +36,9 @@ impl Run<'_> {
         [self.points[before], self.points[i], self.points[after]]
     }
 
-    /// The control points next to the ends where tangents are given: a third of the way to the next point along the tangent, as on
-    /// a straight line of even speed; a quarter if the next point is the other end and both have tangents, half if only one has.
+    /// The control points next to the ends where tangents are given: a third of the way to the next point along the tangent,
+    /// as on a straight line of even speed; a quarter if the next point is the other end and both have tangents, half if
+    /// only one has.
     pub(super) fn end_controls(&self) -> [Option<DVec3>; 2] {
         let last = self.points.len() - 1;
         let share = match (last, self.tangents) {
@@ -141,6 +143,7 @@ pub(super) struct Room {
     pub(super) iteration: Iteration,
     pub(super) flat: Newton<2>,
     pub(super) spatial: Newton<3>,
+    pub(super) shares: Shares,
     pub(super) single: Single,
 }
 

@@ -1,7 +1,7 @@
 //! The paper's way to a control point: steps along a direction, refined tenfold where the deviation changes its sign.
 //!
-//! The step is along the unit vector of the guide, not in y, as a guide may be level; it goes where the deviation says, not always up; and it
-//! ends when the step or the deviation is small, not when the sign changes for the first time.
+//! The step is along the unit vector of the guide, not in y, as a guide may be level; it goes where the deviation says, not
+//! always up; and it ends when the step or the deviation is small, not when the sign changes for the first time.
 //!
 //! Source: Nadopta, points 4 to 6 of the method of the normal.
 
@@ -38,8 +38,9 @@ pub(super) fn step(options: &Options, size: f64, deviation: impl Fn(f64) -> f64,
     None
 }
 
-/// The section from A through P to C by the paper's stepping, and the number of steps: B goes from P along the guide, until the curve crosses
-/// the guide at P. It crosses it at the same parameter wherever B is, as the paper observes of the normal and as holds for all guides.
+/// The section from A through P to C by the paper's stepping, and the number of steps: B goes from P along the guide, until
+/// the curve crosses the guide at P. It crosses it at the same parameter wherever B is, as the paper observes of the normal
+/// and as holds for all guides.
 ///
 /// # Errors
 /// Those of [`Method::section`]; [`PointStatus::NotConverged`] if the steps are used up.
@@ -61,4 +62,26 @@ pub fn step_section(
     let deviation = |x: f64| -(still.dot(guide) + 2.0 * t * s * x);
     let along = step(options, size, deviation, &mut steps).ok_or(PointStatus::NotConverged)?;
     Ok((Section { control: p + guide * along, t }, steps))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_refined_where_the_sign_changes() {
+        let mut steps = 0;
+        let options = Options { tolerance: 8e-6, ..Options::default() };
+        // 0.1 until 0.4, back, then by hundredths and so on.
+        let x = step(&options, 1.0, |x| 0.345_678_9 - x, &mut steps).unwrap();
+        assert!((x - 0.345_678_9).abs() <= 1e-6, "{x}");
+        assert!((15..60).contains(&steps), "{steps}");
+        // The other way, and nowhere to go.
+        assert!((step(&options, 1.0, |x| -0.7 - x, &mut steps).unwrap() + 0.7).abs() <= 1e-6);
+        assert_eq!(step(&options, 1.0, |_| 0.0, &mut steps), Some(0.0));
+        // Out of reach, and not a number.
+        let few = Options { max_steps: 5, ..options };
+        assert_eq!(step(&few, 1.0, |x| 5.0 - x, &mut steps), None);
+        assert_eq!(step(&options, 1.0, |_| f64::NAN, &mut steps), None);
+    }
 }

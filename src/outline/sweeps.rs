@@ -1,17 +1,19 @@
-//! Sweeps over the points of a composite curve: each control point in turn is placed for the others as they are, again and again.
+//! Sweeps over the points of a composite curve: each control point in turn is placed for the others as they are, again and
+//! again.
 //!
 //! This is how the paper goes about it, and how the lock by the data's guides is solved at all. With the neighbours fixed,
 //!
 //! P_i - Q_i(t_i) = r - (2 t s + s^2 beta_(i-1) + t^2 (1 - beta_i)) (B_i - B_i'),    s = 1 - t,
 //!
-//! for the deviation r at B_i': either B_i goes there at once, or it steps ([`Solver::Step`]) along the deviation, and for the lock by guides
-//! along the guide. Parameters: those of the data; or those of the method on the section's triangle as it is before B_i moves; or the
-//! crossing of section and guide. For the crossing let f be affine and 0 on the guide: it is 0 at B_i, and B_i has its shares of the
-//! joints, but
+//! for the deviation r at B_i': either B_i goes there at once, or it steps ([`Solver::Step`]) along the deviation, and for
+//! the lock by guides along the guide. Parameters: those of the data; or those of the method on the section's triangle as it
+//! is before B_i moves; or the crossing of section and guide. For the crossing let f be affine and 0 on the guide: it is 0
+//! at B_i, and B_i has its shares of the joints, but
 //!
 //! (1 - t)^2 (1 - beta_(i-1)) f(B_(i-1)) + t^2 beta_i f(B_(i+1)) = 0
 //!
-//! does not contain it, so that t does not depend on where on the guide B_i is. If both neighbours are on one side there is no crossing.
+//! does not contain it, so that t does not depend on where on the guide B_i is. If both neighbours are on one side there is
+//! no crossing.
 
 use super::composite;
 use super::consistent;
@@ -35,8 +37,8 @@ const PLANE: f64 = 1e-9;
 /// Rounds in which points that do not come to rest are let fall back, before all are.
 const ROUNDS: u32 = 3;
 
-/// Solves by sweeps, from control points that solve the linear equations. False if these have become singular, which takes shares other
-/// than 1/2.
+/// Solves by sweeps, from control points that solve the linear equations. False if these have become singular, which takes
+/// shares other than 1/2.
 pub(super) fn solve(
     run: &Run<'_>,
     options: &Options,
@@ -249,7 +251,8 @@ pub(super) fn plane(run: &Run<'_>) -> Option<DVec3> {
     run.points.iter().all(|&p| normal.dot(p - origin).abs() <= PLANE * run.size).then_some(normal)
 }
 
-/// The direction of the guide of a triangle in a plane, with the corners `u` and `w` before and after the point: from the foot to the point.
+/// The direction of the guide of a triangle in a plane, with the corners `u` and `w` before and after the point: from the
+/// foot to the point.
 ///
 /// The bisector is also across the difference of the directions of the legs, which is better known if the triangle is flat.
 pub(super) fn guide(method: Method, u: DVec3, w: DVec3, normal: DVec3) -> std::result::Result<DVec3, PointStatus> {
@@ -268,4 +271,38 @@ pub(super) fn guide(method: Method, u: DVec3, w: DVec3, normal: DVec3) -> std::r
         }
     };
     direction.try_normalize().ok_or(PointStatus::Collinear)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn planes() {
+        let run = |points: &[DVec3]| plane(&Run { points, closed: false, tangents: [None, None], size: 4.0 });
+        assert_eq!(run(&[DVec3::ZERO, DVec3::X, DVec3::Y]), Some(DVec3::Z));
+        let tilted = [DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0), DVec3::Y, DVec3::new(-2.0, 1.0, -2.0)];
+        let normal = run(&tilted).unwrap();
+        assert!(normal.cross(DVec3::new(1.0, 0.0, -1.0)).length() < 1e-15, "{normal}");
+        // A straight run lies in a plane; four corners of a box do not.
+        let straight = run(&[DVec3::ZERO, DVec3::ONE, DVec3::ONE * 3.0]).unwrap();
+        assert!(straight.dot(DVec3::ONE).abs() < 1e-15);
+        assert_eq!(run(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z]), None);
+    }
+
+    #[test]
+    fn guides_of_triangles() {
+        let (u, w) = (DVec3::new(-3.0, -4.0, 0.0), DVec3::new(7.0, -4.0, 0.0));
+        // The errata's triangle: the foot of the bisector of (0, 0), (3, 4), (10, 0) is at 3.83, not at 6.20 as printed.
+        let bisector = guide(Method::Bisector, u, w, DVec3::Z).unwrap();
+        let foot = 3.0 - 4.0 * bisector.x / bisector.y;
+        assert!((foot - 10.0 * 5.0 / (5.0 + 65f64.sqrt())).abs() < 1e-14, "{foot}");
+        let normal = guide(Method::Normal, u, w, DVec3::Z).unwrap();
+        assert!(normal.x.abs() < 1e-15);
+        let median = guide(Method::Median, u, w, DVec3::Z).unwrap();
+        assert!((3.0 - 4.0 * median.x / median.y - 5.0).abs() < 1e-14);
+        // Flat: across the chord; there and back: along it.
+        assert!(guide(Method::Bisector, -DVec3::X, DVec3::X, DVec3::Z).unwrap().x.abs() < 1e-15);
+        assert!(guide(Method::Bisector, DVec3::X, DVec3::X, DVec3::Z).unwrap().y.abs() < 1e-15);
+    }
 }

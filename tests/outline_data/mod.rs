@@ -103,7 +103,7 @@ pub fn random(count: usize, n: usize) -> Vec<Line> {
     let mut state = 20_080_101 + n as u64;
     let mut line = |k: usize| Line {
         name: format!("random {k}"),
-        closed: k % 2 == 0,
+        closed: k.is_multiple_of(2),
         points: (0..n).map(|_| DVec3::new(next(&mut state), next(&mut state), 0.0)).collect(),
     };
     (0..count).map(&mut line).collect()
