@@ -3,14 +3,14 @@
 mod common;
 
 use common::{Soup, cap};
-use gusset::filters::data::{Input, Output};
+use gusset::filters::data::{Curves, Input, InputKind, Output};
 use gusset::filters::param::ParamKind;
 use gusset::filters::{FILTERS, Filter};
 use gusset::{Error, Job};
 use std::collections::HashSet;
 
 /// Ids are stable for ever: an entry may be added here, none changed or taken away.
-const IDS: &[&str] = &["boundary_loops", "stitch", "weld", "orient", "fill_holes", "assemble"];
+const IDS: &[&str] = &["boundary_loops", "stitch", "weld", "orient", "fill_holes", "assemble", "outline"];
 
 /// Two caps that face each other askew: the inputs of any filter that takes meshes.
 fn pieces() -> [Soup; 2] {
@@ -21,6 +21,23 @@ fn pieces() -> [Soup; 2] {
 
 fn inputs(soups: &[Soup]) -> Vec<Input<'_>> {
     soups.iter().map(|soup| Input::Mesh(soup.view())).collect()
+}
+
+/// A closed polyline and an open one.
+fn curves() -> Curves {
+    let points = (0..12).map(|i| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 7.0).sin_cos();
+        [cos * if i < 7 { 1.0 } else { 2.0 }, sin, 0.0]
+    });
+    Curves { points: points.collect(), offsets: vec![0, 7, 12], closed: vec![true, false] }
+}
+
+/// What a filter takes, as many as two.
+fn inputs_of<'a>(filter: &Filter, soups: &'a [Soup], curves: &'a Curves) -> Vec<Input<'a>> {
+    match filter.inputs[0] {
+        InputKind::Mesh => inputs(&soups[..filter.max_inputs.min(2)]),
+        InputKind::Curves => vec![Input::Curves(curves)],
+    }
 }
 
 fn is_word(text: &str) -> bool {
@@ -63,9 +80,9 @@ fn parameters_have_defaults_in_range() {
 
 #[test]
 fn every_filter_runs_with_its_defaults_and_with_every_choice() {
-    let soups = pieces();
+    let (soups, curves) = (pieces(), curves());
     for filter in FILTERS {
-        let inputs = inputs(&soups[..filter.max_inputs.min(2)]);
+        let inputs = inputs_of(filter, &soups, &curves);
         let defaults = filter.defaults(&inputs);
         let reference = filter.run(&inputs, &[], &Job::default()).unwrap();
         assert_eq!(reference.iter().map(Output::kind).collect::<Vec<_>>(), filter.outputs, "{}", filter.id);
@@ -85,9 +102,9 @@ fn every_filter_runs_with_its_defaults_and_with_every_choice() {
 
 #[test]
 fn values_and_inputs_out_of_range_are_refused() {
-    let soups = pieces();
+    let (soups, curves) = (pieces(), curves());
     for filter in FILTERS {
-        let inputs = inputs(&soups[..filter.max_inputs.min(2)]);
+        let inputs = inputs_of(filter, &soups, &curves);
         let defaults = filter.defaults(&inputs);
         let mut start = 0;
         for param in filter.params {
@@ -160,4 +177,33 @@ fn fill_holes_closes_what_it_may() {
         let open = common::edge_counts(faces).values().filter(|&&n| n != (1, 1)).count();
         assert_eq!(open == 0, filled == 2, "{values:?}");
     }
+}
+
+#[test]
+fn outline_draws_through_the_points() {
+    let given = curves();
+    let filter = Filter::find("outline").unwrap();
+    for curve in 0..5 {
+        let outputs = filter.run(&[Input::Curves(&given)], &[f64::from(curve)], &Job::default()).unwrap();
+        let [Output::Curves(drawn), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
+        assert_eq!((drawn.offsets.len(), drawn.closed.as_slice()), (3, &[true, false][..]), "{text}");
+        assert!(text.starts_with("curve 0: 7 points, "), "{text}");
+        for p in &given.points {
+            // The chord error is 1e-4 of the size, which is at most 4.
+            let at = |a: [f64; 3], b: [f64; 3]| {
+                let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+                let t = ((u[0] * v[0] + u[1] * v[1]) / (u[0] * u[0] + u[1] * u[1])).clamp(0.0, 1.0);
+                (v[0] - t * u[0]).hypot(v[1] - t * u[1])
+            };
+            let nearest = drawn.points.windows(2).map(|pair| at(pair[0], pair[1])).fold(f64::MAX, f64::min);
+            assert!(nearest < 4e-4, "{curve}: {nearest}");
+        }
+    }
+    let none = Curves::default();
+    let outputs = filter.run(&[Input::Curves(&none)], &[], &Job::default()).unwrap();
+    assert_eq!(outputs.len(), 2);
+    let wrong = Curves { offsets: vec![0, 9], ..Curves::default() };
+    assert!(matches!(filter.run(&[Input::Curves(&wrong)], &[], &Job::default()), Err(Error::BadOffsets { .. })));
+    let soups = pieces();
+    assert!(filter.run(&inputs(&soups[..1]), &[], &Job::default()).is_err());
 }

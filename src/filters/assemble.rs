@@ -100,7 +100,10 @@ const fn length(id: &'static str, label: &'static str, help: &'static str, min: 
 }
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let pieces = alloc::collect(inputs.iter().map(|input| *input.mesh()))?;
+    let mut pieces = alloc::with_capacity(inputs.len())?;
+    for input in inputs {
+        pieces.push(*input.mesh()?);
+    }
     let (tolerance, max_gap) = (values.number("tolerance"), values.number("max_gap"));
     let options = Options {
         weld: (tolerance >= 0.0).then(|| weld::Options { tolerance: Some(tolerance), ..weld::Options::default() }),

@@ -38,7 +38,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let mesh = inputs[0].mesh();
+    let mesh = inputs[0].mesh()?;
     let non_manifold = [NonManifold::Cut, NonManifold::Stop][values.chosen("non_manifold")];
     let boundary = boundary_loops(mesh, &Options { non_manifold, ..Options::default() }, job)?;
     let mut curves = Curves { offsets: vec![0], ..Curves::default() };

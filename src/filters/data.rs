@@ -1,5 +1,6 @@
 //! What goes into a filter and what comes out.
 
+use crate::error::{Error, Result};
 use crate::mesh::{Mesh, MeshView};
 
 /// What an input is.
@@ -7,6 +8,8 @@ use crate::mesh::{Mesh, MeshView};
 pub enum InputKind {
     /// A polygon mesh.
     Mesh,
+    /// Polylines.
+    Curves,
 }
 
 /// An input.
@@ -14,6 +17,8 @@ pub enum InputKind {
 pub enum Input<'a> {
     /// A polygon mesh.
     Mesh(MeshView<'a>),
+    /// Polylines.
+    Curves(&'a Curves),
 }
 
 impl<'a> Input<'a> {
@@ -21,13 +26,29 @@ impl<'a> Input<'a> {
     pub fn kind(&self) -> InputKind {
         match self {
             Input::Mesh(_) => InputKind::Mesh,
+            Input::Curves(_) => InputKind::Curves,
         }
     }
 
     /// The mesh.
-    pub(super) fn mesh(&self) -> &MeshView<'a> {
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`]: it is none.
+    pub(super) fn mesh(&self) -> Result<&MeshView<'a>> {
         match self {
-            Input::Mesh(mesh) => mesh,
+            Input::Mesh(mesh) => Ok(mesh),
+            Input::Curves(_) => Err(Error::OptionOutOfRange { option: "inputs", value: 0.0 }),
+        }
+    }
+
+    /// The polylines.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`]: they are none.
+    pub(super) fn curves(&self) -> Result<&'a Curves> {
+        match self {
+            Input::Curves(curves) => Ok(curves),
+            Input::Mesh(_) => Err(Error::OptionOutOfRange { option: "inputs", value: 0.0 }),
         }
     }
 }

@@ -96,7 +96,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         },
         keep_longest: values.number("keep_longest") == 1.0,
     };
-    let done = fill_holes(inputs[0].mesh(), None, &options, job)?;
+    let done = fill_holes(inputs[0].mesh()?, None, &options, job)?;
     let text = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
 }

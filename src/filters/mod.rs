@@ -16,6 +16,7 @@ mod assemble;
 mod boundary_loops;
 mod fill_holes;
 mod orient;
+mod outline;
 mod stitch;
 mod weld;
 
@@ -57,8 +58,15 @@ pub struct Filter {
 pub type Suggest = fn(&[Input<'_>], &mut [f64]);
 
 /// All filters.
-pub static FILTERS: &[Filter] =
-    &[boundary_loops::FILTER, stitch::FILTER, weld::FILTER, orient::FILTER, fill_holes::FILTER, assemble::FILTER];
+pub static FILTERS: &[Filter] = &[
+    boundary_loops::FILTER,
+    stitch::FILTER,
+    weld::FILTER,
+    orient::FILTER,
+    fill_holes::FILTER,
+    assemble::FILTER,
+    outline::FILTER,
+];
 
 impl Filter {
     /// The filter of this id.

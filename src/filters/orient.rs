@@ -38,7 +38,7 @@ pub(super) const FILTER: Filter = Filter {
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let outward = [Outward::Keep, Outward::Closed][values.chosen("outward")];
-    let done = orient(inputs[0].mesh(), &Options { outward }, job)?;
+    let done = orient(inputs[0].mesh()?, &Options { outward }, job)?;
     let text = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
 }

@@ -182,8 +182,8 @@ const fn loop_number(id: &'static str, label: &'static str) -> Param {
 }
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
-    let a = inputs[0].mesh();
-    let b = inputs.get(1).map(Input::mesh);
+    let a = inputs[0].mesh()?;
+    let b = inputs.get(1).map(Input::mesh).transpose()?;
     let loop_a = numbered(a, values, "loop_a", &job.part(0.0, 0.1))?;
     let loop_b = numbered(b.unwrap_or(a), values, "loop_b", &job.part(0.1, 0.2))?;
     let request = Request { a, loop_a: loop_a.as_deref(), b, loop_b: loop_b.as_deref() };

@@ -70,7 +70,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         collapse: values.chosen("collapse") == 1,
         remove_unused: values.chosen("unused") == 1,
     };
-    let done = weld(inputs[0].mesh(), &options, job)?;
+    let done = weld(inputs[0].mesh()?, &options, job)?;
     let text = report(&done);
     Ok(vec![Output::Mesh(done.mesh), Output::Text(text)])
 }
