@@ -210,6 +210,21 @@
 #define GUSSET_MESH_ORIENTABLE 8
 
 /**
+ * gusset_curve_sample: as many points as amount says, at equal arc lengths.
+ */
+#define GUSSET_SAMPLE_COUNT 0
+
+/**
+ * gusset_curve_sample: a point every `amount` of arc length; an open curve's end is always the last.
+ */
+#define GUSSET_SAMPLE_STEP 1
+
+/**
+ * gusset_curve_sample: the curve is nowhere farther than `amount` from the chords between the points.
+ */
+#define GUSSET_SAMPLE_CHORD 2
+
+/**
  * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its
  * faces. By area alone if the rim is planar.
  */
@@ -993,6 +1008,16 @@ typedef struct gusset_check gusset_check;
 typedef struct gusset_context gusset_context;
 
 /**
+ * A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used from many threads.
+ */
+typedef struct gusset_curve gusset_curve;
+
+/**
+ * A curve in another form. Opaque and immutable; it keeps nothing of the curve.
+ */
+typedef struct gusset_curve_form gusset_curve_form;
+
+/**
  * Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_facing gusset_facing;
@@ -1016,6 +1041,11 @@ typedef struct gusset_orient gusset_orient;
  * The curves of outlines. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_outline gusset_outline;
+
+/**
+ * Crossings, intersections or samples. Opaque and immutable; it keeps nothing of the curves.
+ */
+typedef struct gusset_places gusset_places;
 
 /**
  * The sections of outlines. Opaque and immutable.
@@ -1760,6 +1790,235 @@ typedef struct gusset_report {
      */
     uint32_t reserved;
 } gusset_report;
+
+/**
+ * The parts of a curve. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_curve_parts {
+    /**
+     * sizeof(gusset_curve_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The control points: x, y, z of each; z is 0 for a plane curve.
+     */
+    const double *points;
+    /**
+     * How many.
+     */
+    size_t point_count;
+    /**
+     * 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to ends[k + 1].
+     */
+    struct gusset_indices ends;
+    /**
+     * 1: the curve ends where it begins and goes on there.
+     */
+    uint32_t closed;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_curve_parts;
+
+/**
+ * A place on a curve.
+ */
+typedef struct gusset_place {
+    /**
+     * Counted from 0.
+     */
+    uint32_t segment;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The parameter: 0 at the segment's first control point, 1 at its last.
+     */
+    double t;
+} gusset_place;
+
+/**
+ * The nearest point of a curve.
+ */
+typedef struct gusset_nearest {
+    /**
+     * Where on the curve.
+     */
+    struct gusset_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The distance.
+     */
+    double distance;
+} gusset_nearest;
+
+/**
+ * The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round clockwise
+ * count negative.
+ */
+typedef struct gusset_curve_moments {
+    /**
+     * sizeof(gusset_curve_moments), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The signed area.
+     */
+    double area;
+    /**
+     * The centre of gravity; the curve's start if the area is 0.
+     */
+    double centroid[2];
+    /**
+     * The integrals of x x, x y and y y about the centroid, with the sign of the area.
+     */
+    double second[3];
+} gusset_curve_moments;
+
+/**
+ * The parts of a form; those that it does not have are empty. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_curve_form_view {
+    /**
+     * sizeof(gusset_curve_form_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The text of an SVG path, ended by a 0; empty for other forms.
+     */
+    const char *text;
+    /**
+     * Its length without the 0.
+     */
+    size_t text_length;
+    /**
+     * The points of a contour or the control points of a spline: x, y, z of each.
+     */
+    const double *points;
+    /**
+     * How many.
+     */
+    size_t point_count;
+    /**
+     * Of a contour, for each point: 1 on the curve, 0 off it.
+     */
+    const uint8_t *on_curve;
+    /**
+     * Of a spline: the knots, point_count + degree + 1 of them.
+     */
+    const double *knots;
+    /**
+     * How many.
+     */
+    size_t knot_count;
+    /**
+     * Of a spline: its degree.
+     */
+    size_t degree;
+} gusset_curve_form_view;
+
+/**
+ * What was found. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_places_view {
+    /**
+     * sizeof(gusset_places_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The places, in the order of the (first) curve.
+     */
+    const struct gusset_place *places;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * The points there: x, y, z of each.
+     */
+    const double *points;
+    /**
+     * Of intersections: the places on the second curve, or the later ones on the same; else NULL.
+     */
+    const struct gusset_place *others;
+    /**
+     * Parts that two segments have in common: start and end on the first, the same start and end on the second; four places each.
+     */
+    const struct gusset_place *overlaps;
+    /**
+     * How many, each of four places.
+     */
+    size_t overlap_count;
+    /**
+     * Of crossings: the segments that lie in the line or plane altogether.
+     */
+    struct gusset_indices inside;
+    /**
+     * 1 if some pair of segments was given up: they run beside each other within rounding for a long way.
+     */
+    uint32_t undecided;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_places_view;
+
+/**
+ * How an offset is fitted.
+ */
+typedef struct gusset_offset_options {
+    /**
+     * sizeof(gusset_offset_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The deviation aimed at, above 0, in the unit of the points.
+     */
+    double tolerance;
+    /**
+     * No segment is halved once there are so many; 0 for 65536.
+     */
+    size_t max_segments;
+    /**
+     * The degree of the segments, 2 or 3; 0 for 3.
+     */
+    uint32_t degree;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_offset_options;
+
+/**
+ * What is said about an offset.
+ */
+typedef struct gusset_offset_report {
+    /**
+     * sizeof(gusset_offset_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How far the curve is from the true offset, as measured at 16 places inside each segment.
+     */
+    double deviation;
+    /**
+     * The number of corners of the original, bridged by straight segments.
+     */
+    size_t corners;
+    /**
+     * 1 if the deviation is within the tolerance.
+     */
+    uint32_t reached;
+    /**
+     * 1 if somewhere the radius of curvature is at most the distance: the offset has cusps or runs backwards there.
+     */
+    uint32_t tight;
+} gusset_offset_report;
 
 /**
  * How facing vertices are found; all zero is the default.
@@ -2861,6 +3120,342 @@ GUSSET_API const char *gusset_context_message(const struct gusset_context *conte
  * BAD_STRUCT_SIZE, CONTEXT_BUSY.
  */
 GUSSET_API gusset_status gusset_context_report(const struct gusset_context *context, struct gusset_report *report);
+
+/**
+ * Makes a curve from its control points.
+ *
+ * points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the place of
+ * the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments and 1. Degrees
+ * are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy, for
+ * gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED,
+ * UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_create(const struct gusset_context *context,
+                                  const double *points,
+                                  size_t point_count,
+                                  uint32_t dimension,
+                                  const uint32_t *ends,
+                                  size_t end_count,
+                                  uint32_t closed,
+                                  struct gusset_curve **curve);
+
+/**
+ * Destroys a curve; NULL is allowed.
+ */
+GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
+
+/**
+ * Lends the control points, valid until the curve is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_view(const struct gusset_curve *curve,
+                                struct gusset_curve_parts *parts);
+
+/**
+ * Points and derivatives at many places. places: count of them. order: 0 for the points alone, at most 64. out: receives
+ * 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t, and so on; 0 beyond the
+ * degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE (order), UNKNOWN_VALUE,
+ * SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_derivatives(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       const struct gusset_place *places,
+                                       size_t count,
+                                       uint32_t order,
+                                       double *out);
+
+/**
+ * The directions at many places, of length 1; 0 on a segment without extent. out: receives 3 count numbers. Otherwise as
+ * gusset_curve_derivatives.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_tangents(const struct gusset_context *context,
+                                    const struct gusset_curve *curve,
+                                    const struct gusset_place *places,
+                                    size_t count,
+                                    double *out);
+
+/**
+ * The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where the first
+ * derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_curvatures(const struct gusset_context *context,
+                                      const struct gusset_curve *curve,
+                                      const struct gusset_place *places,
+                                      size_t count,
+                                      double *out);
+
+/**
+ * The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About
+ * O(log segments + degree^2) a point, on the context's threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_nearest(const struct gusset_context *context,
+                                   const struct gusset_curve *curve,
+                                   const double *points,
+                                   size_t count,
+                                   struct gusset_nearest *out);
+
+/**
+ * The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to 1e-13, in
+ * closed form up to degree 2.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_length(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  double *length);
+
+/**
+ * The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives. O(points) in all.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
+                                      const struct gusset_curve *curve,
+                                      const struct gusset_place *places,
+                                      size_t count,
+                                      double *out);
+
+/**
+ * The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives count places.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_places_at(const struct gusset_context *context,
+                                     const struct gusset_curve *curve,
+                                     const double *lengths,
+                                     size_t count,
+                                     struct gusset_place *out);
+
+/**
+ * The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_bounds(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  double *bounds);
+
+/**
+ * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_area_vector(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       double *area);
+
+/**
+ * Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ * CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_enclosed(const struct gusset_context *context,
+                                    const struct gusset_curve *curve,
+                                    struct gusset_curve_moments *moments);
+
+/**
+ * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives the
+ * result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce), OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_svg(const struct gusset_context *context,
+                               const struct gusset_curve *curve,
+                               struct gusset_curve_form **form);
+
+/**
+ * The contour of a TrueType font: control points, and those joints that are not in the middle between two of them, within
+ * tolerance (at least 0) or rounding. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE,
+ * OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_contour(const struct gusset_context *context,
+                                   const struct gusset_curve *curve,
+                                   double tolerance,
+                                   struct gusset_curve_form **form);
+
+/**
+ * The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity n - 1
+ * and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
+ * OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_spline(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  struct gusset_curve_form **form);
+
+/**
+ * Destroys a form; NULL is allowed.
+ */
+GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
+
+/**
+ * Lends the parts. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_form_parts(const struct gusset_curve_form *form,
+                                      struct gusset_curve_form_view *parts);
+
+/**
+ * Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length but 0.
+ * places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a crossing.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_cross_plane(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       const double *point,
+                                       const double *normal,
+                                       struct gusset_places **places);
+
+/**
+ * Where a plane curve crosses or touches a line. point: x, y of a point of the line; direction: x, y along it, not 0. Errors:
+ * CURVE_NOT_PLANE, and those of gusset_curve_cross_plane.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_cross_line(const struct gusset_context *context,
+                                      const struct gusset_curve *curve,
+                                      const double *point,
+                                      const double *direction,
+                                      struct gusset_places **places);
+
+/**
+ * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do not count.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each pair of
+ * segments whose boxes meet.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_intersect(const struct gusset_context *context,
+                                     const struct gusset_curve *curve,
+                                     const struct gusset_curve *other,
+                                     struct gusset_places **places);
+
+/**
+ * Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...; amount: a
+ * whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ * EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_sample(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  uint32_t rule,
+                                  double amount,
+                                  struct gusset_places **places);
+
+/**
+ * Destroys what was found; NULL is allowed.
+ */
+GUSSET_API void gusset_places_destroy(struct gusset_places *places);
+
+/**
+ * Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_places_found(const struct gusset_places *places,
+                                  struct gusset_places_view *view);
+
+/**
+ * The part of a curve from one place to another, open. On a closed curve it may run over the start, and from a place to itself it
+ * goes round once. part: receives the result, for gusset_curve_destroy, as for all functions of this group; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to
+ * before from), UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_part(const struct gusset_context *context,
+                                const struct gusset_curve *curve,
+                                struct gusset_place from,
+                                struct gusset_place to,
+                                struct gusset_curve **part);
+
+/**
+ * The part of a curve before a place, or the part after it; both are open. after: 0 or 1. Otherwise as gusset_curve_part.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_split(const struct gusset_context *context,
+                                 const struct gusset_curve *curve,
+                                 struct gusset_place at,
+                                 uint32_t after,
+                                 struct gusset_curve **part);
+
+/**
+ * The same curve run through from its end to its start. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_reverse(const struct gusset_context *context,
+                                   const struct gusset_curve *curve,
+                                   struct gusset_curve **reversed);
+
+/**
+ * The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below `to` raised to it. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above 64, or to is 0), TOO_LARGE, OUT_OF_MEMORY. O(degree) for
+ * each new control point.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_elevate(const struct gusset_context *context,
+                                   const struct gusset_curve *curve,
+                                   uint32_t by,
+                                   uint32_t to,
+                                   struct gusset_curve **elevated);
+
+/**
+ * The curve with segments of degree `degree` at most, 1 to 64, by least squares with fixed ends; segments that would deviate by more
+ * than tolerance (at least 0; infinity is allowed) are kept. deviations: receives a bound on the deviation of each segment from
+ * the original, of a kept one what it would have been; NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * OUT_OF_RANGE (degree, tolerance), OUT_OF_MEMORY. O(degree^3) a segment.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_reduce(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  uint32_t degree,
+                                  double tolerance,
+                                  double *deviations,
+                                  struct gusset_curve **reduced);
+
+/**
+ * The curve at a distance to the left of a plane curve, to the right if negative, re-fitted by segments with common tangents. Places
+ * where it crosses itself are not removed. options: its tolerance must be given. report: what became of it; NULL if it is not
+ * wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE
+ * (distance, tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_offset(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  double distance,
+                                  const struct gusset_offset_options *options,
+                                  struct gusset_offset_report *report,
+                                  struct gusset_curve **offset);
 
 /**
  * Finds which vertices of two loops face each other.

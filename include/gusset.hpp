@@ -9,6 +9,7 @@
 
 #include <gusset/assembly.hpp>
 #include <gusset/base.hpp>
+#include <gusset/curve.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/frame.hpp>
 #include <gusset/outline.hpp>

@@ -57,6 +57,22 @@ pub(super) fn slice<'a>(pointer: *mut u32, count: usize, name: &'static str) -> 
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
+/// A buffer of the caller's for `count` results of plain numbers; anything will do for none.
+pub(super) fn results<'a, T: bytemuck::Pod>(
+    pointer: *mut T,
+    count: usize,
+    name: &'static str,
+) -> Result<&'a mut [T], Failure> {
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    aligned(pointer, name)?;
+    bytes(pointer.cast_const().cast(), count, size_of::<T>(), name)?;
+    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the caller's promise. Plain numbers may
+    // hold anything.
+    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
+}
+
 /// Frees what a `_create` function gave out; NULL is allowed.
 pub(super) fn destroy<T>(handle: *mut T) {
     // A destructor cannot fail; should one panic, the host must not see it.

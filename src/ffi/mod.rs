@@ -12,6 +12,8 @@
 //! | [`weld`], [`orient`], [`fill`], [`assembly`] | the same |
 //! | [`stitch_options`] | how to stitch |
 //! | [`outline`], [`outline_options`], [`frame`] | curves through points, and across and along a body |
+//! | [`curve`] | the handle of a curve, and places on it |
+//! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them, written of them |
 //!
 //! This is the only part of the crate with unsafe code.
 
@@ -24,6 +26,11 @@ pub mod assembly;
 pub mod boundary;
 pub mod check;
 pub mod context;
+pub mod curve;
+pub mod curve_ask;
+pub mod curve_export;
+pub mod curve_find;
+pub mod curve_make;
 pub mod facing;
 pub mod fill;
 pub mod frame;

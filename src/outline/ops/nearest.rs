@@ -141,7 +141,7 @@ pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
             let cubic = cubic::real_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
             match cubic {
                 Some((found, count)) => {
-                    found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| offer(t))
+                    found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| offer(t));
                 }
                 None => feet(controls, q, last, &mut offer),
             }

@@ -14,8 +14,8 @@ pub(super) type Room = [DVec3; MAX_DEGREE + 1];
 pub(super) fn split_segment(right: &mut [DVec3], t: f64, left: &mut [DVec3]) {
     let n = right.len() - 1;
     let s = 1.0 - t;
-    for k in 0..=n {
-        left[k] = right[0];
+    for (k, first) in left.iter_mut().enumerate().take(n + 1) {
+        *first = right[0];
         for i in 0..n - k {
             right[i] = right[i] * s + right[i + 1] * t;
         }

@@ -1,0 +1,115 @@
+// Curve operations from C++, against formulas.
+#include <gusset.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace {
+using Point2 = std::array<double, 2>;
+constexpr double pi = 3.14159265358979323846;
+
+/// A circle of four cubics, within 2.8e-4 of it.
+gusset::Curve circle(double radius, double x) {
+    const double k = 4.0 / 3.0 * std::tan(pi / 8) * radius;
+    const std::vector<Point2> points{{x + radius, 0}, {x + radius, k},  {x + k, radius},  {x, radius},   {x - k, radius},
+                                     {x - radius, k}, {x - radius, 0},  {x - radius, -k}, {x - k, -radius}, {x, -radius},
+                                     {x + k, -radius}, {x + radius, -k}, {x + radius, 0}};
+    const std::array<uint32_t, 5> ends{0, 3, 6, 9, 12};
+    return gusset::Curve::from(points, ends, true);
+}
+
+/// y = x^2 from 0 to 1.
+gusset::Curve parabola() {
+    const std::array<Point2, 3> points{{{0, 0}, {0.5, 0}, {1, 1}}};
+    const std::array<uint32_t, 2> ends{0, 2};
+    return gusset::Curve::from(points, ends, false);
+}
+} // namespace
+
+TEST_CASE("questions") {
+    const gusset::Curve curve = parabola();
+    CHECK(curve.segment_count() == 1);
+    CHECK(curve.points().size() == 3);
+    CHECK(curve.point(gusset::place(0, 0.5)) == gusset::Point3{0.5, 0.25, 0});
+    CHECK(std::abs(curve.length() - (0.5 * std::sqrt(5.0) + 0.25 * std::asinh(2.0))) < 1e-15);
+    CHECK(std::abs(curve.moments().area - 1.0 / 6.0) < 1e-15);
+    const std::array<gusset::Place, 2> places{gusset::place(0, 0.0), gusset::place(0, 1.0)};
+    CHECK(std::abs(curve.curvatures(places)[0] - 2.0) < 1e-14);
+    CHECK(std::abs(curve.tangents(places)[1][1] - 2 / std::sqrt(5.0)) < 1e-15);
+    CHECK(curve.derivatives(places, 2).size() == 6);
+    const std::array<double, 1> half{0.5 * curve.length()};
+    CHECK(std::abs(curve.lengths_at(curve.places_at(half))[0] - half[0]) < 1e-15);
+    // From (0, 1) the nearest point has x^2 = 1/2.
+    const std::array<gusset::Point3, 1> query{{{0, 1, 0}}};
+    const gusset_nearest nearest = curve.nearest(query)[0];
+    CHECK(std::abs(nearest.place.t - std::sqrt(0.5)) < 1e-14);
+    CHECK(std::abs(nearest.distance - std::sqrt(0.75)) < 1e-15);
+    const gusset::Bounds bounds = circle(2, 0).bounds();
+    CHECK(bounds.high == gusset::Point3{2, 2, 0});
+    CHECK(std::abs(circle(2, 0).area_vector()[2] / (4 * pi) - 1) < 5e-4);
+    CHECK_THROWS_AS(curve.point(gusset::place(1, 0)), gusset::Error);
+    try {
+        curve.points_at({&places[0], 1});
+        const gusset::Place wrong = gusset::place(0, 2.0);
+        curve.points_at({&wrong, 1});
+        FAIL("accepted");
+    } catch (const gusset::Error &error) {
+        CHECK(error.status() == GUSSET_ERROR_NO_SUCH_ELEMENT);
+        CHECK(error.report().element == GUSSET_ELEMENT_PLACE);
+        CHECK(error.report().value == 2.0);
+    }
+}
+
+TEST_CASE("places found") {
+    const gusset::Curve one = circle(1, 0), two = circle(1, 1);
+    const gusset::Places meetings = one.intersections(two);
+    REQUIRE(meetings.size() == 2);
+    CHECK(std::abs(meetings.points()[0][0] - 0.5) < 1e-14);
+    CHECK(meetings.others().size() == 2);
+    CHECK(meetings.overlaps().empty());
+    CHECK_FALSE(meetings.undecided());
+    CHECK(one.self_intersections().size() == 0);
+    CHECK(one.cross_line({0, 0.6}, {1, 0}).size() == 2);
+    CHECK(one.cross_plane({0, 0, 0}, {1, 0, 0}).size() == 2);
+    CHECK(one.cross_plane({0, 0, 0}, {0, 0, 1}).inside().size() == 4);
+    CHECK(one.sample(gusset::Sample::count, 7).size() == 7);
+    CHECK(one.sample(gusset::Sample::step, 1).size() == 7);
+    CHECK(one.sample(gusset::Sample::chord, 0.1).points().size() == 8);
+}
+
+TEST_CASE("curves made of curves") {
+    const gusset::Curve curve = circle(1, 0);
+    const auto [before, after] = curve.split(gusset::place(2, 0.5));
+    CHECK(std::abs(before.length() + after.length() - curve.length()) < 1e-12);
+    CHECK(curve.part(gusset::place(3, 0.5), gusset::place(0, 0.5)).segment_count() == 2);
+    CHECK(curve.reversed().moments().area == doctest::Approx(-curve.moments().area));
+    CHECK(curve.elevated_by(2).points().size() == 21);
+    CHECK(curve.elevated_by(0).points().size() == 13);
+    CHECK(curve.elevated_to(4).ends()[1] == 4);
+    const gusset::Reduced reduced = curve.elevated_to(5).reduced(3, 1e-9);
+    CHECK(reduced.curve.points().size() == 13);
+    CHECK(reduced.deviations[0] < 1e-14);
+    const gusset::Offset offset = curve.offset(-0.5, 1e-7, 2);
+    CHECK(offset.report.deviation <= 1e-7);
+    CHECK(offset.report.reached == 1);
+    CHECK(offset.curve.is_closed());
+    CHECK(std::abs(offset.curve.length() / (3 * pi) - 1) < 1e-3);
+    CHECK(curve.offset(1.5, 1e-3, 3, 100).report.tight == 1);
+}
+
+TEST_CASE("other forms") {
+    CHECK(parabola().svg().text() == "M 0 0 Q 0.5 0 1 1");
+    const std::array<Point2, 9> points{{{0.5, 0}, {1, 0}, {1, 0.5}, {1, 1}, {0.5, 1}, {0, 1}, {0, 0.5}, {0, 0}, {0.5, 0}}};
+    const std::array<uint32_t, 5> ends{0, 2, 4, 6, 8};
+    const gusset::Curve round = gusset::Curve::from(points, ends, true);
+    const gusset::CurveForm contour = round.contour();
+    CHECK(contour.points().size() == 4);
+    CHECK(contour.on_curve()[0] == 0);
+    const gusset::CurveForm spline = round.spline();
+    CHECK(spline.degree() == 2);
+    CHECK(spline.knots().size() == spline.points().size() + 3);
+    CHECK(circle(1, 0).spline().degree() == 3);
+}
