@@ -285,6 +285,46 @@ fn solutions_move_with_the_points() {
 }
 
 #[test]
+fn single_curves_move_with_the_points() {
+    for line in [arc(8), sine(9)] {
+        let options = Options { mode: Mode::Single, lock: Lock::DataGuide, ..Options::default() };
+        let plain = solve(&line, &options);
+        assert_eq!(plain.reports()[0].status, FitStatus::Ok);
+        let far = |a: &[DVec3], b: &[DVec3]| a.iter().zip(b).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+        let (sin, cos) = 0.7f64.sin_cos();
+        let turn = |p: DVec3| DVec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z) * 1e5;
+        let turned = Line { points: line.points.iter().map(|&p| turn(p)).collect(), ..line.clone() };
+        let wanted: Vec<DVec3> = plain.points().iter().map(|&p| turn(p)).collect();
+        let found = far(solve(&turned, &options).points(), &wanted) / size(&turned);
+        assert!(found <= 1e-11, "turned: {found:e}");
+        let mut backwards = line.clone();
+        backwards.points.reverse();
+        let wanted: Vec<DVec3> = plain.points().iter().rev().copied().collect();
+        let found = far(solve(&backwards, &options).points(), &wanted) / size(&line);
+        assert!(found <= 1e-11, "backwards: {found:e}");
+    }
+}
+
+/// Steps that are used up are told from steps that have arrived.
+#[test]
+fn too_few_steps_or_sweeps_are_said_to_be() {
+    for lock in [Lock::SelfConsistent, Lock::DataGuide] {
+        for few in [Options { max_steps: 3, ..Options::default() }, Options { max_sweeps: 1, ..Options::default() }] {
+            let options = Options { lock, solver: Solver::Step, ..few };
+            let line = blob(24, 0.0);
+            let fit = solve(&line, &options);
+            check(&line, &fit, "few");
+            assert_eq!(fit.reports()[0].status, FitStatus::NotConverged, "{lock:?} {:?}", fit.reports()[0]);
+            assert!(fit.statuses().iter().all(|&status| status == PointStatus::FellBack), "{:?}", fit.statuses());
+            // What is left is the lock by parameters.
+            near(&line, &fit, &solve(&line, &Options::default()), 1e-15, "few");
+        }
+    }
+    let fit = solve(&blob(24, 0.0), &Options { lock: Lock::SelfConsistent, max_sweeps: 0, ..Options::default() });
+    assert_eq!(fit.reports()[0].status, FitStatus::NotConverged);
+}
+
+#[test]
 fn points_in_space() {
     let helix = |n: usize| {
         let at = |i: usize| (i as f64 * 0.4).sin_cos();
