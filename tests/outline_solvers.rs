@@ -229,6 +229,8 @@ fn nothing_breaks_the_solvers() {
                     ..Options::default()
                 };
                 check(line, &solve(line, &step), &format!("{method:?} {lock:?} steps"));
+                let knots = Options { joint: Joint::Knot, ..step };
+                check(line, &solve(line, &knots), &format!("{method:?} {lock:?} knots, steps"));
                 let single = Options { mode: Mode::Single, ..step };
                 check(line, &solve(line, &single), &format!("single {method:?} {lock:?} steps"));
                 let single = Options { solver: Solver::Fast, ..single };
