@@ -409,11 +409,9 @@ mod tests {
     fn inverses() {
         let m = [[2.0, 1.0, 0.0], [0.5, 3.0, 1.0], [1.0, 0.0, 1.5]];
         let inverse3 = inverse(&m).unwrap();
-        for r in 0..3 {
-            for c in 0..3 {
-                let product: f64 = (0..3).map(|k| m[r][k] * inverse3[k][c]).sum();
-                assert!((product - f64::from(u8::from(r == c))).abs() < 1e-15);
-            }
+        for (r, row) in m.iter().enumerate() {
+            let product: [f64; 3] = std::array::from_fn(|c| (0..3).map(|k| row[k] * inverse3[k][c]).sum());
+            assert!((0..3).all(|c| (product[c] - f64::from(u8::from(r == c))).abs() < 1e-15), "{product:?}");
         }
         assert_eq!(inverse(&[[2.0, 0.0], [1.0, 4.0]]).unwrap(), [[0.5, 0.0], [-0.125, 0.25]]);
         assert!(inverse(&[[1.0, 2.0], [2.0, 4.0]]).is_none());

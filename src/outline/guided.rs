@@ -86,10 +86,10 @@ impl Single {
                     Solver::Fast => direction.dot(left) / slope,
                     Solver::Step => {
                         let deviation = |x: f64| direction.dot(left) - slope * x;
-                        stepping::step(options, run.size, deviation, &mut report.steps).unwrap_or(0.0)
+                        stepping::step(options, run.size, deviation, &mut report.steps).unwrap_or(f64::NAN)
                     }
                 };
-                // Lost; Newton's method or the lock by parameters may do better.
+                // Lost, or the steps are used up; Newton's method or the lock by parameters may do better.
                 if along.is_nan() || along.abs() >= 1e3 * run.size {
                     return false;
                 }

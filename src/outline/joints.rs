@@ -93,3 +93,33 @@ pub(super) fn begin(run: &Run<'_>, solution: &mut Solution) -> Result<()> {
     solution.beta.resize(run.points.len(), 0.5);
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn shares_without_a_solution_fall_back_to_halves() {
+        let points: Vec<DVec3> = (0..9).map(|i| DVec3::new(f64::from(i % 3), f64::from(i * i % 7), 0.0)).collect();
+        let run = Run { points: &points, closed: true, tangents: [None, None], size: 6.0 };
+        let (options, mut room, mut report) = (Options::default(), Room::default(), Report::default());
+        let mut solved = [Solved::default(); 9];
+        room.solution.resize(9).unwrap();
+        room.solution.t.fill(0.4);
+        room.solution.given.fill(0.4);
+        composite::solve(&run, &mut room.solution);
+        let halves = room.solution.controls.clone();
+        begin(&run, &mut room.solution).unwrap();
+        room.solution.beta[4] = f64::NAN;
+        settle(&run, &options, &mut solved, &mut room, &mut report).unwrap();
+        assert_eq!(room.solution.controls, halves);
+        assert!(solved.iter().all(|solved| solved.status == PointStatus::FellBack));
+        // One joint astray takes only its own points with it.
+        let mut solved = [Solved::default(); 9];
+        room.solution.controls[4] = DVec3::splat(1e3);
+        assert_eq!(astray(&run, &room.solution).collect::<Vec<_>>(), [4]);
+        settle(&run, &options, &mut solved, &mut room, &mut report).unwrap();
+        assert!(solved.iter().all(|solved| solved.status == PointStatus::Ok));
+    }
+}

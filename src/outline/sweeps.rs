@@ -71,7 +71,7 @@ pub(super) fn solve(
         let rests = rest(run, options, solution, iteration, report);
         for i in run.sections() {
             let moves = solution.controls[i].distance(iteration.before[i]) > options.tolerance * run.size;
-            let fails = !rests && (moves || round + 1 == ROUNDS) && options.lock != Lock::Parameter;
+            let fails = !rests && (moves || round + 1 >= ROUNDS) && options.lock != Lock::Parameter;
             if fails && !iteration.held[i] {
                 iteration.held[i] = true;
                 mark(&mut solved[i], PointStatus::FellBack);
@@ -113,21 +113,21 @@ fn rest(
         report.iterations += 1;
         iteration.before.clear();
         iteration.before.extend_from_slice(&solution.controls[..run.points.len()]);
-        let mut farthest = 0.0f64;
+        let (mut farthest, mut arrives) = (0.0f64, true);
         for i in run.sections() {
             let before = solution.controls[i];
-            place(run, options, solution, iteration, sweep, i, report);
+            arrives &= place(run, options, solution, iteration, sweep, i, report);
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
         report.last_move = farthest.sqrt() / run.size;
-        if farthest.sqrt() <= tolerance {
+        if arrives && farthest.sqrt() <= tolerance {
             return true;
         }
     }
     false
 }
 
-/// Places one control point.
+/// Places one control point. False if the steps are used up.
 fn place(
     run: &Run<'_>,
     options: &Options,
@@ -136,7 +136,7 @@ fn place(
     sweep: u32,
     i: usize,
     report: &mut Report,
-) {
+) -> bool {
     let [b, u, v] = consistent::legs(run, solution, &iteration.shares, i);
     let p = run.points[i];
     let mut guide = None;
@@ -171,13 +171,16 @@ fn place(
             let direction = guide.unwrap_or_else(|| left.normalize_or_zero());
             let size = run.size;
             let deviation = |x: f64| direction.dot(left) - slope * x;
-            let along = stepping::step(options, size, deviation, &mut report.steps);
-            start + direction * along.unwrap_or(0.0)
+            match stepping::step(options, size, deviation, &mut report.steps) {
+                Some(along) => start + direction * along,
+                None => return false,
+            }
         }
     };
     if placed.is_finite() {
         solution.controls[i] = p + placed;
     }
+    placed.is_finite()
 }
 
 /// Where the section crosses the guide of its point; `None` if it does not.

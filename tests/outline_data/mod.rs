@@ -5,10 +5,10 @@ use std::path::PathBuf;
 
 /// Points, one after another.
 #[derive(Clone)]
-pub struct Line {
-    pub name: String,
-    pub closed: bool,
-    pub points: Vec<DVec3>,
+pub(crate) struct Line {
+    pub(crate) name: String,
+    pub(crate) closed: bool,
+    pub(crate) points: Vec<DVec3>,
 }
 
 fn directory() -> Option<PathBuf> {
@@ -23,7 +23,7 @@ fn directory() -> Option<PathBuf> {
 }
 
 /// The outlines of the data directory; none if it is not there.
-pub fn outlines() -> Vec<Line> {
+pub(crate) fn outlines() -> Vec<Line> {
     let Some(data) = directory() else { return Vec::new() };
     let mut names: Vec<String> =
         std::fs::read_dir(&data).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
@@ -53,7 +53,7 @@ pub fn outlines() -> Vec<Line> {
 }
 
 /// n + 1 points of half of a foot-like outline; none without data.
-pub fn foot_half(k: usize, n: usize) -> Option<Line> {
+pub(crate) fn foot_half(k: usize, n: usize) -> Option<Line> {
     let name = format!("footlike_{k:02}_dense.csv");
     let text = std::fs::read_to_string(directory()?.join(&name)).unwrap();
     let all: Vec<DVec3> = text
@@ -72,17 +72,17 @@ fn open(name: &str, n: usize, at: impl Fn(f64) -> (f64, f64)) -> Line {
 }
 
 /// `n` points of a half circle.
-pub fn arc(n: usize) -> Line {
+pub(crate) fn arc(n: usize) -> Line {
     open("arc", n, |x| ((std::f64::consts::PI * x).cos(), (std::f64::consts::PI * x).sin()))
 }
 
 /// `n` points of a sine.
-pub fn sine(n: usize) -> Line {
+pub(crate) fn sine(n: usize) -> Line {
     open("sine", n, |x| (6.0 * x, (6.0 * x).sin()))
 }
 
 /// `n` points of a smooth closed curve, spaced unevenly by the degree `uneven`.
-pub fn blob(n: usize, uneven: f64) -> Line {
+pub(crate) fn blob(n: usize, uneven: f64) -> Line {
     let at = |i: usize| {
         let x = std::f64::consts::TAU * i as f64 / n as f64;
         let angle = x + 0.3 * uneven * (3.0 * x).sin() / 3.0;
@@ -99,7 +99,7 @@ fn next(state: &mut u64) -> f64 {
 }
 
 /// `count` lines of `n` random points in a plane, every other one closed.
-pub fn random(count: usize, n: usize) -> Vec<Line> {
+pub(crate) fn random(count: usize, n: usize) -> Vec<Line> {
     let mut state = 20_080_101 + n as u64;
     let mut line = |k: usize| Line {
         name: format!("random {k}"),
@@ -110,7 +110,7 @@ pub fn random(count: usize, n: usize) -> Vec<Line> {
 }
 
 /// Hard cases, open and closed.
-pub fn adversarial() -> Vec<Line> {
+pub(crate) fn adversarial() -> Vec<Line> {
     let plane = |points: &[(f64, f64)]| points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0)).collect::<Vec<_>>();
     let many = |n: i32, at: &dyn Fn(f64) -> (f64, f64)| plane(&(0..n).map(|i| at(f64::from(i))).collect::<Vec<_>>());
     let mut state = 7;
