@@ -3716,6 +3716,17 @@ gusset_status gusset_outline_account(const struct gusset_outline *outline,
                                      struct gusset_outline_report *report);
 
 /**
+ * Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_curve(const struct gusset_context *context,
+                                   const struct gusset_outline *outline,
+                                   size_t index,
+                                   struct gusset_curve **curve);
+
+/**
  * Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the guide of the
  * method. A tangent demanded at a point makes its section pass in that direction; one at the first or last point of an open outline is
  * that of the neighbour's section there. Where it cannot be had, or the normal, the method (the bisector) takes its place, and the

@@ -340,7 +340,7 @@ fn lost_guides_are_told() {
             let curve = fit.curve(0);
             for i in 1..n - 1 {
                 let [a, p, c] = [line.points[i - 1], line.points[i], line.points[i + 1]];
-                let place = fit.places()[i];
+                let place = fit.place(i);
                 let controls = curve.segment(place.segment as usize);
                 let closed = usize::from(line.closed);
                 let b = if controls.len() == 3 { controls[1] } else { controls[i + closed] };

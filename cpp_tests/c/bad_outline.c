@@ -155,6 +155,8 @@ static void results(void) {
     gusset_sections_parts sections_parts;
     gusset_outline *outline = NULL;
     gusset_sections *sections = NULL;
+    gusset_curve *curve = NULL;
+    double length = 0.0;
     size_t i;
 
     memcpy(unaligned + 1, points, sizeof points);
@@ -197,6 +199,14 @@ static void results(void) {
     EXPECT(GUSSET_OK, gusset_outline_account(outline, 2, &report));
     CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.not_ok == 1);
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_account(outline, 3, &report));
+    EXPECT(GUSSET_OK, gusset_outline_curve(context, outline, 0, &curve));
+    EXPECT(GUSSET_OK, gusset_curve_length(context, curve, &length));
+    CHECK(length > 2.8 && length < 4.5);
+    gusset_curve_destroy(curve);
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_curve(context, outline, 3, &curve));
+    CHECK(curve == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_curve(context, NULL, 0, &curve));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_curve(context, outline, 0, NULL));
     gusset_outline_destroy(outline);
 
     outlines.point_count = 0, outlines.offsets = NULL, outlines.outline_count = 0, outlines.points = NULL;

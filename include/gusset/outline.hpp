@@ -2,7 +2,7 @@
 #ifndef GUSSET_OUTLINE_HPP
 #define GUSSET_OUTLINE_HPP
 
-#include <gusset/base.hpp>
+#include <gusset/curve.hpp>
 
 namespace gusset {
 
@@ -172,6 +172,12 @@ public:
         const std::size_t *from = all.starts + 2 * k, *to = from + 2;
         return {{reinterpret_cast<const std::array<double, 3> *>(all.controls) + from[0], to[0] - from[0]},
                 {all.ends.data + from[1], to[1] - from[1]}};
+    }
+    /// A copy of the curve of outline k, for what curves can do.
+    Curve curve_copy(std::size_t k = 0, const Context &context = Context()) const {
+        gusset_curve *created = nullptr;
+        context.call([&](gusset_context *c) { return gusset_outline_curve(c, outline_.get(), k, &created); });
+        return Curve(created);
     }
     /// Girth, area and centre of outline k.
     gusset_measure measure(std::size_t k = 0) const {

@@ -1,6 +1,7 @@
 //! Outlines as C sees them: what goes in, and the curves that come out.
 
 use super::context::gusset_context;
+use super::curve::gusset_curve;
 use super::guard::{create, guard};
 use super::input::{self, Versioned};
 use super::mesh::gusset_indices;
@@ -304,6 +305,25 @@ pub unsafe extern "C" fn gusset_outline_account(
             reserved: 0,
         });
         Ok(())
+    })
+}
+
+/// Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy; NULL on failure.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_outline_curve(
+    context: *const gusset_context,
+    outline: *const gusset_outline,
+    index: usize,
+    curve: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, curve, "curve", |_| {
+        let fit = &input::reference(outline, "outline")?.0;
+        if index >= fit.len() {
+            return Err(Failure::no_such("outline", index));
+        }
+        Ok(gusset_curve(fit.curve(index).to_owned()?))
     })
 }
 

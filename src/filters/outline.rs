@@ -9,6 +9,7 @@ use crate::job::Job;
 use crate::outline::{
     CurveView, Ends, Fit, FitStatus, Joint, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
 };
+use glam::DVec3;
 use std::fmt::Write;
 
 pub(super) const FILTER: Filter = Filter {
@@ -142,11 +143,11 @@ fn add(drawn: &mut Curves, curve: CurveView<'_>, tolerance: f64) -> Result<()> {
     if curve.is_empty() {
         let points = curve.points();
         alloc::reserve(&mut drawn.points, points.len())?;
-        drawn.points.extend(points.iter().map(|p| p.to_array()));
+        drawn.points.extend(points.iter().map(DVec3::to_array));
     } else {
         let samples = curve.sampled_by_chord(tolerance.max(f64::MIN_POSITIVE))?;
         alloc::reserve(&mut drawn.points, samples.points.len())?;
-        drawn.points.extend(samples.points.iter().map(|p| p.to_array()));
+        drawn.points.extend(samples.points.iter().map(DVec3::to_array));
     }
     let count = drawn.points.len() as u64;
     let limit = u64::from(u32::MAX);
