@@ -12,7 +12,7 @@ libdir  := $(DESTDIR)$(PREFIX)/lib
 incdir  := $(DESTDIR)$(PREFIX)/include
 
 build_packages := cmake g++ pkg-config
-host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev
+host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev
 test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind
 bench_packages := $(host_packages) glmark2-data nlohmann-json3-dev python3-venv
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
