@@ -281,6 +281,27 @@
 #define GUSSET_HOLE_NO_TRIANGULATION 8
 
 /**
+ * The points of the sections by their places: all sections have equally many.
+ */
+#define GUSSET_CORRESPONDENCE_GIVEN 0
+
+/**
+ * Equal parts of the arc length of each section from its first point on; a closed section that runs the other way round than the
+ * first one is taken backwards.
+ */
+#define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
+
+/**
+ * Where half-planes at equal angles round the axis meet each section; the farthest place where there are several.
+ */
+#define GUSSET_CORRESPONDENCE_ANGLE 2
+
+/**
+ * Landmarks of each section, and equal parts of the arc length between them.
+ */
+#define GUSSET_CORRESPONDENCE_LANDMARKS 3
+
+/**
  * Coordinates are 32-bit floats.
  */
 #define GUSSET_F32 1
@@ -914,6 +935,22 @@ enum gusset_status
      */
     GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
     /**
+     * A control point of what must be a plane curve has z other than 0.
+     */
+    GUSSET_ERROR_CURVE_NOT_PLANE = 1201,
+    /**
+     * A curve without segments, or without points, where one is needed.
+     */
+    GUSSET_ERROR_EMPTY_CURVE = 1202,
+    /**
+     * A section of a frame has another number of points than the first one.
+     */
+    GUSSET_ERROR_SECTIONS_DIFFER = 1210,
+    /**
+     * A section of a frame, or a plane, does not meet a column.
+     */
+    GUSSET_ERROR_NO_NODE = 1211,
+    /**
      * Memory could not be had.
      */
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
@@ -964,6 +1001,11 @@ typedef struct gusset_facing gusset_facing;
  * A mesh with holes filled. Opaque and immutable; it keeps nothing of the mesh it was made from.
  */
 typedef struct gusset_fill gusset_fill;
+
+/**
+ * Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing of the points.
+ */
+typedef struct gusset_frame gusset_frame;
 
 /**
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -1847,66 +1889,6 @@ typedef struct gusset_quality {
 } gusset_quality;
 
 /**
- * How to orient; all zero is the default.
- */
-typedef struct gusset_orient_options {
-    /**
-     * sizeof(gusset_orient_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_OUTWARD_...
-     */
-    uint32_t outward;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_orient_options;
-
-/**
- * What was turned, and what could not be oriented. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_orient_parts {
-    /**
-     * sizeof(gusset_orient_parts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Per face, 1 if it was turned over, else 0.
-     */
-    const uint8_t *turned;
-    /**
-     * The number of faces.
-     */
-    size_t face_count;
-    /**
-     * The smallest face of each component that cannot be oriented, ascending. Such components stay as they are.
-     */
-    struct gusset_indices one_sided_faces;
-    /**
-     * For each of them, a half-edge of it at which two faces disagree when others agree.
-     */
-    struct gusset_indices one_sided_half_edges;
-    /**
-     * The number of faces turned over.
-     */
-    uint32_t turned_faces;
-    /**
-     * Components: faces that hang together across edges of two faces. A degenerate face is one of its own.
-     */
-    uint32_t component_count;
-    /**
-     * Closed components that face outwards now and, with GUSSET_OUTWARD_KEEP, would not.
-     */
-    uint32_t inverted_components;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_orient_parts;
-
-/**
  * What is demanded of a curve at a point.
  */
 typedef struct gusset_constraint {
@@ -2050,6 +2032,181 @@ typedef struct gusset_outline_options {
      */
     uint32_t reserved;
 } gusset_outline_options;
+
+/**
+ * How a frame is made; all zero is the default: the points themselves are the nodes.
+ */
+typedef struct gusset_frame_options {
+    /**
+     * sizeof(gusset_frame_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_CORRESPONDENCE_...
+     */
+    uint32_t correspondence;
+    /**
+     * The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of parts from each landmark to the
+     * next.
+     */
+    uint32_t columns;
+    /**
+     * 1: the last section is followed by the first one. 0 or 1.
+     */
+    uint32_t ring;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * For ANGLE: a point of the axis.
+     */
+    double axis_point[3];
+    /**
+     * For ANGLE: its direction; seen against it angles grow counter-clockwise.
+     */
+    double axis_direction[3];
+    /**
+     * For ANGLE: towards the nodes of column 0; any vector not along the axis.
+     */
+    double reference[3];
+    /**
+     * For LANDMARKS: for each section its landmarks in order, places among its own points; as many for each.
+     */
+    struct gusset_indices landmarks;
+    /**
+     * How the curves across are made; NULL for the defaults.
+     */
+    const struct gusset_outline_options *across;
+    /**
+     * How the curves along are made; NULL for the defaults.
+     */
+    const struct gusset_outline_options *along;
+} gusset_frame_options;
+
+/**
+ * The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
+ */
+typedef struct gusset_frame_parts {
+    /**
+     * sizeof(gusset_frame_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of sections.
+     */
+    size_t rows;
+    /**
+     * The number of nodes in a section.
+     */
+    size_t columns;
+    /**
+     * x, y, z of each node.
+     */
+    const double *nodes;
+    /**
+     * The direction of the curve across at each node: x, y, z, of length 1, or 0 where there is none.
+     */
+    const double *across;
+    /**
+     * The direction of the curve along.
+     */
+    const double *along;
+    /**
+     * For each section 1 if it was taken backwards.
+     */
+    const uint8_t *turned;
+    /**
+     * Nodes that could have been elsewhere, as a half-plane meets their section more than once.
+     */
+    struct gusset_indices ambiguous;
+    /**
+     * The largest distance between the two curves at a node, relative to the size of the nodes' box.
+     */
+    double max_gap;
+    /**
+     * The smallest sine of the angle at which two curves cross at a node.
+     */
+    double min_sine;
+} gusset_frame_parts;
+
+/**
+ * What a section measures.
+ */
+typedef struct gusset_measure {
+    /**
+     * Its length: of a closed section all round.
+     */
+    double girth;
+    /**
+     * The area within; that of an open section is closed by its chord.
+     */
+    double area;
+    /**
+     * The mean of its points by arc length.
+     */
+    double centre[3];
+} gusset_measure;
+
+/**
+ * How to orient; all zero is the default.
+ */
+typedef struct gusset_orient_options {
+    /**
+     * sizeof(gusset_orient_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_OUTWARD_...
+     */
+    uint32_t outward;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_orient_options;
+
+/**
+ * What was turned, and what could not be oriented. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_orient_parts {
+    /**
+     * sizeof(gusset_orient_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Per face, 1 if it was turned over, else 0.
+     */
+    const uint8_t *turned;
+    /**
+     * The number of faces.
+     */
+    size_t face_count;
+    /**
+     * The smallest face of each component that cannot be oriented, ascending. Such components stay as they are.
+     */
+    struct gusset_indices one_sided_faces;
+    /**
+     * For each of them, a half-edge of it at which two faces disagree when others agree.
+     */
+    struct gusset_indices one_sided_half_edges;
+    /**
+     * The number of faces turned over.
+     */
+    uint32_t turned_faces;
+    /**
+     * Components: faces that hang together across edges of two faces. A degenerate face is one of its own.
+     */
+    uint32_t component_count;
+    /**
+     * Closed components that face outwards now and, with GUSSET_OUTWARD_KEEP, would not.
+     */
+    uint32_t inverted_components;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_orient_parts;
 
 /**
  * All curves in one. Pointers are valid until the outline is destroyed.
@@ -2495,6 +2652,16 @@ typedef struct gusset_winged_view {
  */
 #define GUSSET_ELEMENT_CONSTRAINT 8
 
+/**
+ * One of the places on a curve that were given.
+ */
+#define GUSSET_ELEMENT_PLACE 9
+
+/**
+ * A section of a frame, or a plane, counted from 0; the value is the column or the number of points.
+ */
+#define GUSSET_ELEMENT_SECTION 12
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -2801,6 +2968,73 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_fill_quality(const struct gusset_fill *fill,
                                   struct gusset_quality *quality);
+
+/**
+ * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of it, and a
+ * curve along through each column.
+ *
+ * sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy; NULL on
+ * failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not as many for each
+ * section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a half-plane does not meet, or
+ * that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction; the correspondences are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_create(const struct gusset_context *context,
+                                  const struct gusset_outlines *sections,
+                                  const struct gusset_frame_options *options,
+                                  struct gusset_frame **frame);
+
+/**
+ * Destroys what gusset_frame_create made; NULL is allowed.
+ */
+GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
+
+/**
+ * Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+ * thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_view(const struct gusset_frame *frame,
+                                struct gusset_frame_parts *parts);
+
+/**
+ * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i of row k is
+ * point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_curves(const struct gusset_frame *frame,
+                                  const struct gusset_outline **across,
+                                  const struct gusset_outline **along);
+
+/**
+ * Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves across were
+ * made: a new section.
+ *
+ * point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on failure; point i of it
+ * is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create, OUT_OF_RANGE (the normal), NOT_FINITE,
+ * NO_NODE (the value in the report is the column that the plane does not cross). O(segments).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_slice(const struct gusset_context *context,
+                                 const struct gusset_frame *frame,
+                                 const double *point,
+                                 const double *normal,
+                                 struct gusset_outline **section);
+
+/**
+ * Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_measure(const struct gusset_outline *outline,
+                                     size_t index,
+                                     struct gusset_measure *measure);
 
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.

@@ -10,6 +10,8 @@
 #include <gusset/assembly.hpp>
 #include <gusset/base.hpp>
 #include <gusset/fill.hpp>
+#include <gusset/frame.hpp>
+#include <gusset/outline.hpp>
 #include <gusset/repair.hpp>
 #include <gusset/stitch.hpp>
 

@@ -107,8 +107,40 @@ pub enum Error {
         /// The coordinate.
         value: f64,
     },
+    /// A section of a frame has another number of points than the first one.
+    SectionsDiffer {
+        /// The section.
+        section: u32,
+        /// Its number of points.
+        count: u32,
+        /// That of the first one.
+        expected: u32,
+    },
+    /// A section of a frame, or a plane, has no node on a column: they do not meet, or the section is no curve.
+    NoNode {
+        /// The section, or the plane.
+        section: u32,
+        /// The column.
+        column: u32,
+    },
     /// A closed curve does not end where it begins.
     CurveNotClosed,
+    /// A plane curve is asked for, and a control point has z other than 0.
+    CurveNotPlane {
+        /// The control point.
+        point: u32,
+    },
+    /// A curve without segments, or without points, where one is needed.
+    EmptyCurve,
+    /// There is no such place on the curve.
+    NoSuchPlace {
+        /// Which of the places given.
+        index: u32,
+        /// Its segment.
+        segment: u32,
+        /// Its parameter.
+        t: f64,
+    },
     /// A constraint names a point that does not exist, or that the one before it names or passes.
     NoSuchPoint {
         /// The constraint.
@@ -227,7 +259,18 @@ impl fmt::Display for Error {
             Error::OutlineNotFinite { point, value } => {
                 write!(f, "point {point}, or a tangent there, has a coordinate that is {value}")
             }
+            Error::SectionsDiffer { section, count, expected } => {
+                write!(f, "section {section} has {count} points and the first one {expected}")
+            }
+            Error::NoNode { section, column } => {
+                write!(f, "section {section} has no node in column {column}")
+            }
             Error::CurveNotClosed => f.write_str("a closed curve ends where it begins; this one does not"),
+            Error::CurveNotPlane { point } => write!(f, "control point {point} is not in the plane z = 0"),
+            Error::EmptyCurve => f.write_str("the curve is empty"),
+            Error::NoSuchPlace { index, segment, t } => {
+                write!(f, "place {index}: there is no segment {segment} with parameter {t}")
+            }
             Error::NoSuchPoint { constraint, point } => {
                 write!(f, "constraint {constraint} is on point {point}, which does not exist or comes earlier")
             }

@@ -39,7 +39,7 @@ static const double pyramid_up[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0,
 static const double pyramid_down[5][3] = {{0, 0, -2}, {1, 0, -1}, {0, -1, -1}, {-1, 0, -1}, {0, 1, -1}};
 static const uint32_t pyramid_faces[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
 
-static gusset_mesh_view pyramid(const double points[5][3]) {
+static inline gusset_mesh_view pyramid(const double points[5][3]) {
     gusset_mesh_view view;
     memset(&view, 0, sizeof view);
     view.struct_size = sizeof view;

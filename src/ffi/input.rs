@@ -35,6 +35,21 @@ pub(super) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> 
     }
 }
 
+/// As [`output`], for what need not be asked for.
+pub(super) fn optional_output<'a, T>(
+    pointer: *mut T,
+    cleared: T,
+    name: &'static str,
+) -> Result<Option<&'a mut T>, Failure> {
+    if pointer.is_null() { Ok(None) } else { output(pointer, cleared, name).map(Some) }
+}
+
+/// Three coordinates of the caller's, at any alignment.
+pub(super) fn vector(pointer: *const f64, name: &'static str) -> Result<glam::DVec3, Failure> {
+    let bytes = bytes(pointer.cast(), 3, 8, name)?;
+    Ok(glam::DVec3::from_array(bytemuck::pod_read_unaligned(bytes)))
+}
+
 /// A buffer of the caller's for `count` numbers.
 pub(super) fn slice<'a>(pointer: *mut u32, count: usize, name: &'static str) -> Result<&'a mut [u32], Failure> {
     aligned(pointer, name)?;

@@ -11,7 +11,7 @@
 //! | [`boundary`], [`winged`], [`check`], [`facing`], [`strip`], [`stitch`] | one file for each module of the core |
 //! | [`weld`], [`orient`], [`fill`], [`assembly`] | the same |
 //! | [`stitch_options`] | how to stitch |
-//! | [`outline`], [`outline_options`] | curves through points |
+//! | [`outline`], [`outline_options`], [`frame`] | curves through points, and across and along a body |
 //!
 //! This is the only part of the crate with unsafe code.
 
@@ -26,6 +26,7 @@ pub mod check;
 pub mod context;
 pub mod facing;
 pub mod fill;
+pub mod frame;
 mod guard;
 mod input;
 pub mod mesh;

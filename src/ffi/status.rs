@@ -66,6 +66,14 @@ pub enum gusset_status {
     GUSSET_ERROR_PLANES_UNDECIDED = 1108,
     /// A closed curve does not end where it begins.
     GUSSET_ERROR_CURVE_NOT_CLOSED = 1200,
+    /// A control point of what must be a plane curve has z other than 0.
+    GUSSET_ERROR_CURVE_NOT_PLANE = 1201,
+    /// A curve without segments, or without points, where one is needed.
+    GUSSET_ERROR_EMPTY_CURVE = 1202,
+    /// A section of a frame has another number of points than the first one.
+    GUSSET_ERROR_SECTIONS_DIFFER = 1210,
+    /// A section of a frame, or a plane, does not meet a column.
+    GUSSET_ERROR_NO_NODE = 1211,
     /// Memory could not be had.
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
     /// The host cancelled.
@@ -96,6 +104,10 @@ pub const GUSSET_ELEMENT_COUNT: gusset_element = 6;
 pub const GUSSET_ELEMENT_POINT: gusset_element = 7;
 /// A constraint on an outline.
 pub const GUSSET_ELEMENT_CONSTRAINT: gusset_element = 8;
+/// One of the places on a curve that were given.
+pub const GUSSET_ELEMENT_PLACE: gusset_element = 9;
+/// A section of a frame, or a plane, counted from 0; the value is the column or the number of points.
+pub const GUSSET_ELEMENT_SECTION: gusset_element = 12;
 
 /// A failure on its way to the host.
 #[derive(Debug)]
@@ -165,7 +177,18 @@ impl From<Error> for Failure {
             Error::OutlineNotFinite { point, value } => {
                 (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_POINT, point.into(), value)
             }
+            Error::SectionsDiffer { section, count, .. } => {
+                (GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section.into(), f64::from(count))
+            }
+            Error::NoNode { section, column } => {
+                (GUSSET_ERROR_NO_NODE, GUSSET_ELEMENT_SECTION, section.into(), f64::from(column))
+            }
             Error::CurveNotClosed => none(GUSSET_ERROR_CURVE_NOT_CLOSED),
+            Error::CurveNotPlane { point } => at(GUSSET_ERROR_CURVE_NOT_PLANE, GUSSET_ELEMENT_POINT, point),
+            Error::EmptyCurve => none(GUSSET_ERROR_EMPTY_CURVE),
+            Error::NoSuchPlace { index, t, .. } => {
+                (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_PLACE, index.into(), t)
+            }
             Error::NoSuchPoint { constraint, point } => {
                 (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_CONSTRAINT, constraint.into(), f64::from(point))
             }
@@ -235,6 +258,10 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         1107 => c"no strip avoids the edges that the mesh already has",
         1108 => c"the planes through the centres cannot tell which vertices face each other",
         1200 => c"a closed curve does not end where it begins",
+        1201 => c"the curve is not in the plane z = 0",
+        1202 => c"the curve is empty",
+        1210 => c"the sections have different numbers of points",
+        1211 => c"a section does not meet a column",
         2000 => c"out of memory",
         2001 => c"cancelled",
         9999 => c"internal error",

@@ -15,10 +15,10 @@
 use super::curve::Place;
 use super::judge::Smoothness;
 use super::method::{Method, power};
-use super::request::{Options, PointStatus, Report};
-use super::run::{Room, Run, Sketch, Solution, Solved};
+use super::request::{Joint, Lock, Options, PointStatus, Report, Solver};
+use super::run::{Room, Run, Sketch, Solution, Solved, mark};
 use super::tridiagonal::Cyclic;
-use super::{segment, tridiagonal};
+use super::{consistent, joints, segment, sweeps, tridiagonal};
 use crate::error::Result;
 
 /// Appends the composite curve of a run.
@@ -30,12 +30,36 @@ pub(super) fn curve(
     sketch: &mut Sketch,
     report: &mut Report,
 ) -> Result<()> {
-    let solution = &mut room.solution;
-    solution.resize(run.points.len())?;
+    let (n, solution) = (run.points.len(), &mut room.solution);
+    solution.resize(n)?;
     solution.beta.clear();
     parameters(run, options, solution, solved);
     solve(run, solution);
-    append(run, solution, solved, sketch, report)
+    if (options.lock, options.joint, options.solver) != (Lock::Parameter, Joint::Half, Solver::Fast) {
+        room.solution.given[..n].copy_from_slice(&room.solution.t[..n]);
+        match options.joint {
+            Joint::Half => lock(run, options, solved, room, report).map(|_| ())?,
+            Joint::Knot => joints::knots(run, options, solved, room, report)?,
+            Joint::G2 => joints::curvatures(run, options, solved, room, report)?,
+        }
+    }
+    append(run, &room.solution, solved, sketch, report)
+}
+
+/// Finds parameters and control points for the shares of the joints, from control points that solve the linear equations. False if these
+/// are singular.
+pub(super) fn lock(
+    run: &Run<'_>,
+    options: &Options,
+    solved: &mut [Solved],
+    room: &mut Room,
+    report: &mut Report,
+) -> Result<bool> {
+    match (options.lock, options.solver) {
+        (Lock::Parameter, Solver::Fast) => Ok(solve(run, &mut room.solution)),
+        (Lock::SelfConsistent, Solver::Fast) => consistent::solve(run, options, solved, room, report),
+        _ => sweeps::solve(run, options, solved, room, report),
+    }
 }
 
 /// The parameters of the points by the method on the data's own triangles, within the limits.
@@ -43,8 +67,8 @@ fn parameters(run: &Run<'_>, options: &Options, solution: &mut Solution, solved:
     let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
     let enter = |i: usize, t: f64, parameter: &mut f64, solved: &mut [Solved]| {
         *parameter = t.clamp(low, high);
-        if !(low..=high).contains(&t) && solved[i].status == PointStatus::Ok {
-            solved[i].status = PointStatus::ClampedParameter;
+        if options.lock == Lock::Parameter && !(low..=high).contains(&t) {
+            mark(&mut solved[i], PointStatus::ClampedParameter);
         }
     };
     let sections = run.sections();
@@ -52,7 +76,9 @@ fn parameters(run: &Run<'_>, options: &Options, solution: &mut Solution, solved:
         for i in sections {
             let [a, p, c] = run.triple(i);
             let t = options.method.parameter(a, p, c).or_else(|status| {
-                solved[i].status = status;
+                if options.lock == Lock::Parameter {
+                    mark(&mut solved[i], status);
+                }
                 Method::Bisector.parameter(a, p, c)
             });
             enter(i, t.unwrap_or(0.5), &mut solution.t[i], solved);
@@ -161,7 +187,7 @@ fn append_closed(
 /// Solves for the control points, given the parameters and the shares beta of the joints. False if the equations are singular,
 /// which takes shares other than 1/2.
 pub(super) fn solve(run: &Run<'_>, solution: &mut Solution) -> bool {
-    let Solution { t, beta, controls, upper, across } = solution;
+    let Solution { t, beta, controls, upper, across, .. } = solution;
     let n = run.points.len();
     let (t, controls) = (&t[..n], &mut controls[..n]);
     let known = |i: usize| run.points[i];
@@ -189,7 +215,7 @@ pub(super) fn solve(run: &Run<'_>, solution: &mut Solution) -> bool {
 
 /// The coefficients of B_(i-1), B_i and B_(i+1) in row i, between the joints with the shares `before` and `after`.
 #[inline]
-fn row(t: f64, before: f64, after: f64) -> [f64; 3] {
+pub(super) fn row(t: f64, before: f64, after: f64) -> [f64; 3] {
     let s = 1.0 - t;
     let (first, last) = (s * s, t * t);
     [first * (1.0 - before), 2.0 * t * s + first * before + last * (1.0 - after), last * after]

@@ -78,19 +78,19 @@ pub(super) fn curve(
     Ok(())
 }
 
-/// The second derivatives of two segments in their knots, for tests: they agree where the segments meet.
-#[cfg(test)]
-fn bend(segment: &[DVec3], interval: f64, t: f64) -> DVec3 {
-    let [p, q, r, s] = [segment[0], segment[1], segment[2], segment[3]];
-    ((r - q * 2.0 + p) * (1.0 - t) + (s - r * 2.0 + q) * t) * 6.0 / (interval * interval)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Job;
     use crate::outline::{Method, Mode, Outlines, Points, fit};
+    use glam::DVec3;
     use proptest::prelude::*;
+
+    /// The second derivative of a segment in its knots.
+    fn bend(segment: &[DVec3], interval: f64, t: f64) -> DVec3 {
+        let [p, q, r, s] = [segment[0], segment[1], segment[2], segment[3]];
+        ((r - q * 2.0 + p) * (1.0 - t) + (s - r * 2.0 + q) * t) * 6.0 / (interval * interval)
+    }
 
     proptest! {
         #[test]

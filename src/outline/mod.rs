@@ -8,18 +8,28 @@
 //! * [`sections`](sections()): the sections of all points of outlines.
 //! * [`fit`](fit()): whole outlines, many at a time, open or closed, by the [`Mode`]s.
 //! * [`CurveView`], [`Curve`]: what comes out.
+//! * [`frame`]: curves across and along a body, through a grid of nodes.
+//! * [`ops`]: what can be asked of curves, and what can be made of them.
 
 mod blend;
 mod composite;
+mod consistent;
 mod cubic;
 mod curve;
+mod dense;
 mod fit;
+pub mod frame;
+mod joints;
 mod judge;
 mod method;
+pub mod ops;
 mod request;
 mod run;
 mod sections;
 mod segment;
+mod single;
+mod stepping;
+mod sweeps;
 mod tridiagonal;
 mod worker;
 
@@ -33,3 +43,4 @@ pub use request::{
     Solver,
 };
 pub use sections::{Sections, sections};
+pub use stepping::step_section;

@@ -1,7 +1,9 @@
 //! A run: an outline, or the part of one between two points where it is cut, in coordinates of its own.
 
+use super::consistent::Newton;
 use super::curve::Place;
 use super::request::PointStatus;
+use super::single::Single;
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
@@ -56,6 +58,8 @@ impl Run<'_> {
 pub(super) struct Solution {
     /// The parameter of each point on its section.
     pub(super) t: Vec<f64>,
+    /// The parameter by the data's own triangle, to fall back to.
+    pub(super) given: Vec<f64>,
     /// The share beta_i of the joint behind section i; empty if all are 1/2.
     pub(super) beta: Vec<f64>,
     /// The control points B_i.
@@ -69,7 +73,7 @@ pub(super) struct Solution {
 impl Solution {
     /// Makes room for `n` points.
     pub(super) fn resize(&mut self, n: usize) -> Result<()> {
-        for list in [&mut self.t, &mut self.upper, &mut self.across] {
+        for list in [&mut self.t, &mut self.given, &mut self.upper, &mut self.across] {
             if list.len() < n {
                 let more = n - list.len();
                 alloc::reserve(list, more)?;
@@ -82,6 +86,18 @@ impl Solution {
             self.controls.resize(n, DVec3::ZERO);
         }
         Ok(())
+    }
+
+    /// beta_i, the share of the joint behind section `i` of a run: 0 and 1 where a section itself begins or ends the run.
+    #[inline]
+    pub(super) fn share(&self, run: &Run<'_>, i: usize) -> f64 {
+        let outer = !run.closed && (i == 0 || i + 2 == run.points.len());
+        match (outer, run.tangents) {
+            (true, [None, _]) if i == 0 => 0.0,
+            (true, [_, None]) if i > 0 || run.points.len() == 2 => 1.0,
+            _ if outer || self.beta.is_empty() => 0.5,
+            _ => self.beta[i],
+        }
     }
 
     /// J_i, the joint behind section `i` of a run; the ends of an open run are joints too.
@@ -121,6 +137,50 @@ impl Default for Solved {
 #[derive(Default)]
 pub(super) struct Room {
     pub(super) solution: Solution,
+    /// What the iterations of composite curves need besides.
+    pub(super) iteration: Iteration,
+    pub(super) flat: Newton<2>,
+    pub(super) spatial: Newton<3>,
+    pub(super) single: Single,
+}
+
+/// What the iterations share: one of each for every point of the run.
+#[derive(Default)]
+pub(super) struct Iteration {
+    /// The shares of the joints, the ends of an open run included.
+    pub(super) shares: Vec<f64>,
+    /// Whether a point has fallen back to the parameter by the data's own triangle.
+    pub(super) held: Vec<bool>,
+    /// Whether a section did not cross the guide of its point when it was placed last.
+    pub(super) lost: Vec<bool>,
+    /// The direction of the guide through a point, of length 1; 0 where there is none.
+    pub(super) guides: Vec<DVec3>,
+    /// The control points before an iteration.
+    pub(super) before: Vec<DVec3>,
+}
+
+impl Iteration {
+    /// Enters the shares of a run, and lets go of all points.
+    pub(super) fn begin(&mut self, run: &Run<'_>, solution: &Solution) -> Result<()> {
+        let n = run.points.len();
+        self.shares.clear();
+        alloc::reserve(&mut self.shares, n)?;
+        self.shares.extend((0..n).map(|i| solution.share(run, i)));
+        for flags in [&mut self.held, &mut self.lost] {
+            flags.clear();
+            alloc::reserve(flags, n)?;
+            flags.resize(n, false);
+        }
+        self.before.clear();
+        alloc::reserve(&mut self.before, n)
+    }
+}
+
+/// Gives a point a status, unless it has one.
+pub(super) fn mark(solved: &mut Solved, status: PointStatus) {
+    if solved.status == PointStatus::Ok {
+        solved.status = status;
+    }
 }
 
 /// The curve of an outline while it grows, near the origin.

@@ -4,7 +4,7 @@ use super::curve::Place;
 use super::fit::{Fit, span};
 use super::request::{Constraint, Demand, Ends, FitStatus, Mode, Options, Outlines, PointStatus, Report};
 use super::run::{Room, Run, Sketch, Solved};
-use super::{blend, composite, cubic, judge};
+use super::{blend, composite, cubic, judge, single};
 use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;
@@ -295,7 +295,7 @@ impl<'a> Worker<'a> {
         for (i, &node) in points.clone().zip(&self.node_of) {
             let Solved { place, mut status } = self.solved[node as usize];
             let repeats = node == before || (node == closing && i > points.start && self.outlines.closed);
-            if repeats && status == PointStatus::Ok {
+            if repeats && status != PointStatus::Missed {
                 status = PointStatus::Merged;
             }
             if !repeats && (place.t == 0.0 || place.t == 1.0) && !self.sketch.is_empty() {
@@ -343,7 +343,8 @@ fn curve(
     match options.mode {
         Mode::BlendC1 | Mode::BlendC2 => blend::curve(run, options, solved, room, sketch),
         Mode::CubicC2 => cubic::curve(run, options, solved, room, sketch),
-        Mode::Composite | Mode::Single => composite::curve(run, options, solved, room, sketch, report),
+        Mode::Single => single::curve(run, options, solved, room, sketch, report),
+        Mode::Composite => composite::curve(run, options, solved, room, sketch, report),
     }
 }
 

@@ -1,0 +1,336 @@
+/* What a host can get wrong with outlines, and what it gets if it does not. */
+#include "check.h"
+#include <math.h>
+
+static gusset_context *context;
+static const double square[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+static gusset_outlines given(const void *points, size_t count) {
+    gusset_outlines outlines;
+    memset(&outlines, 0, sizeof outlines);
+    outlines.struct_size = sizeof outlines;
+    outlines.points = points;
+    outlines.point_count = count;
+    outlines.dimension = 2;
+    outlines.closed = 1;
+    return outlines;
+}
+
+static gusset_status fit(const gusset_outlines *outlines, const gusset_outline_options *options) {
+    gusset_outline *outline = (gusset_outline *)misaligned();
+    const gusset_status status = gusset_outline_create(context, outlines, options, &outline);
+    CHECK((outline == NULL) == (status != GUSSET_OK));
+    gusset_outline_destroy(outline);
+    return status;
+}
+
+static void arguments(void) {
+    gusset_outlines outlines = given(square, 4), bad;
+    gusset_outline *outline = NULL;
+    gusset_sections *sections = NULL;
+    gusset_report report;
+
+    report.struct_size = sizeof report;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_create(context, NULL, NULL, &outline));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_create(context, &outlines, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outline_create(misaligned(), &outlines, NULL, &outline));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outline_create(context, misaligned(), NULL, &outline));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outline_create(context, &outlines, misaligned(), &outline));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_outline_create(context, &outlines, NULL, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sections_create(context, NULL, NULL, &sections));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sections_create(context, &outlines, NULL, NULL));
+
+    bad = outlines, bad.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, fit(&bad, NULL));
+    bad = outlines, bad.points = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, fit(&bad, NULL));
+    bad = outlines, bad.dimension = 4;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, fit(&bad, NULL));
+    bad = outlines, bad.dimension = 0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, fit(&bad, NULL));
+    bad = outlines, bad.closed = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, fit(&bad, NULL));
+    bad = outlines, bad.point_stride = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, fit(&bad, NULL));
+    bad = outlines, bad.point_count = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, fit(&bad, NULL));
+    bad = outlines, bad.point_stride = SIZE_MAX / 2;
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, fit(&bad, NULL));
+    bad = outlines, bad.outline_count = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, fit(&bad, NULL));
+    bad = outlines, bad.outline_count = 1;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, fit(&bad, NULL));
+    bad = outlines, bad.constraint_count = 1;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, fit(&bad, NULL));
+    bad = outlines, bad.constraint_count = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, fit(&bad, NULL));
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, fit(&outlines, NULL));
+    gusset_context_reset(context);
+    EXPECT(GUSSET_OK, fit(&outlines, NULL));
+    gusset_outline_destroy(NULL);
+    gusset_sections_destroy(NULL);
+}
+
+static void data(void) {
+    double points[4][2];
+    uint32_t offsets[3] = {0, 2, 4};
+    gusset_constraint constraints[2] = {{1, GUSSET_DEMAND_CORNER, {0, 0, 0}}, {3, GUSSET_DEMAND_TANGENT, {1, 0, 0}}};
+    gusset_outlines outlines = given(points, 4);
+    gusset_report report;
+
+    memset(&report, 0, sizeof report);
+    report.struct_size = sizeof report;
+    memcpy(points, square, sizeof points);
+    outlines.offsets = offsets, outlines.outline_count = 2;
+    outlines.constraints = constraints, outlines.constraint_count = 2;
+    EXPECT(GUSSET_OK, fit(&outlines, NULL));
+    offsets[0] = 1;
+    EXPECT(GUSSET_ERROR_BAD_OFFSETS, fit(&outlines, NULL));
+    offsets[0] = 0, offsets[1] = 5;
+    EXPECT(GUSSET_ERROR_BAD_OFFSETS, fit(&outlines, NULL));
+    offsets[1] = 4, offsets[2] = 3;
+    EXPECT(GUSSET_ERROR_BAD_OFFSETS, fit(&outlines, NULL));
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.element == GUSSET_ELEMENT_OFFSET && report.index == 2);
+    offsets[1] = 2, offsets[2] = 4;
+    constraints[0].demand = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, fit(&outlines, NULL));
+    constraints[0].demand = GUSSET_DEMAND_CORNER, constraints[1].point = 4;
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, fit(&outlines, NULL));
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.element == GUSSET_ELEMENT_CONSTRAINT && report.index == 1);
+    constraints[1].point = 1;
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, fit(&outlines, NULL));
+    constraints[1].point = 3, constraints[1].tangent[2] = NAN;
+    EXPECT(GUSSET_ERROR_NOT_FINITE, fit(&outlines, NULL));
+    constraints[1].tangent[2] = 0.0, points[2][1] = INFINITY;
+    EXPECT(GUSSET_ERROR_NOT_FINITE, fit(&outlines, NULL));
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.element == GUSSET_ELEMENT_POINT && report.index == 2 && report.value == INFINITY);
+}
+
+static void options(void) {
+    const gusset_outlines outlines = given(square, 4);
+    gusset_outline_options options;
+    uint32_t *choices[] = {&options.curve, &options.method, &options.lock,    &options.joint,
+                           &options.solver, &options.ends, &options.repeats, &options.reserved};
+    double *numbers[] = {&options.parameter_limit, &options.corner_angle, &options.tolerance, &options.first_step,
+                         &options.step_divisor};
+    size_t i;
+
+    memset(&options, 0, sizeof options);
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, fit(&outlines, &options));
+    options.struct_size = sizeof options;
+    EXPECT(GUSSET_OK, fit(&outlines, &options));
+    for (i = 0; i < sizeof choices / sizeof *choices; ++i) {
+        *choices[i] = 77;
+        EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, fit(&outlines, &options));
+        *choices[i] = 0;
+    }
+    for (i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
+        *numbers[i] = -1.0;
+        EXPECT(GUSSET_ERROR_OUT_OF_RANGE, fit(&outlines, &options));
+        *numbers[i] = NAN;
+        EXPECT(GUSSET_ERROR_OUT_OF_RANGE, fit(&outlines, &options));
+        *numbers[i] = 0.0;
+    }
+    options.method = GUSSET_METHOD_ALPHA, options.alpha = 2.0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, fit(&outlines, &options));
+    options.method = GUSSET_METHOD_BISECTOR;
+    EXPECT(GUSSET_OK, fit(&outlines, &options));
+    options.repeats = GUSSET_REPEATS_GIVEN, options.repeat_tolerance = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, fit(&outlines, &options));
+    options.repeat_tolerance = 0.0;
+    EXPECT(GUSSET_OK, fit(&outlines, &options));
+}
+
+static void results(void) {
+    const uint32_t offsets[4] = {0, 4, 4, 5};
+    const double points[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {9, 9}};
+    char unaligned[1 + sizeof points];
+    gusset_outlines outlines;
+    gusset_outline_parts parts;
+    gusset_outline_report report;
+    gusset_sections_parts sections_parts;
+    gusset_outline *outline = NULL;
+    gusset_sections *sections = NULL;
+    size_t i;
+
+    memcpy(unaligned + 1, points, sizeof points);
+    outlines = given(unaligned + 1, 5);
+    memset(&parts, 0, sizeof parts);
+    memset(&report, 0, sizeof report);
+    memset(&sections_parts, 0, sizeof sections_parts);
+    outlines.offsets = offsets, outlines.outline_count = 3;
+    EXPECT(GUSSET_OK, gusset_outline_create(context, &outlines, NULL, &outline));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_view(outline, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_view(outline, NULL));
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_view(NULL, &parts));
+    EXPECT(GUSSET_OK, gusset_outline_view(outline, &parts));
+    CHECK(parts.outline_count == 3 && parts.point_count == 5);
+    CHECK(parts.starts[0] == 0 && parts.starts[1] == 0);
+    /* A square: four quadratics, 9 control points, 5 ends. */
+    CHECK(parts.starts[2] == 9 && parts.starts[3] == 5);
+    for (i = 0; i < 5; ++i) {
+        CHECK(parts.ends.data[i] == 2 * i);
+    }
+    for (i = 0; i < 4; ++i) {
+        /* The middle of each section is its point, and the control point is beyond it. */
+        const double *c = parts.controls + 6 * i;
+        int k;
+        CHECK(parts.statuses[i] == GUSSET_POINT_OK && parts.segments.data[i] == i);
+        CHECK(fabs(parts.parameters[i] - 0.5) < 1e-15);
+        for (k = 0; k < 2; ++k) {
+            CHECK(fabs(0.25 * c[k] + 0.5 * c[3 + k] + 0.25 * c[6 + k] - square[i][k]) < 1e-15);
+        }
+        CHECK(c[2] == 0.0);
+    }
+    CHECK(parts.statuses[4] == GUSSET_POINT_MISSED);
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_account(outline, 0, &report));
+    report.struct_size = sizeof report;
+    EXPECT(GUSSET_OK, gusset_outline_account(outline, 0, &report));
+    CHECK(report.fit == GUSSET_FIT_OK && report.size == 1.0 && report.max_residual < 1e-15 && report.not_ok == 0);
+    EXPECT(GUSSET_OK, gusset_outline_account(outline, 1, &report));
+    CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.size == 0.0);
+    EXPECT(GUSSET_OK, gusset_outline_account(outline, 2, &report));
+    CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.not_ok == 1);
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_account(outline, 3, &report));
+    gusset_outline_destroy(outline);
+
+    outlines.point_count = 0, outlines.offsets = NULL, outlines.outline_count = 0, outlines.points = NULL;
+    EXPECT(GUSSET_OK, gusset_outline_create(NULL, &outlines, NULL, &outline));
+    EXPECT(GUSSET_OK, gusset_outline_view(outline, &parts));
+    CHECK(parts.outline_count == 1 && parts.control_count == 0);
+    gusset_outline_destroy(outline);
+
+    outlines = given(square, 4);
+    EXPECT(GUSSET_OK, gusset_sections_create(context, &outlines, NULL, &sections));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sections_view(sections, &sections_parts));
+    sections_parts.struct_size = sizeof sections_parts;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sections_view(NULL, &sections_parts));
+    EXPECT(GUSSET_OK, gusset_sections_view(sections, &sections_parts));
+    CHECK(sections_parts.count == 4);
+    for (i = 0; i < 4; ++i) {
+        /* P is half-way between the middle of the chord, which is the centre, and B. */
+        CHECK(fabs(sections_parts.controls[3 * i] - (2 * square[i][0] - 0.5)) < 1e-15);
+        CHECK(fabs(sections_parts.controls[3 * i + 1] - (2 * square[i][1] - 0.5)) < 1e-15);
+        CHECK(sections_parts.parameters[i] == 0.5 && sections_parts.statuses[i] == GUSSET_POINT_OK);
+    }
+    gusset_sections_destroy(sections);
+}
+
+static void frames(void) {
+    /* Two squares, one above the other. */
+    const double points[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    const uint32_t offsets[3] = {0, 4, 8}, uneven[3] = {0, 3, 8}, landmarks[4] = {0, 2, 1, 3};
+    const double middle[3] = {0, 0, 0.5}, up[3] = {0, 0, 2}, nothing[3] = {0, 0, 0}, nan[3] = {0, NAN, 0};
+    gusset_outlines sections = given(points, 8);
+    gusset_frame_options options;
+    gusset_outline_options curves;
+    gusset_frame_parts parts;
+    gusset_measure measure;
+    gusset_frame *frame = (gusset_frame *)misaligned();
+    gusset_outline *section = NULL;
+    const gusset_outline *across = NULL, *along = NULL;
+    gusset_report report;
+
+    memset(&report, 0, sizeof report);
+    memset(&options, 0, sizeof options);
+    memset(&curves, 0, sizeof curves);
+    memset(&parts, 0, sizeof parts);
+    report.struct_size = sizeof report;
+    sections.dimension = 3, sections.offsets = offsets, sections.outline_count = 2;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_create(context, NULL, NULL, &frame));
+    CHECK(frame == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_create(context, &sections, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_create(context, &sections, misaligned(), &frame));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_create(context, &sections, &options, &frame));
+    options.struct_size = sizeof options, options.correspondence = 9;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
+    options.correspondence = GUSSET_CORRESPONDENCE_GIVEN, options.ring = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
+    options.ring = 1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.ring = 0, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_frame_create(context, &sections, &options, &frame));
+    options.reserved = 0, options.across = &curves;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_create(context, &sections, &options, &frame));
+    curves.struct_size = sizeof curves, curves.curve = GUSSET_CURVE_CUBIC_C2;
+    options.correspondence = GUSSET_CORRESPONDENCE_ARC_LENGTH, options.columns = UINT32_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.columns = 0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.correspondence = GUSSET_CORRESPONDENCE_ANGLE, options.columns = 4;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_direction[2] = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_direction[2] = 1.0, options.reference[0] = 1.0, options.axis_point[0] = 9.0;
+    EXPECT(GUSSET_ERROR_NO_NODE, gusset_frame_create(context, &sections, &options, &frame));
+    options.axis_point[0] = NAN;
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_frame_create(context, &sections, &options, &frame));
+    options.correspondence = GUSSET_CORRESPONDENCE_LANDMARKS, options.columns = 2;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_create(context, &sections, &options, &frame));
+    options.landmarks.count = 4;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_create(context, &sections, &options, &frame));
+    options.landmarks.data = landmarks;
+    EXPECT(GUSSET_OK, gusset_frame_create(context, &sections, &options, &frame));
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_frame_view(frame, &parts));
+    CHECK(parts.rows == 2 && parts.columns == 4 && parts.max_gap < 1e-15);
+    gusset_frame_destroy(frame);
+    sections.offsets = uneven;
+    EXPECT(GUSSET_ERROR_SECTIONS_DIFFER, gusset_frame_create(context, &sections, NULL, &frame));
+    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    CHECK(report.element == GUSSET_ELEMENT_SECTION && report.index == 1 && report.value == 5);
+    sections.offsets = offsets;
+
+    EXPECT(GUSSET_OK, gusset_frame_create(NULL, &sections, NULL, &frame));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_view(NULL, &parts));
+    parts.struct_size = 4;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_view(frame, &parts));
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_frame_view(frame, &parts));
+    CHECK(parts.rows == 2 && parts.columns == 4 && memcmp(parts.nodes, points, sizeof points) == 0);
+    CHECK(parts.along[2] == 1.0 && parts.turned[1] == 0 && parts.ambiguous.count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_curves(NULL, &across, &along));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_curves(frame, misaligned(), NULL));
+    EXPECT(GUSSET_OK, gusset_frame_curves(frame, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_frame_curves(frame, &across, &along));
+    EXPECT(GUSSET_OK, gusset_outline_measure(across, 1, &measure));
+    CHECK(measure.centre[2] == 1.0 && measure.area > 1.0);
+    EXPECT(GUSSET_OK, gusset_outline_measure(along, 3, &measure));
+    CHECK(measure.girth == 1.0 && measure.area == 0.0);
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_measure(along, 4, &measure));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(along, 3, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(NULL, 3, &measure));
+
+    EXPECT(GUSSET_OK, gusset_frame_slice(context, frame, middle, up, &section));
+    EXPECT(GUSSET_OK, gusset_outline_measure(section, 0, &measure));
+    CHECK(fabs(measure.centre[2] - 0.5) < 1e-15);
+    gusset_outline_destroy(section);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_slice(context, frame, middle, nothing, &section));
+    CHECK(section == NULL);
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_frame_slice(context, frame, nan, up, &section));
+    EXPECT(GUSSET_ERROR_NO_NODE, gusset_frame_slice(context, frame, up, up, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, NULL, middle, up, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, frame, NULL, up, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, frame, middle, NULL, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, frame, middle, up, NULL));
+    gusset_frame_destroy(frame);
+    gusset_frame_destroy(NULL);
+}
+
+int main(void) {
+    if (gusset_context_create(&context) != GUSSET_OK) {
+        return 1;
+    }
+    arguments();
+    data();
+    options();
+    results();
+    frames();
+    gusset_context_destroy(context);
+    return failures != 0;
+}

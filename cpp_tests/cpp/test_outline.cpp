@@ -1,0 +1,147 @@
+// Outlines from C++.
+#include <gusset.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+constexpr double turn = 2 * 3.14159265358979323846;
+using Plane = std::array<double, 2>;
+using Space = std::array<double, 3>;
+
+Space at(gusset::Points controls, double t) {
+    std::vector<Space> points(controls.begin(), controls.end());
+    for (std::size_t n = points.size(); n > 1; --n) {
+        for (std::size_t i = 0; i + 1 < n; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                points[i][k] += t * (points[i + 1][k] - points[i][k]);
+            }
+        }
+    }
+    return points[0];
+}
+
+double distance(const Space &p, const Space &q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
+
+std::vector<Space> coil(int n) {
+    std::vector<Space> points;
+    for (int i = 0; i < n; ++i) {
+        points.push_back({std::cos(turn * i / 10), std::sin(turn * i / 10), 0.1 * i});
+    }
+    return points;
+}
+} // namespace
+
+TEST_CASE("curves of all kinds pass their points, in the plane and in space") {
+    const std::vector<Space> points = coil(25);
+    for (auto curve : {gusset::CurveKind::composite, gusset::CurveKind::blend_c1, gusset::CurveKind::blend_c2,
+                       gusset::CurveKind::cubic_c2}) {
+        for (auto method : {gusset::Method::bisector, gusset::Method::median, gusset::Method::normal,
+                            gusset::Method::symmedian, gusset::Method::alpha}) {
+            for (bool closed : {false, true}) {
+                gusset::OutlineOptions options;
+                options.curve = curve;
+                options.method = method;
+                const gusset::Outline outline(gusset::Outlines(points, closed), options);
+                const gusset::OutlineCurve found = outline.curve();
+                for (std::size_t i = 0; i < points.size(); ++i) {
+                    const Space p = at(found.segment(outline.segments()[i]), outline.parameters()[i]);
+                    CHECK(distance(p, points[i]) < 1e-14);
+                }
+                CHECK(outline.report().max_joint_sine < 1e-14);
+            }
+        }
+    }
+}
+
+TEST_CASE("many outlines at once, with corners and tangents") {
+    std::vector<Plane> points;
+    std::vector<uint32_t> offsets = {0};
+    std::vector<gusset::Constraint> constraints;
+    for (int k = 0; k < 100; ++k) {
+        constraints.push_back(gusset::Constraint::corner(static_cast<uint32_t>(points.size())));
+        constraints.push_back(gusset::Constraint::tangent(static_cast<uint32_t>(points.size() + 3), -1.0, 0.2));
+        for (int i = 0; i < 5 + k; ++i) {
+            const double angle = turn * i / (5 + k);
+            points.push_back({(k + 1) * std::cos(angle), std::sin(angle)});
+        }
+        offsets.push_back(static_cast<uint32_t>(points.size()));
+    }
+    const gusset::Outline outline(gusset::Outlines(points, true).offsets(offsets).constraints(constraints));
+    REQUIRE(outline.size() == 100);
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        CHECK(outline.report(k).fit == GUSSET_FIT_OK);
+        const gusset::OutlineCurve curve = outline.curve(k);
+        const auto first = curve.controls[0];
+        CHECK(first == curve.controls[curve.controls.size() - 1]);
+        CHECK(first == Space{points[offsets[k]][0], points[offsets[k]][1], 0.0});
+    }
+    CHECK_THROWS_AS(outline.curve(100), gusset::Error);
+    CHECK_THROWS_AS(outline.report(100), gusset::Error);
+}
+
+TEST_CASE("what is wrong is said") {
+    std::vector<Plane> points = {{0, 0}, {1, 0}, {1, std::nan("")}};
+    try {
+        gusset::Outline outline(gusset::Outlines(points, true));
+        FAIL("no number is no coordinate");
+    } catch (const gusset::Error &error) {
+        CHECK(error.status() == GUSSET_ERROR_NOT_FINITE);
+        CHECK(error.report().element == GUSSET_ELEMENT_POINT);
+        CHECK(error.report().index == 2);
+    }
+}
+
+TEST_CASE("the bisector's section halves the angle") {
+    const std::vector<Plane> points = {{0, 0}, {3, 4}, {10, 0}};
+    const gusset::Sections sections(gusset::Outlines(points, false));
+    const Space b = sections.controls()[1];
+    const auto angle = [&](const Plane &corner) {
+        const double ux = 3 - b[0], uy = 4 - b[1], vx = corner[0] - 3, vy = corner[1] - 4;
+        return std::acos((ux * vx + uy * vy) / std::hypot(ux, uy) / std::hypot(vx, vy)) * 360 / turn;
+    };
+    CHECK(angle(points[0]) == doctest::Approx(48.56).epsilon(1e-4));
+    CHECK(angle(points[2]) == doctest::Approx(48.56).epsilon(1e-4));
+}
+
+TEST_CASE("the frame of a ball: nodes, curves, new sections and their measures") {
+    std::vector<Space> points;
+    std::vector<uint32_t> offsets = {0};
+    for (int k = 0; k < 9; ++k) {
+        const double z = -1.6 + 0.4 * k, r = std::sqrt(4 - z * z);
+        for (int i = 0; i < 20 + k; ++i) {
+            const double angle = turn * i / (20 + k);
+            points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+        }
+        offsets.push_back(static_cast<uint32_t>(points.size()));
+    }
+    gusset::OutlineOptions cubic;
+    cubic.curve = gusset::CurveKind::cubic_c2;
+    const gusset::Frame frame(gusset::Outlines(points, true).offsets(offsets),
+                              gusset::Correspondence::angle(16, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}), cubic, cubic);
+    const gusset_frame_parts parts = frame.parts();
+    REQUIRE(parts.rows == 9);
+    REQUIRE(parts.columns == 16);
+    CHECK(parts.max_gap < 1e-15);
+    CHECK(parts.min_sine > 0.99);
+    CHECK(frame.across(8).size() == 16);
+    CHECK(frame.along(15).size() == 8);
+    for (const Space &p : frame.nodes()) {
+        CHECK(std::hypot(p[0], p[1], p[2]) == doctest::Approx(2).epsilon(1e-3));
+    }
+    const gusset_measure measure = frame.slice({0, 0, 0.13}, {0, 0, 7}).measure();
+    const double r = std::sqrt(4 - 0.13 * 0.13);
+    CHECK(measure.girth == doctest::Approx(turn * r).epsilon(1e-3));
+    CHECK(measure.area == doctest::Approx(turn / 2 * r * r).epsilon(1e-3));
+    CHECK(measure.centre[2] == doctest::Approx(0.13).epsilon(1e-6));
+    try {
+        frame.slice({0, 0, 5}, {0, 0, 1});
+        FAIL("the plane is beyond the ball");
+    } catch (const gusset::Error &error) {
+        CHECK(error.status() == GUSSET_ERROR_NO_NODE);
+    }
+    CHECK_THROWS_AS(gusset::Frame(gusset::Outlines(points, true).offsets(offsets)), gusset::Error);
+    CHECK_THROWS_AS(frame.across(9), gusset::Error);
+}

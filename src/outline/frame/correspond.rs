@@ -1,0 +1,227 @@
+//! The nodes of a frame: which points of one section belong to which of the next.
+
+use super::super::curve::{CurveView, Place};
+use super::super::fit::span;
+use super::super::request::Outlines;
+use super::super::{Fit, fit};
+use super::{Correspondence, FrameOptions};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// Nodes row by row.
+pub(super) struct Found {
+    pub(super) rows: usize,
+    pub(super) columns: usize,
+    pub(super) nodes: Vec<DVec3>,
+    pub(super) turned: Vec<u8>,
+    pub(super) ambiguous: Vec<u32>,
+}
+
+/// Finds the nodes of sections.
+pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Found> {
+    let rows = sections.offsets.map_or(1, |offsets| offsets.len().saturating_sub(1));
+    let curves = fit(sections, &options.across, job)?;
+    let mut found =
+        Found { rows, columns: 0, nodes: Vec::new(), turned: alloc::filled(0, rows)?, ambiguous: Vec::new() };
+    match options.correspondence {
+        Correspondence::Given => given(sections, &mut found)?,
+        Correspondence::ArcLength { columns } => {
+            found.reserve(columns)?;
+            let mut first_area = None;
+            for k in 0..rows {
+                let curve = nonempty(&curves, k)?;
+                let area = curve.area_vector();
+                let backwards = sections.closed && area.dot(*first_area.get_or_insert(area)) < 0.0;
+                found.turned[k] = backwards.into();
+                let start = curves.place(span(sections, k).start);
+                even(&curve, start, start, columns, backwards, sections.closed, &mut found.nodes)?;
+            }
+        }
+        Correspondence::Angle { columns, point, direction, reference } => {
+            let [along, first, second] = axes(direction, reference)?;
+            found.reserve(columns)?;
+            for k in 0..rows {
+                let curve = nonempty(&curves, k)?;
+                for i in 0..columns {
+                    let angle = TAU * i as f64 / columns as f64;
+                    let ray = first * libm::cos(angle) + second * libm::sin(angle);
+                    found.meet(&curve, k, point, ray, along.cross(ray))?;
+                }
+            }
+        }
+        Correspondence::Landmarks { points, parts } => landmarks(sections, &curves, points, parts, &mut found)?,
+    }
+    Ok(found)
+}
+
+fn nonempty(curves: &Fit, k: usize) -> Result<CurveView<'_>> {
+    let curve = curves.curve(k);
+    if curve.is_empty() { Err(Error::NoNode { section: k as u32, column: 0 }) } else { Ok(curve) }
+}
+
+impl Found {
+    /// Room for `columns` nodes in each row.
+    fn reserve(&mut self, columns: usize) -> Result<()> {
+        let limit = u64::from(u32::MAX);
+        let count = (self.rows as u64).saturating_mul(columns as u64);
+        if count > limit {
+            return Err(Error::TooLarge { what: "nodes", count, limit });
+        }
+        self.columns = columns;
+        alloc::reserve(&mut self.nodes, count as usize)
+    }
+
+    /// Adds the node where the half-plane from the axis through `point` towards `ray` meets a section, farthest from the axis.
+    fn meet(&mut self, curve: &CurveView<'_>, section: usize, point: DVec3, ray: DVec3, normal: DVec3) -> Result<()> {
+        let crossings = curve.crossings_with_plane(point, normal)?;
+        let mut farthest: Option<(f64, DVec3)> = None;
+        let mut hits = 0;
+        for &place in &crossings.places {
+            let p = curve.point(place)?;
+            let reach = (p - point).dot(ray);
+            if reach > 0.0 {
+                hits += 1;
+                if farthest.is_none_or(|(other, _)| reach > other) {
+                    farthest = Some((reach, p));
+                }
+            }
+        }
+        let node = self.nodes.len();
+        let Some((_, p)) = farthest else {
+            return Err(Error::NoNode { section: section as u32, column: (node - section * self.columns) as u32 });
+        };
+        if hits > 1 {
+            alloc::push(&mut self.ambiguous, node as u32)?;
+        }
+        self.nodes.push(p);
+        Ok(())
+    }
+}
+
+/// The points as they are.
+fn given(sections: &Outlines<'_>, found: &mut Found) -> Result<()> {
+    let columns = if found.rows == 0 { 0 } else { span(sections, 0).len() };
+    found.reserve(columns)?;
+    for k in 0..found.rows {
+        let span = span(sections, k);
+        if span.len() != columns {
+            let (count, expected) = (span.len() as u32, columns as u32);
+            return Err(Error::SectionsDiffer { section: k as u32, count, expected });
+        }
+        found.nodes.extend(span.map(|i| sections.points.get(i)));
+    }
+    Ok(())
+}
+
+/// Adds `columns` nodes that divide the arc from one place to another (all round, if they are the same on a closed curve) evenly; of
+/// an open curve from end to end the last one is its end.
+fn even(
+    curve: &CurveView<'_>,
+    from: Place,
+    to: Place,
+    columns: usize,
+    backwards: bool,
+    round: bool,
+    nodes: &mut Vec<DVec3>,
+) -> Result<()> {
+    let lengths = curve.lengths()?;
+    let total = lengths.total();
+    let start = lengths.up_to(from)?;
+    let mut whole = if round { lengths.up_to(to)? - start } else { total - start };
+    if round && whole <= 0.0 {
+        whole += total;
+    }
+    let steps = if round { columns } else { columns.saturating_sub(1) };
+    for i in 0..columns {
+        let part = whole * i as f64 / steps.max(1) as f64;
+        let at = if backwards { start - part } else { start + part };
+        // Round the end of a closed curve.
+        let at = if !round {
+            at
+        } else if at < 0.0 {
+            at + total
+        } else if at >= total {
+            at - total
+        } else {
+            at
+        };
+        nodes.push(match i {
+            0 => curve.point(from)?,
+            _ => curve.point(lengths.place(at)?)?,
+        });
+    }
+    Ok(())
+}
+
+/// Adds, for each section, its landmarks and the nodes between them.
+fn landmarks(sections: &Outlines<'_>, curves: &Fit, points: &[u32], parts: usize, found: &mut Found) -> Result<()> {
+    let wrong = |value: usize| Error::OptionOutOfRange { option: "landmarks", value: value as f64 };
+    if found.rows == 0 || points.is_empty() || !points.len().is_multiple_of(found.rows) {
+        return Err(wrong(points.len()));
+    }
+    if parts == 0 {
+        return Err(Error::OptionOutOfRange { option: "parts", value: 0.0 });
+    }
+    let each = points.len() / found.rows;
+    let columns = if sections.closed { each.checked_mul(parts) } else { (each - 1).checked_mul(parts).map(|n| n + 1) };
+    found.reserve(columns.unwrap_or(usize::MAX))?;
+    for k in 0..found.rows {
+        let curve = nonempty(curves, k)?;
+        let span = span(sections, k);
+        let own = &points[k * each..(k + 1) * each];
+        // In order along the section; a closed one may pass its first point once on the way.
+        let descents = (0..each).filter(|&i| own[i] >= own[(i + 1) % each]).count();
+        let ordered = own.windows(2).all(|pair| pair[0] < pair[1]) || (sections.closed && descents <= 1);
+        if !ordered || own.iter().any(|&point| point as usize >= span.len()) {
+            return Err(wrong(k * each));
+        }
+        let place = |landmark: u32| curves.place(span.start + landmark as usize);
+        for (i, &landmark) in own.iter().enumerate() {
+            let last = i + 1 == each;
+            if last && !sections.closed {
+                found.nodes.push(curve.point(place(landmark))?);
+                break;
+            }
+            between(&curve, place(landmark), place(own[(i + 1) % each]), parts, &mut found.nodes)?;
+        }
+    }
+    Ok(())
+}
+
+/// Adds `parts` nodes from one landmark on, without the next one.
+fn between(curve: &CurveView<'_>, from: Place, to: Place, parts: usize, nodes: &mut Vec<DVec3>) -> Result<()> {
+    let lengths = curve.lengths()?;
+    let (start, total) = (lengths.up_to(from)?, lengths.total());
+    let mut whole = lengths.up_to(to)? - start;
+    if whole <= 0.0 && curve.is_closed() {
+        whole += total;
+    }
+    nodes.push(curve.point(from)?);
+    for i in 1..parts {
+        let at = start + whole * i as f64 / parts as f64;
+        nodes.push(curve.point(lengths.place(if at >= total { at - total } else { at })?)?);
+    }
+    Ok(())
+}
+
+/// Three directions at right angles: along the axis, towards the reference, and on from there.
+fn axes(direction: DVec3, reference: DVec3) -> Result<[DVec3; 3]> {
+    let unit = |v: DVec3, option: &'static str| {
+        let largest = v.abs().max_element();
+        if !v.is_finite() || largest == 0.0 {
+            return Err(Error::OptionOutOfRange { option, value: largest });
+        }
+        Ok((v / largest).normalize())
+    };
+    let along = unit(direction, "axis")?;
+    let reference = unit(reference, "reference")?;
+    let across = reference - along * reference.dot(along);
+    if across.length() < 1e-9 {
+        return Err(Error::OptionOutOfRange { option: "reference", value: across.length() });
+    }
+    let first = across.normalize();
+    Ok([along, first, along.cross(first)])
+}

@@ -1,0 +1,187 @@
+//! The frame of outlines: curves across and curves along a body, through a common grid of nodes.
+//!
+//! What the paper is for: a body is described by its cross sections, closed outlines one behind another, and by curves along it. Both
+//! families pass the same nodes, so they meet there. From the curves along come cross sections at any plane.
+//!
+//! * correspond: the nodes; which points of one section belong to which of the next.
+//! * [`frame`](frame()): the curves through them.
+//! * slice: new sections, and how girth and area change along the body.
+//!
+//! Nodes come row by row, a row for each section: the layout of regular nets, H rows of W nodes.
+//!
+//! Source: Nadopta, introduction; the correspondences are ours.
+
+mod correspond;
+mod slice;
+
+pub use slice::{Measure, Slice, measures, slice};
+
+use super::request::{Options, Outlines, Points};
+use super::{Fit, fit};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::geom::scale::common_unit;
+use crate::job::Job;
+use glam::DVec3;
+
+/// Which points of the sections belong together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Correspondence<'a> {
+    /// The points themselves, by their places: all sections have equally many.
+    Given,
+    /// Equal parts of the arc length of each section from its first point on; a section that runs the other way round than the first one is
+    /// taken backwards.
+    ArcLength {
+        /// The number of nodes in a section.
+        columns: usize,
+    },
+    /// Equal angles round an axis: nodes where the half-planes from the axis meet each section, the farthest where there are
+    /// several.
+    Angle {
+        /// The number of nodes in a section.
+        columns: usize,
+        /// A point of the axis.
+        point: DVec3,
+        /// Its direction; seen against it angles grow counter-clockwise.
+        direction: DVec3,
+        /// Towards the nodes of column 0; any vector not along the axis.
+        reference: DVec3,
+    },
+    /// Landmarks: points of each section that belong together, and equal parts of the arc length between them.
+    Landmarks {
+        /// For each section its landmarks in order, as places among its own points; as many for each.
+        points: &'a [u32],
+        /// How many parts there are from each landmark to the next.
+        parts: usize,
+    },
+}
+
+/// How a frame is made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrameOptions<'a> {
+    /// Which points of the sections belong together.
+    pub correspondence: Correspondence<'a>,
+    /// How the curves across are made, those of the given sections too.
+    pub across: Options,
+    /// How the curves along are made.
+    pub along: Options,
+    /// The last section is followed by the first one, as in a ring.
+    pub ring: bool,
+}
+
+/// The nodes of a frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NodeGrid {
+    /// The number of sections.
+    pub rows: usize,
+    /// The number of nodes in a section.
+    pub columns: usize,
+    /// Row by row.
+    pub nodes: Vec<DVec3>,
+    /// The directions of the curves across at the nodes, of length 1, or 0 where there is none.
+    pub across: Vec<DVec3>,
+    /// The directions of the curves along.
+    pub along: Vec<DVec3>,
+    /// Which sections were taken backwards: 1 for those.
+    pub turned: Vec<u8>,
+    /// Nodes that could have been elsewhere, as a half-plane meets their section more than once.
+    pub ambiguous: Vec<u32>,
+    /// The largest distance between the two curves at a node, relative to the size of the nodes' box.
+    pub max_gap: f64,
+    /// The smallest sine of the angle at which two curves cross at a node.
+    pub min_sine: f64,
+}
+
+/// A frame: nodes, and two families of curves through them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// The nodes.
+    pub grid: NodeGrid,
+    /// The curve of each section; node i of row k is its point i, point k W + i of all.
+    pub across: Fit,
+    /// The curve along each column; node i of row k is its point k, point i H + k of all.
+    pub along: Fit,
+}
+
+/// Makes the frame of some sections, closed or open, one behind another.
+///
+/// # Errors
+/// Those of [`fit`](super::fit()), [`Error::OptionOutOfRange`] (sections: fewer than 2, or than 3 in a ring; columns: fewer than 2, or than 3 of
+/// closed sections; landmarks: not as many for each section, or not in order; axis, reference), [`Error::SectionsDiffer`],
+/// [`Error::NoNode`] (a section that a half-plane does not meet, or that is no curve). Time and memory: those of the fits; with angles O(columns x
+/// segments) for each section.
+pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Frame> {
+    let found = correspond::correspond(sections, options, &job.part(0.0, 0.4))?;
+    let (rows, columns) = (found.rows, found.columns);
+    let least = if options.ring { 3 } else { 2 };
+    if rows < least {
+        return Err(Error::OptionOutOfRange { option: "sections", value: rows as f64 });
+    }
+    let least = if sections.closed { 3 } else { 2 };
+    if columns < least {
+        return Err(Error::OptionOutOfRange { option: "columns", value: columns as f64 });
+    }
+    let across = curves(&found.nodes, columns, sections.closed, &options.across, &job.part(0.4, 0.7))?;
+    let mut turned_about = alloc::with_capacity(found.nodes.len())?;
+    for i in 0..columns {
+        turned_about.extend((0..rows).map(|k| found.nodes[k * columns + i]));
+    }
+    let along = curves(&turned_about, rows, options.ring, &options.along, &job.part(0.7, 1.0))?;
+    let mut grid = NodeGrid {
+        rows,
+        columns,
+        nodes: found.nodes,
+        across: Vec::new(),
+        along: Vec::new(),
+        turned: found.turned,
+        ambiguous: found.ambiguous,
+        max_gap: 0.0,
+        min_sine: 1.0,
+    };
+    let order = |point: usize| point;
+    let (on_across, directions) = at_nodes(&across, columns, rows, order)?;
+    grid.across = directions;
+    let (on_along, directions) = at_nodes(&along, rows, columns, |point| (point % rows) * columns + point / rows)?;
+    grid.along = directions;
+    let unit = common_unit(&grid.nodes);
+    let (low, high) = grid
+        .nodes
+        .iter()
+        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p / unit), high.max(p / unit)));
+    let size = (high - low).max_element();
+    for (node, (&p, &q)) in on_across.iter().zip(&on_along).enumerate() {
+        grid.max_gap = grid.max_gap.max((p / unit).distance(q / unit) / size);
+        grid.min_sine = grid.min_sine.min(grid.across[node].cross(grid.along[node]).length());
+    }
+    if size == 0.0 {
+        (grid.max_gap, grid.min_sine) = (0.0, 0.0);
+    }
+    Ok(Frame { grid, across, along })
+}
+
+/// Curves through rows of `width` nodes each.
+fn curves(nodes: &[DVec3], width: usize, closed: bool, options: &Options, job: &Job<'_>) -> Result<Fit> {
+    let offsets = alloc::collect((0..nodes.len() / width + 1).map(|k| (k * width) as u32))?;
+    let rows = alloc::collect(nodes.iter().map(DVec3::to_array))?;
+    let points = Points::from(&rows[..]);
+    fit(&Outlines { points, offsets: Some(&offsets), closed, constraints: &[] }, options, job)
+}
+
+/// Where the curves pass their points, and in which direction, put at the places that `place` gives to the points.
+fn at_nodes(fit: &Fit, width: usize, count: usize, place: impl Fn(usize) -> usize) -> Result<(Vec<DVec3>, Vec<DVec3>)> {
+    let mut points = alloc::filled(DVec3::ZERO, width * count)?;
+    let mut directions = alloc::filled(DVec3::ZERO, width * count)?;
+    for k in 0..count {
+        let curve = fit.curve(k);
+        if curve.is_empty() {
+            // No extent: all its points are one.
+            (k * width..(k + 1) * width).for_each(|i| points[place(i)] = curve.points()[0]);
+            continue;
+        }
+        for i in k * width..(k + 1) * width {
+            points[place(i)] = curve.point(fit.place(i))?;
+            directions[place(i)] = curve.tangents_at(&[fit.place(i)])?[0];
+        }
+    }
+    Ok((points, directions))
+}

@@ -1,0 +1,118 @@
+//! New sections of a frame, and what sections measure.
+
+use super::super::request::{Options, Outlines, Points};
+use super::super::{CurveView, Fit, Place, fit};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use glam::DVec3;
+
+/// A section of a frame by a plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slice {
+    /// The curve through the points where the plane crosses the curves along.
+    pub curve: Fit,
+    /// Where on each of them that is.
+    pub places: Vec<Place>,
+    /// Curves along that the plane crosses more than once; the first crossing was taken.
+    pub ambiguous: Vec<u32>,
+}
+
+/// Cuts the curves along a body by the plane through `point` across `normal`, and draws a curve through the crossings in the order of the
+/// columns, `closed` or not. O(segments) for crossings.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] (the normal), [`Error::OutlineNotFinite`] (point 0 is `point`, 1 is `normal`), [`Error::NoNode`] (section 0, and
+/// the curve that the plane does not cross), those of [`fit`](super::super::fit()).
+pub fn slice(
+    along: &Fit,
+    point: DVec3,
+    normal: DVec3,
+    closed: bool,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Slice> {
+    let mut points = alloc::with_capacity(along.len())?;
+    let mut places = alloc::with_capacity(along.len())?;
+    let mut ambiguous = Vec::new();
+    for i in 0..along.len() {
+        let curve = along.curve(i);
+        let crossings = curve.crossings_with_plane(point, normal)?;
+        let inside = crossings.inside.first().map(|&segment| Place { segment, t: 0.0 });
+        let Some(place) = crossings.places.first().copied().or(inside) else {
+            return Err(Error::NoNode { section: 0, column: i as u32 });
+        };
+        if crossings.places.len() > 1 || !crossings.inside.is_empty() {
+            alloc::push(&mut ambiguous, i as u32)?;
+        }
+        points.push(curve.point(place)?.to_array());
+        places.push(place);
+    }
+    let outline = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
+    Ok(Slice { curve: fit(&outline, options, job)?, places, ambiguous })
+}
+
+/// What a section measures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measure {
+    /// Its length: of a closed section all round.
+    pub girth: f64,
+    /// The area within, seen from where it is largest; that of an open section is closed by its chord.
+    pub area: f64,
+    /// The mean of its points by arc length.
+    pub centre: DVec3,
+}
+
+impl Measure {
+    /// Measures a curve. The centre is that of 16 points of each segment at equal steps of the parameter, weighted by length.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn of(curve: CurveView<'_>) -> Result<Self> {
+        let girth = curve.length()?;
+        let mut weighted = DVec3::ZERO;
+        let mut weight = 0.0;
+        let start = curve.points().first().copied().unwrap_or(DVec3::ZERO);
+        for k in 0..curve.len() {
+            let mut before = DVec3::ZERO;
+            for i in 0..=STEPS {
+                let p = curve.point(Place { segment: k as u32, t: f64::from(i) / f64::from(STEPS) })? - start;
+                if i > 0 {
+                    let length = before.distance(p);
+                    weighted += before.midpoint(p) * length;
+                    weight += length;
+                }
+                before = p;
+            }
+        }
+        let centre = if weight > 0.0 { start + weighted / weight } else { start };
+        Ok(Measure { girth, area: curve.area_vector().length(), centre })
+    }
+}
+
+/// Chords that a segment is measured by for its centre.
+const STEPS: u32 = 16;
+
+/// Measures the sections of a frame by planes through some points across `normal`: girth and area along a body.
+///
+/// # Errors
+/// Those of [`slice`]; the section of [`Error::NoNode`] is the place of the plane.
+pub fn measures(
+    along: &Fit,
+    points: &[DVec3],
+    normal: DVec3,
+    closed: bool,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<Vec<Measure>> {
+    let mut found = alloc::with_capacity(points.len())?;
+    for (k, &point) in points.iter().enumerate() {
+        let part = job.part(k as f64 / points.len() as f64, (k + 1) as f64 / points.len() as f64);
+        let cut = slice(along, point, normal, closed, options, &part).map_err(|error| match error {
+            Error::NoNode { column, .. } => Error::NoNode { section: k as u32, column },
+            other => other,
+        })?;
+        found.push(Measure::of(cut.curve.curve(0))?);
+    }
+    Ok(found)
+}

@@ -1,0 +1,116 @@
+//! Where a curve crosses a plane, or a plane curve a line.
+
+use super::super::curve::{CurveView, MAX_DEGREE, Place};
+use super::frame::Frame;
+use super::roots::roots;
+use crate::alloc;
+use crate::error::{Error, Result};
+use glam::DVec3;
+
+/// What a curve has in common with a line or a plane.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Crossings {
+    /// Places of crossing or touching, in the order of the curve, each once: a joint belongs to the segment that ends there, and the
+    /// joint of a closed curve's end and start to its start.
+    pub places: Vec<Place>,
+    /// The segments that lie in the line or plane altogether; their points are not among the places.
+    pub inside: Vec<u32>,
+}
+
+/// Distances up to this are taken for 0, relative to the size of the curve.
+pub(super) const TOUCH: f64 = 1.0 / (1u64 << 46) as f64;
+
+impl CurveView<'_> {
+    /// Crossings with the plane through `point` across `normal`, which need not have length 1. Where the curve comes within 1.4e-14 of its
+    /// size it counts as touching. Roots of the distance in closed form up to degree 2, isolated otherwise. O(points) and
+    /// O(degree^2) for each crossing.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::OutlineNotFinite`] (point 0 is `point`, 1 is `normal`),
+    /// [`Error::OutOfMemory`].
+    pub fn crossings_with_plane(&self, point: DVec3, normal: DVec3) -> Result<Crossings> {
+        check_finite([point, normal])?;
+        let largest = normal.abs().max_element();
+        if largest == 0.0 {
+            return Err(Error::OptionOutOfRange { option: "normal", value: 0.0 });
+        }
+        let frame = Frame::of(self.points());
+        let normal = (normal / largest).normalize();
+        let level = normal.dot(frame.point(point));
+        let mut found = Crossings::default();
+        // Farther than any point of the curve; not a number where the plane is too far for the frame.
+        if level.abs() > 2.0 || level.is_nan() {
+            return Ok(found);
+        }
+        let noise = TOUCH.max(4.0 * f64::EPSILON * frame.point(point).length());
+        for (k, controls) in self.segments().enumerate() {
+            let mut heights = [0.0; MAX_DEGREE + 1];
+            for (height, &p) in heights.iter_mut().zip(controls) {
+                *height = normal.dot(frame.point(p)) - level;
+            }
+            let at = roots(&heights[..controls.len()], noise);
+            if at.everywhere {
+                alloc::push(&mut found.inside, k as u32)?;
+            }
+            for &t in at.as_slice() {
+                found.add(k as u32, t)?;
+            }
+        }
+        found.close(self);
+        Ok(found)
+    }
+
+    /// Crossings of a plane curve with the line through `point` along `direction`, endless to both sides. As
+    /// [`crossings_with_plane`](Self::crossings_with_plane).
+    ///
+    /// # Errors
+    /// [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line, have z other than 0), and those of the
+    /// plane.
+    pub fn crossings_with_line(&self, point: DVec3, direction: DVec3) -> Result<Crossings> {
+        self.check_plane()?;
+        check_finite([point, direction])?;
+        if point.z != 0.0 || direction.z != 0.0 {
+            return Err(Error::CurveNotPlane { point: u32::from(point.z == 0.0) });
+        }
+        self.crossings_with_plane(point, DVec3::new(-direction.y, direction.x, 0.0))
+    }
+}
+
+fn check_finite(given: [DVec3; 2]) -> Result<()> {
+    for (point, p) in given.into_iter().enumerate() {
+        if let Some(value) = p.to_array().into_iter().find(|x| !x.is_finite()) {
+            return Err(Error::OutlineNotFinite { point: point as u32, value });
+        }
+    }
+    Ok(())
+}
+
+impl Crossings {
+    /// Adds a root; not the start of a segment whose end before is there already, or lies inside.
+    fn add(&mut self, segment: u32, t: f64) -> Result<()> {
+        if t == 0.0 && segment > 0 {
+            let before = Place { segment: segment - 1, t: 1.0 };
+            if self.places.last() == Some(&before) || self.inside.last() == Some(&before.segment) {
+                return Ok(());
+            }
+        }
+        alloc::push(&mut self.places, Place { segment, t })
+    }
+
+    /// Takes away what belongs to the start of a closed curve, or to a segment inside that follows.
+    fn close(&mut self, curve: &CurveView<'_>) {
+        let last = curve.len() as u32;
+        let start = Place { segment: 0, t: 0.0 };
+        let has_start = self.places.first() == Some(&start);
+        let first_inside = self.inside.first() == Some(&0);
+        if curve.is_closed() && has_start && self.inside.last().is_some_and(|&k| k + 1 == last) {
+            self.places.remove(0);
+        }
+        let inside = &self.inside;
+        self.places.retain(|place| {
+            let at_end = curve.is_closed() && place.segment + 1 == last && place.t == 1.0;
+            let next_inside = place.t == 1.0 && inside.binary_search(&(place.segment + 1)).is_ok();
+            !(at_end && (has_start || first_inside) || next_inside)
+        });
+    }
+}

@@ -1,0 +1,175 @@
+//! Segments of other degrees: higher ones without change of the curve, lower ones as near as they come.
+
+use super::super::curve::{Curve, CurveView, MAX_DEGREE};
+use super::append;
+use super::bernstein::binomials;
+use super::frame::Frame;
+use super::split::Room;
+use crate::alloc;
+use crate::error::{Error, Result};
+use glam::DVec3;
+
+/// A curve of lower degree.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reduced {
+    /// The curve. Its segments are those of the original, in order.
+    pub curve: Curve,
+    /// Of each segment: how far its points are from those of the original at the same parameter, at most. It is a bound, the largest
+    /// distance of the control points of both at the same degree. For a segment that was kept, what the reduced one would have had;
+    /// 0 for a segment whose degree was low enough.
+    pub deviations: Vec<f64>,
+    /// The segments that were kept as they are, because the deviation would have been above the tolerance.
+    pub kept: Vec<u32>,
+}
+
+fn degree_option(degree: usize, least: usize) -> Result<()> {
+    if (least..=MAX_DEGREE).contains(&degree) {
+        return Ok(());
+    }
+    Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 })
+}
+
+impl CurveView<'_> {
+    /// The same curve with the degree of every segment raised by `by`.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (a degree would exceed [`MAX_DEGREE`]), [`Error::TooLarge`], [`Error::OutOfMemory`].
+    /// O(degree) for each new control point.
+    pub fn elevated_by(&self, by: usize) -> Result<Curve> {
+        self.elevated(|degree| degree.saturating_add(by))
+    }
+
+    /// The same curve with all segments of degree `degree` at least, 1 to [`MAX_DEGREE`]; higher ones stay.
+    ///
+    /// # Errors
+    /// As for [`elevated_by`](Self::elevated_by).
+    pub fn elevated_to(&self, degree: usize) -> Result<Curve> {
+        degree_option(degree, 1)?;
+        self.elevated(|old| old.max(degree))
+    }
+
+    fn elevated(&self, degree: impl Fn(usize) -> usize) -> Result<Curve> {
+        let mut curve = self.begin()?;
+        for controls in self.segments() {
+            let to = degree(controls.len() - 1);
+            degree_option(to, 1)?;
+            let mut room = [DVec3::ZERO; MAX_DEGREE + 1];
+            room[..controls.len()].copy_from_slice(controls);
+            elevate(&mut room, controls.len() - 1, to);
+            append(&mut curve, &room[1..=to])?;
+        }
+        Ok(curve)
+    }
+
+    /// The curve with segments of degree `degree` at most, 1 to [`MAX_DEGREE`]: each is the one with the same ends whose mean square
+    /// distance at equal parameters is least. Segments that would deviate by more than `tolerance` (at least 0, in the unit of the
+    /// points; infinity is allowed) are kept. Joints may become corners by as much as the deviation lets them.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (degree or tolerance), [`Error::OutOfMemory`]. O(degree^3) for each segment.
+    pub fn reduced(&self, degree: usize, tolerance: f64) -> Result<Reduced> {
+        degree_option(degree, 1)?;
+        if tolerance.is_nan() || tolerance < 0.0 {
+            return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
+        }
+        let mut reduced = Reduced { curve: self.begin()?, deviations: alloc::with_capacity(self.len())?, kept: vec![] };
+        for (k, controls) in self.segments().enumerate() {
+            if controls.len() - 1 <= degree {
+                reduced.deviations.push(0.0);
+                append(&mut reduced.curve, &controls[1..])?;
+                continue;
+            }
+            let frame = Frame::of(controls);
+            let mut local = [DVec3::ZERO; MAX_DEGREE + 1];
+            for (to, &p) in local.iter_mut().zip(controls) {
+                *to = frame.point(p);
+            }
+            let local = &local[..controls.len()];
+            let fitted = least_squares(local, degree);
+            let deviation = frame.length_back(deviation(local, fitted, degree));
+            reduced.deviations.push(deviation);
+            if deviation > tolerance {
+                alloc::push(&mut reduced.kept, k as u32)?;
+                append(&mut reduced.curve, &controls[1..])?;
+                continue;
+            }
+            let mut back = fitted.map(|p| frame.point_back(p));
+            back[degree] = controls[controls.len() - 1];
+            append(&mut reduced.curve, &back[1..=degree])?;
+        }
+        Ok(reduced)
+    }
+
+    /// A curve that begins where this one does, without segments yet.
+    fn begin(&self) -> Result<Curve> {
+        let Some(&start) = self.points().first() else {
+            return self.to_owned();
+        };
+        Ok(Curve { closed: self.is_closed(), ..Curve::from_point(start)? })
+    }
+}
+
+/// Raises the degree step by step: B'_i = i / (n + 1) B_(i-1) + (1 - i / (n + 1)) B_i.
+fn elevate(controls: &mut Room, from: usize, to: usize) {
+    for n in from..to {
+        controls[n + 1] = controls[n];
+        for i in (1..=n).rev() {
+            let x = i as f64 / (n + 1) as f64;
+            controls[i] = controls[i - 1] * x + controls[i] * (1.0 - x);
+        }
+    }
+}
+
+/// The largest distance of the control points of two segments, the second one raised to the degree of the first: by the convex hull of
+/// the difference no points at equal parameters are farther apart.
+fn deviation(controls: &[DVec3], mut fitted: Room, degree: usize) -> f64 {
+    elevate(&mut fitted, degree, controls.len() - 1);
+    controls.iter().zip(fitted).fold(0.0, |most, (p, q)| most.max(p.distance(q)))
+}
+
+/// The segment of degree m with the ends of `controls` whose integral of the squared distance is least: the normal equations of its inner
+/// control points, whose coefficients are
+///
+/// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1),
+///
+/// between Bernstein polynomials of degrees m and n; solved by Cholesky's method.
+fn least_squares(controls: &[DVec3], m: usize) -> Room {
+    let n = controls.len() - 1;
+    let mut fitted = [DVec3::ZERO; MAX_DEGREE + 1];
+    fitted[0] = controls[0];
+    fitted[m] = controls[n];
+    let row = |degree: usize| {
+        let mut row = [0.0; 2 * MAX_DEGREE + 1];
+        binomials(degree).zip(&mut row).for_each(|(b, to)| *to = b);
+        row
+    };
+    let (own, given, own_own, own_given) = (row(m), row(n), row(2 * m), row(m + n));
+    let product = |i: usize, j: usize| own[i] * own[j] / own_own[i + j] / (2 * m + 1) as f64;
+    let inner = m.saturating_sub(1);
+    let mut lower = [[0.0; MAX_DEGREE]; MAX_DEGREE];
+    for i in 0..inner {
+        let mut right = DVec3::ZERO;
+        for (k, &p) in controls.iter().enumerate() {
+            right += p * (own[i + 1] * given[k] / own_given[i + 1 + k] / (m + n + 1) as f64);
+        }
+        right -= fitted[0] * product(i + 1, 0) + fitted[m] * product(i + 1, m);
+        for j in 0..=i {
+            let known: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
+            let rest = product(i + 1, j + 1) - known;
+            // The matrix is positive definite; where rounding says otherwise (from degree 25 on) the deviation will tell.
+            lower[i][j] = if i == j { rest.max(f64::MIN_POSITIVE).sqrt() } else { rest / lower[j][j] };
+        }
+        for k in 0..i {
+            right -= fitted[k + 1] * lower[i][k];
+        }
+        fitted[i + 1] = right / lower[i][i];
+    }
+    for i in (0..inner).rev() {
+        for k in i + 1..inner {
+            let next = fitted[k + 1];
+            fitted[i + 1] -= next * lower[k][i];
+        }
+        fitted[i + 1] /= lower[i][i];
+    }
+    fitted
+}

@@ -1,0 +1,138 @@
+//! Points, derivatives, tangents and curvatures at places.
+
+use super::super::curve::{CurveView, MAX_DEGREE, Place};
+use super::super::segment;
+use super::frame::Frame;
+use crate::alloc;
+use crate::error::{Error, Result};
+use glam::DVec3;
+
+impl CurveView<'_> {
+    /// The point at a place.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`]: no such segment, or t outside 0 to 1. O(degree), as for every place below.
+    pub fn point(&self, place: Place) -> Result<DVec3> {
+        self.check_place(0, place)?;
+        Ok(segment::point(self.segment(place.segment as usize), place.t))
+    }
+
+    /// The points at many places.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
+    pub fn points_at(&self, places: &[Place]) -> Result<Vec<DVec3>> {
+        self.at_each(places, segment::point)
+    }
+
+    /// The derivatives by the segment's parameter t at many places: for each place the point, the first derivative, and so on up to
+    /// `order`, at most [`MAX_DEGREE`]. Beyond the degree of a segment they are 0. O(degree^2) a place.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (the order), [`Error::OutOfMemory`].
+    pub fn derivatives_at(&self, places: &[Place], order: usize) -> Result<Vec<DVec3>> {
+        if order > MAX_DEGREE {
+            return Err(Error::OptionOutOfRange { option: "order", value: order as f64 });
+        }
+        let mut out = alloc::with_capacity(places.len().saturating_mul(order + 1))?;
+        for (index, &place) in places.iter().enumerate() {
+            self.check_place(index, place)?;
+            let mut room = [DVec3::ZERO; MAX_DEGREE + 1];
+            let controls = self.segment(place.segment as usize);
+            room[..controls.len()].copy_from_slice(controls);
+            let mut left = controls.len();
+            for _ in 0..=order {
+                out.push(segment::point(&room[..left], place.t));
+                left = derive(&mut room[..left]);
+            }
+        }
+        Ok(out)
+    }
+
+    /// The directions in which the curve runs at many places, of length 1: at t = 1 the one it arrives in, elsewhere the one it goes on
+    /// in, also where the first derivative is 0. 0 for a segment without extent.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
+    pub fn tangents_at(&self, places: &[Place]) -> Result<Vec<DVec3>> {
+        self.at_each(places, tangent)
+    }
+
+    /// The curvatures at many places, 1 over the radius. On a plane segment (z = 0) positive where it turns left, from x to y; in space
+    /// never negative. Infinite where the first derivative is 0 on a segment that is not straight; 0 on a straight one.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPlace`], [`Error::OutOfMemory`].
+    pub fn curvatures_at(&self, places: &[Place]) -> Result<Vec<f64>> {
+        self.at_each(places, curvature)
+    }
+
+    fn at_each<T>(&self, places: &[Place], value: impl Fn(&[DVec3], f64) -> T) -> Result<Vec<T>> {
+        let mut out = alloc::with_capacity(places.len())?;
+        for (index, &place) in places.iter().enumerate() {
+            self.check_place(index, place)?;
+            out.push(value(self.segment(place.segment as usize), place.t));
+        }
+        Ok(out)
+    }
+}
+
+/// Replaces control points by those of the derivative, n (B_(i+1) - B_i), and returns how many there are; 0 after a constant.
+pub(super) fn derive(controls: &mut [DVec3]) -> usize {
+    let n = controls.len().saturating_sub(1);
+    for i in 0..n {
+        controls[i] = (controls[i + 1] - controls[i]) * n as f64;
+    }
+    n
+}
+
+/// The first three derivatives at `t` in the segment's own frame.
+fn derivatives(controls: &[DVec3], t: f64) -> (Frame, [DVec3; 3]) {
+    let frame = Frame::of(controls);
+    let mut room = [DVec3::ZERO; MAX_DEGREE + 1];
+    for (to, &p) in room.iter_mut().zip(controls) {
+        *to = frame.point(p);
+    }
+    let mut left = controls.len();
+    let derived = [(); 3].map(|()| {
+        left = derive(&mut room[..left]);
+        segment::point(&room[..left], t)
+    });
+    (frame, derived)
+}
+
+/// A derivative of a curve of size 1 and degree n below this times n is rounding.
+const STANDSTILL: f64 = 1e-13;
+
+/// The direction at `t`, of length 1, or 0.
+pub(super) fn tangent(controls: &[DVec3], t: f64) -> DVec3 {
+    let along = if t == 0.0 {
+        segment::first_leg(controls)
+    } else if t == 1.0 {
+        segment::last_leg(controls)
+    } else {
+        let (_, derived) = derivatives(controls, t);
+        let least = STANDSTILL * controls.len() as f64;
+        derived.into_iter().find(|d| d.length() > least).unwrap_or(DVec3::ZERO)
+    };
+    let size = along.abs().max_element();
+    if size.is_finite() { (along / size).normalize_or_zero() } else { (along * 0.25).normalize_or_zero() }
+}
+
+/// |C' x C''| / |C'|^3, with the sign of z in the plane.
+fn curvature(controls: &[DVec3], t: f64) -> f64 {
+    let (frame, [first, second, _]) = derivatives(controls, t);
+    let across = first.cross(second);
+    let speed = first.length();
+    if speed <= STANDSTILL * controls.len() as f64 {
+        let along = segment::first_leg(controls);
+        let along = along / along.abs().max_element().max(f64::MIN_POSITIVE);
+        let straight = controls.iter().all(|&p| {
+            let leg = frame.point(p) - frame.point(controls[0]);
+            leg.cross(along).length() <= STANDSTILL * leg.length()
+        });
+        return if straight { 0.0 } else { f64::INFINITY };
+    }
+    let signed = if controls.iter().all(|p| p.z == 0.0) { across.z } else { across.length() };
+    frame.length(signed / (speed * speed * speed))
+}

@@ -1,0 +1,173 @@
+//! The point of a curve that is nearest to a given one.
+//!
+//! On a segment it is an end or a root of (C(t) - q) . C'(t), a polynomial of degree 2 n - 1: for the quadratic a cubic with a closed form.
+//! Segments whose boxes are farther than the best so far are passed over, so the result is the nearest point of all.
+
+use super::super::curve::{CurveView, MAX_DEGREE, Place};
+use super::super::segment;
+use super::bernstein::{ROOM, add_product};
+use super::cubic;
+use super::frame::Frame;
+use super::roots::roots;
+use super::tree::{Aabb, Tree};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use glam::DVec3;
+
+/// The nearest point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
+    /// Where on the curve; of several at the same distance, one.
+    pub place: Place,
+    /// The point there.
+    pub point: DVec3,
+    /// Its distance.
+    pub distance: f64,
+}
+
+/// A query farther away than this, in sizes of the curve, is drawn near along its direction: the nearest point does not tell.
+const FAR: f64 = (1u64 << 26) as f64;
+
+/// Queries that one thread takes at once.
+const BATCH: usize = 256;
+
+impl CurveView<'_> {
+    /// The nearest point of the curve to each of `queries`. About O(log segments + degree^2) for each query, on the job's threads; memory
+    /// O(points).
+    ///
+    /// # Errors
+    /// [`Error::EmptyCurve`] (no segments), [`Error::OutlineNotFinite`] (a query), [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
+        job.step(0.0, "nearest points")?;
+        if self.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        if let Some(point) = queries.iter().position(|q| !q.is_finite()) {
+            let value = queries[point].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+            return Err(Error::OutlineNotFinite { point: point as u32, value });
+        }
+        let finder = Finder::new(self)?;
+        let mut found = alloc::with_capacity(queries.len())?;
+        for (round, some) in queries.chunks(BATCH * 64).enumerate() {
+            job.step((round * BATCH * 64) as f64 / queries.len() as f64, "nearest points")?;
+            let parts = par::map(job.threads(), some.chunks(BATCH), |batch| {
+                alloc::collect(batch.iter().map(|&q| {
+                    let place = finder.nearest(finder.near(q)).0;
+                    let point = segment::point(self.segment(place.segment as usize), place.t);
+                    Nearest { place, point, distance: distance(point, q) }
+                }))
+            });
+            for part in parts {
+                found.extend(part?);
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// The distance of two points; it overflows only if it is too large itself.
+fn distance(p: DVec3, q: DVec3) -> f64 {
+    let halved = p * 0.5 - q * 0.5;
+    let largest = halved.abs().max_element();
+    if largest == 0.0 { 0.0 } else { (halved / largest).length() * largest * 2.0 }
+}
+
+/// A curve in its frame, with the tree of its segments.
+pub(super) struct Finder<'a> {
+    curve: CurveView<'a>,
+    frame: Frame,
+    points: Vec<DVec3>,
+    tree: Tree,
+}
+
+impl<'a> Finder<'a> {
+    pub(super) fn new(curve: &CurveView<'a>) -> Result<Self> {
+        let frame = Frame::of(curve.points());
+        let points = alloc::collect(curve.points().iter().map(|&p| frame.point(p)))?;
+        let boxes = CurveView::trusted(&points, curve.ends(), false);
+        let tree = Tree::new(boxes.segments().map(Aabb::of))?;
+        Ok(Finder { curve: *curve, frame, points, tree })
+    }
+
+    /// A query in the frame.
+    fn near(&self, q: DVec3) -> DVec3 {
+        let local = self.frame.point(q);
+        if local.abs().max_element() <= FAR {
+            return local;
+        }
+        let away = q * 0.5 - self.curve.points()[0] * 0.5;
+        away / away.abs().max_element() * FAR
+    }
+
+    /// The place nearest to a point of the frame, and the square of its distance there.
+    pub(super) fn nearest(&self, q: DVec3) -> (Place, f64) {
+        let local = CurveView::trusted(&self.points, self.curve.ends(), false);
+        let mut best = (Place { segment: 0, t: 0.0 }, local.segment(0)[0].distance_squared(q));
+        self.tree.nearest(q, best.1, &mut |k| {
+            let (t, distance) = nearest_on(local.segment(k), q);
+            if distance < best.1 {
+                best = (Place { segment: k as u32, t }, distance);
+            }
+            best.1
+        });
+        best
+    }
+}
+
+/// The parameter of the nearest point of one segment, and the square of its distance.
+pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
+    let last = controls.len() - 1;
+    let mut best = (0.0, controls[0].distance_squared(q));
+    let mut offer = |t: f64| {
+        let distance = segment::point(controls, t).distance_squared(q);
+        if distance < best.1 {
+            best = (t, distance);
+        }
+    };
+    offer(1.0);
+    match *controls {
+        [a, b] => {
+            let along = b - a;
+            let t = (q - a).dot(along) / along.length_squared();
+            if t > 0.0 && t < 1.0 {
+                offer(t);
+            }
+        }
+        [a, b, c] => {
+            // C - q = w t^2 + 2 u t + r: half of its product with its derivative is this cubic.
+            let (r, u, w) = (a - q, b - a, (c - b) - (b - a));
+            let cubic = cubic::real_roots(w.dot(w), 3.0 * u.dot(w), 2.0 * u.dot(u) + r.dot(w), r.dot(u));
+            match cubic {
+                Some((found, count)) => {
+                    found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| offer(t))
+                }
+                None => feet(controls, q, last, &mut offer),
+            }
+        }
+        _ => feet(controls, q, last, &mut offer),
+    }
+    best
+}
+
+/// Offers the roots of (C - q) . C'.
+fn feet(controls: &[DVec3], q: DVec3, degree: usize, offer: &mut impl FnMut(f64)) {
+    let mut product = [0.0; ROOM];
+    let product = &mut product[..2 * degree];
+    for axis in 0..3 {
+        let (mut place, mut step) = ([0.0; MAX_DEGREE + 1], [0.0; MAX_DEGREE]);
+        for (i, p) in controls.iter().enumerate() {
+            place[i] = p[axis] - q[axis];
+        }
+        for i in 0..degree {
+            step[i] = controls[i + 1][axis] - controls[i][axis];
+        }
+        add_product(&place[..=degree], &step[..degree], 1.0, product);
+    }
+    let largest = product.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    // Multiple roots are no minima that matter: a little below the noise is as good.
+    for &t in roots(product, 4.0 * f64::EPSILON * largest).as_slice() {
+        offer(t);
+    }
+}

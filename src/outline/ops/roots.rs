@@ -1,0 +1,328 @@
+//! All real roots of a polynomial in Bernstein form between 0 and 1.
+//!
+//! A polynomial has at most as many roots in (0, 1) as its coefficients change sign, and the difference is even (Descartes' rule in
+//! Bernstein form; Farouki and Rajan 1987): none or one change decides, and otherwise the interval is halved, which de Casteljau's
+//! scheme does without loss. One root is closed in on by Newton's method, held inside its bracket.
+//!
+//! Multiple roots are where rounding hides the sign. Coefficients within `noise` of 0 count as 0; an interval where all do is a place
+//! where the polynomial cannot be told from 0. Such intervals and the roots next to them become one root: where the polynomial, or else
+//! one of its first two derivatives, changes its sign, or else the middle. So a root of multiplicity m is found once; places that
+//! come closer to 0 than the noise without reaching it count as double roots.
+
+use super::bernstein::{ROOM, halve, value_and_slope};
+
+/// Roots in ascending order.
+#[derive(Clone, Copy)]
+pub(super) struct Roots {
+    at: [f64; ROOM],
+    len: usize,
+    /// The polynomial is 0 everywhere, as far as one can tell; there are no single roots then.
+    pub(super) everywhere: bool,
+}
+
+impl Roots {
+    /// None.
+    pub(super) fn new() -> Self {
+        Roots { at: [0.0; ROOM], len: 0, everywhere: false }
+    }
+
+    /// The roots.
+    pub(super) fn as_slice(&self) -> &[f64] {
+        &self.at[..self.len]
+    }
+
+    fn push(&mut self, t: f64) {
+        if self.len < ROOM {
+            self.at[self.len] = t;
+            self.len += 1;
+        }
+    }
+}
+
+/// Intervals are not halved beyond this width.
+const NARROW: f64 = 1.0 / (1u64 << 48) as f64;
+
+/// The roots of the polynomial with these coefficients, at least one and at most [`ROOM`]; values up to `noise`, in absolute terms, are
+/// taken for 0. O(n^2) for each halving; a simple root takes about log2 of 1 over its distance from the next one, a root of
+/// multiplicity m about log2(1 / noise) / m.
+pub(super) fn roots(c: &[f64], noise: f64) -> Roots {
+    let mut found = Roots::new();
+    if c.is_empty() || c.len() > ROOM {
+        return found;
+    }
+    if c.iter().all(|x| x.abs() <= noise) {
+        found.everywhere = true;
+        return found;
+    }
+    // An interval without a root left is told by the coefficients' signs alone.
+    if c.iter().all(|&x| x > noise) || c.iter().all(|&x| x < -noise) {
+        return found;
+    }
+    if let [a, b] = *c {
+        linear(a, b, noise, &mut found);
+        return found;
+    }
+    if let [a, b, d] = *c
+        && quadratic(a, b, d, noise, &mut found)
+    {
+        return found;
+    }
+    let mut search = Search { c, noise, clusters: [(0.0, 0.0); ROOM], len: 0 };
+    let mut work = [0.0; ROOM];
+    work[..c.len()].copy_from_slice(c);
+    search.isolate(&mut work[..c.len()], 0.0, 1.0);
+    for &(low, high) in &search.clusters[..search.len] {
+        found.push(search.centre(low, high));
+    }
+    found
+}
+
+/// a (1 - t) + b t, not both within the noise.
+fn linear(a: f64, b: f64, noise: f64, found: &mut Roots) {
+    if a.abs() <= noise {
+        found.push(0.0);
+    } else if b.abs() <= noise {
+        found.push(1.0);
+    } else if (a < 0.0) != (b < 0.0) {
+        found.push(a / (a - b));
+    }
+}
+
+/// a (1 - t)^2 + 2 b t (1 - t) + d t^2 in closed form. False if a root is so near to an end, or two to each other, that only the search
+/// can tell.
+///
+/// With A = a - 2 b + d, B = b - a: A t^2 + 2 B t + a = 0, whose roots are a / q and q / A with q = -B -+ sqrt(b^2 - a d), the sign
+/// so that nothing cancels.
+fn quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
+    let discriminant = b * b - a * d;
+    let size = a.abs().max(b.abs()).max(d.abs());
+    if a.abs() <= noise || d.abs() <= noise || discriminant.abs() <= 4.0 * noise * size {
+        return false;
+    }
+    if discriminant < 0.0 {
+        return true;
+    }
+    let (quadratic, linear) = ((a - b) + (d - b), b - a);
+    let root = discriminant.sqrt();
+    let q = if linear < 0.0 { root - linear } else { -root - linear };
+    // q is 0 only with the discriminant.
+    let (mut first, mut second) = (a / q, q / quadratic);
+    if first > second {
+        (first, second) = (second, first);
+    }
+    for t in [first, second] {
+        // NaN and infinity from A = 0 fail the test too.
+        if (0.0..=1.0).contains(&t) {
+            found.push(t);
+        }
+    }
+    true
+}
+
+struct Search<'a> {
+    c: &'a [f64],
+    noise: f64,
+    /// From where to where the polynomial is as good as 0: a point for most roots.
+    clusters: [(f64, f64); ROOM],
+    len: usize,
+}
+
+impl Search<'_> {
+    /// Finds the roots from `low` to `high`, where the polynomial has the coefficients `c`, from left to right.
+    fn isolate(&mut self, c: &mut [f64], low: f64, high: f64) {
+        let n = c.len() - 1;
+        let noise = self.noise;
+        if c.iter().all(|x| x.abs() <= noise) {
+            self.add(low, high);
+            return;
+        }
+        let (first, last) = (c[0], c[n]);
+        if first.abs() <= noise {
+            self.add(low, low);
+        }
+        let mut changes = 0;
+        let mut sign = 0.0;
+        for &x in c.iter().filter(|x| x.abs() > noise) {
+            changes += u32::from(x * sign < 0.0);
+            sign = x.signum();
+        }
+        if changes == 1 && first.abs() > noise && last.abs() > noise {
+            let t = low + (high - low) * bracketed(c);
+            self.add(t, t);
+        } else if changes > 0 && high - low <= NARROW {
+            self.add(low, high);
+        } else if changes > 0 {
+            let middle = 0.5 * (low + high);
+            let mut right = [0.0; ROOM];
+            halve(c, &mut right[..=n]);
+            self.isolate(c, low, middle);
+            self.isolate(&mut right[..=n], middle, high);
+            return;
+        }
+        if last.abs() <= noise {
+            self.add(high, high);
+        }
+    }
+
+    /// Adds a root, or an interval of them, after all others; one that the noise does not separate from the last is the same.
+    fn add(&mut self, low: f64, high: f64) {
+        if self.len > 0 {
+            let last = &mut self.clusters[self.len - 1];
+            let between = value_and_slope(self.c, 0.5 * (last.1 + low)).0;
+            if low <= last.1 || between.abs() <= self.noise {
+                last.1 = last.1.max(high);
+                return;
+            }
+        }
+        if self.len < ROOM {
+            self.clusters[self.len] = (low, high);
+            self.len += 1;
+        }
+    }
+
+    /// The root that a cluster stands for. An end of the whole interval that belongs to it is preferred: the next segment has it too.
+    fn centre(&self, low: f64, high: f64) -> f64 {
+        if low == high || low <= 0.0 {
+            return low.max(0.0);
+        }
+        if high >= 1.0 {
+            return 1.0;
+        }
+        let (a, b) = ((low - (high - low)).max(0.0), (high + (high - low)).min(1.0));
+        let mut derived = [0.0; ROOM];
+        derived[..self.c.len()].copy_from_slice(self.c);
+        let mut n = self.c.len();
+        for _ in 0..3 {
+            let c = &derived[..n];
+            let (fa, fb) = (value_and_slope(c, a).0, value_and_slope(c, b).0);
+            let largest = c.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+            if fa * fb < 0.0 && fa.abs().min(fb.abs()) > 4.0 * self.noise.max(f64::EPSILON * largest) {
+                return closed_in(a, b, fa, |t| value_and_slope(c, t));
+            }
+            if n == 1 {
+                break;
+            }
+            for i in 0..n - 1 {
+                derived[i] = (n - 1) as f64 * (derived[i + 1] - derived[i]);
+            }
+            n -= 1;
+        }
+        0.5 * (low + high)
+    }
+}
+
+/// The one root of a polynomial whose first and last coefficients have different signs, with one change between them.
+fn bracketed(c: &[f64]) -> f64 {
+    closed_in(0.0, 1.0, c[0], |t| value_and_slope(c, t))
+}
+
+/// The root of a function between `low`, where it has the sign of `at_low`, and `high`, where it has the other: Newton's method from
+/// the middle, or halving where that leaves the bracket or does not halve the step. At most 100 rounds.
+pub(super) fn closed_in(mut low: f64, mut high: f64, at_low: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let mut t = 0.5 * (low + high);
+    let mut last_step = high - low;
+    for _ in 0..100 {
+        let (value, slope) = f(t);
+        if value == 0.0 {
+            return t;
+        }
+        if (value < 0.0) == (at_low < 0.0) {
+            low = t;
+        } else {
+            high = t;
+        }
+        let newton = t - value / slope;
+        let inside = newton > low && newton < high && (newton - t).abs() <= 0.5 * last_step.abs();
+        let next = if inside { newton } else { 0.5 * (low + high) };
+        last_step = next - t;
+        if next == t || next <= low || next >= high {
+            return next;
+        }
+        t = next;
+    }
+    t
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bernstein::add_product;
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The polynomial with the roots given.
+    fn with_roots(at: &[f64]) -> Vec<f64> {
+        at.iter().fold(vec![1.0], |f, &r| {
+            let mut product = vec![0.0; f.len() + 1];
+            add_product(&f, &[-r, 1.0 - r], 1.0, &mut product);
+            product
+        })
+    }
+
+    fn normalised(mut c: Vec<f64>) -> Vec<f64> {
+        let size = c.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        c.iter_mut().for_each(|x| *x /= size);
+        c
+    }
+
+    const NOISE: f64 = 1e-14;
+
+    #[test]
+    fn known_roots() {
+        for (given, expected, error) in [
+            (&[0.5][..], &[0.5][..], 1e-16),
+            (&[0.25, 0.75], &[0.25, 0.75], 1e-15),
+            (&[0.25, 0.25], &[0.25], 1e-7),
+            (&[-0.5, 1.5], &[], 0.0),
+            (&[0.0, 1.0], &[0.0, 1.0], 0.0),
+            (&[0.0, 0.0, 0.3], &[0.0, 0.3], 1e-13),
+            (&[0.1, 0.2, 0.3, 0.4, 0.5], &[0.1, 0.2, 0.3, 0.4, 0.5], 1e-9),
+            (&[0.3, 0.3, 0.3], &[0.3], 1e-4),
+            (&[0.3, 0.3, 0.7, 0.7], &[0.3, 0.7], 1e-6),
+            (&[1.0, 1.0, 1.0, 0.5], &[0.5, 1.0], 1e-12),
+            (&[0.123, 0.123_001, 0.9], &[0.123, 0.123_001, 0.9], 1e-8),
+        ] {
+            let found = roots(&normalised(with_roots(given)), NOISE);
+            assert_eq!(found.as_slice().len(), expected.len(), "{given:?}: {:?}", found.as_slice());
+            for (a, b) in found.as_slice().iter().zip(expected) {
+                assert!((a - b).abs() <= error, "{given:?}: {:?}", found.as_slice());
+            }
+        }
+        assert!(roots(&[1e-15, -1e-15, 0.0], NOISE).everywhere);
+        assert!(roots(&[], NOISE).as_slice().is_empty());
+        assert!(roots(&[1.0, 0.2, 1.0], NOISE).as_slice().is_empty());
+        assert!(roots(&[1.0, f64::NAN, -1.0, 2.0], NOISE).as_slice().len() < 4);
+    }
+
+    proptest! {
+        #[test]
+        fn separated_roots_are_all_found(
+            at in proptest::collection::vec(0.0..1.0f64, 1..7), outside in proptest::collection::vec(1.2..3.0f64, 0..4)
+        ) {
+            let mut at = at;
+            at.sort_by(f64::total_cmp);
+            at.dedup_by(|a, b| *a - *b < 0.05);
+            let all: Vec<f64> = at.iter().copied().chain(outside).collect();
+            let found = roots(&normalised(with_roots(&all)), NOISE);
+            prop_assert_eq!(found.as_slice().len(), at.len());
+            for (a, b) in found.as_slice().iter().zip(&at) {
+                prop_assert!((a - b).abs() < 1e-8);
+            }
+        }
+
+        #[test]
+        fn signs_change_at_roots_only(c in proptest::collection::vec(-1.0..1.0f64, 1..20)) {
+            let found = roots(&c, NOISE);
+            let mut stops = vec![0.0];
+            stops.extend_from_slice(found.as_slice());
+            stops.push(1.0);
+            for pair in stops.windows(2) {
+                let inside = |k: i32| pair[0] + (pair[1] - pair[0]) * (0.01 + 0.98 * f64::from(k) / 50.0);
+                let values: Vec<f64> = (0..=50).map(|k| value_and_slope(&c, inside(k)).0).collect();
+                prop_assert!(values.iter().all(|&v| v >= -1e-12) || values.iter().all(|&v| v <= 1e-12));
+            }
+            for &t in found.as_slice() {
+                prop_assert!(value_and_slope(&c, t).0.abs() < 1e-12);
+            }
+        }
+    }
+}

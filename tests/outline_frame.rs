@@ -1,0 +1,249 @@
+//! The frame of outlines, on bodies by formula.
+
+use glam::DVec3;
+use gusset::outline::frame::{Correspondence, Frame, FrameOptions, Measure, frame, measures, slice};
+use gusset::outline::{Mode, Options, Outlines, Points};
+use gusset::{Error, Job};
+use std::f64::consts::{PI, TAU};
+
+const CUBIC: Options = Options {
+    mode: Mode::CubicC2,
+    method: gusset::outline::Method::Bisector,
+    lock: gusset::outline::Lock::Parameter,
+    joint: gusset::outline::Joint::Half,
+    solver: gusset::outline::Solver::Fast,
+    ends: gusset::outline::Ends::Free,
+    parameter_limit: 1.0 / 6.0,
+    repeat_tolerance: 1e-12,
+    corner_angle: PI,
+    tolerance: 1e-12,
+    max_sweeps: 200,
+    max_steps: 20_000,
+    first_step: 0.1,
+    step_divisor: 10.0,
+};
+
+/// Sections one after another, each from its own points.
+#[derive(Default)]
+struct Sections {
+    points: Vec<[f64; 3]>,
+    offsets: Vec<u32>,
+}
+
+impl Sections {
+    fn of(sections: impl IntoIterator<Item = Vec<[f64; 3]>>) -> Self {
+        let mut all = Sections { points: Vec::new(), offsets: vec![0] };
+        for section in sections {
+            all.points.extend(section);
+            all.offsets.push(all.points.len() as u32);
+        }
+        all
+    }
+
+    fn make(&self, closed: bool, options: &FrameOptions<'_>) -> Result<Frame, Error> {
+        let points = Points::from(&self.points[..]);
+        let outlines = Outlines { points, offsets: Some(&self.offsets), closed, constraints: &[] };
+        frame(&outlines, options, &Job::default())
+    }
+}
+
+fn options(correspondence: Correspondence<'_>) -> FrameOptions<'_> {
+    FrameOptions { correspondence, across: CUBIC, along: CUBIC, ring: false }
+}
+
+/// The circle of a ball of radius 2 at height z, of n points from angle `from` on, forwards or backwards.
+fn circle(z: f64, n: usize, from: f64, backwards: bool) -> Vec<[f64; 3]> {
+    let r = (4.0 - z * z).sqrt();
+    (0..n)
+        .map(|i| {
+            let t = from + TAU * i as f64 / n as f64 * if backwards { -1.0 } else { 1.0 };
+            [r * t.cos(), r * t.sin(), z]
+        })
+        .collect()
+}
+
+fn heights() -> impl Iterator<Item = f64> {
+    (0..9).map(|k| -1.6 + 0.4 * f64::from(k))
+}
+
+fn assert_meets(made: &Frame) {
+    let grid = &made.grid;
+    assert_eq!(grid.nodes.len(), grid.rows * grid.columns);
+    assert_eq!((grid.across.len(), grid.along.len()), (grid.nodes.len(), grid.nodes.len()));
+    assert_eq!((made.across.len(), made.along.len()), (grid.rows, grid.columns));
+    assert!(grid.max_gap < 1e-15, "{:e}", grid.max_gap);
+    for k in 0..grid.rows {
+        for i in 0..grid.columns {
+            let node = grid.nodes[k * grid.columns + i];
+            let (across, along) = (made.across.curve(k), made.along.curve(i));
+            assert!(across.point(made.across.place(k * grid.columns + i)).unwrap().distance(node) < 1e-14);
+            assert!(along.point(made.along.place(i * grid.rows + k)).unwrap().distance(node) < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn a_ball_by_angles_and_by_arc_lengths() {
+    // Differently many points, from different starts, some backwards.
+    let sections = Sections::of(heights().enumerate().map(|(k, z)| circle(z, 20 + 3 * k, 0.3 * k as f64, k % 2 == 1)));
+    let by_angle =
+        Correspondence::Angle { columns: 12, point: DVec3::ZERO, direction: DVec3::Z * 5.0, reference: DVec3::X };
+    let made = sections.make(true, &options(by_angle)).unwrap();
+    assert_meets(&made);
+    assert!(made.grid.ambiguous.is_empty());
+    for (node, &p) in made.grid.nodes.iter().enumerate() {
+        let angle = TAU * (node % 12) as f64 / 12.0;
+        assert!((p.normalize() * 2.0).distance(p) < 2e-4, "on the ball: {}", p.length());
+        assert!(p.y.atan2(p.x).sin() * angle.cos() - p.y.atan2(p.x).cos() * angle.sin() < 1e-12);
+        // The curves across run counter-clockwise, those along upwards and on the ball.
+        assert!((made.grid.across[node] - DVec3::new(-angle.sin(), angle.cos(), 0.0)).length() < 1e-3);
+        assert!(made.grid.along[node].z > 0.0 && made.grid.along[node].dot(p).abs() < 0.1);
+    }
+    assert!(made.grid.min_sine > 0.99);
+
+    let sections = Sections::of(heights().enumerate().map(|(k, z)| circle(z, 24 + k, 0.5, k % 3 == 1)));
+    let made = sections.make(true, &options(Correspondence::ArcLength { columns: 10 })).unwrap();
+    assert_meets(&made);
+    for k in 0..9 {
+        assert_eq!(made.grid.turned[k], u8::from(k % 3 == 1));
+        for i in 0..10 {
+            let (p, t) = (made.grid.nodes[10 * k + i], 0.5 + TAU * i as f64 / 10.0);
+            let expected = DVec3::new(t.cos(), t.sin(), 0.0);
+            assert!((p - p.project_onto(DVec3::Z)).normalize().distance(expected) < 1e-3, "row {k} column {i} {p}");
+        }
+    }
+}
+
+#[test]
+fn new_sections_of_a_ball_have_its_girths_and_areas() {
+    let sections = Sections::of(heights().map(|z| circle(z, 32, 0.0, false)));
+    let made = sections.make(true, &options(Correspondence::Given)).unwrap();
+    assert_meets(&made);
+    // Across the axis, and aslant; not far from given sections, as the ball's poles are not there.
+    for (point, normal) in [
+        (DVec3::new(0.0, 0.0, 0.13), DVec3::Z),
+        (DVec3::new(0.0, 0.0, -0.9), DVec3::Z * 1e-3),
+        (DVec3::new(0.0, 0.0, 0.2), DVec3::new(0.3, 0.1, 1.0)),
+    ] {
+        let cut = slice(&made.along, point, normal, true, &CUBIC, &Job::default()).unwrap();
+        let away = point.dot(normal.normalize());
+        let radius = (4.0 - away * away).sqrt();
+        let measure = Measure::of(cut.curve.curve(0)).unwrap();
+        assert!((measure.girth / (TAU * radius) - 1.0).abs() < 1e-3, "{} {}", measure.girth, TAU * radius);
+        assert!((measure.area / (PI * radius * radius) - 1.0).abs() < 2e-3, "{}", measure.area);
+        assert!(measure.centre.distance(normal.normalize() * away) < 5e-3, "{}", measure.centre);
+        assert!(cut.ambiguous.is_empty());
+        for &place in &cut.places {
+            assert!((0.0..=1.0).contains(&place.t));
+        }
+    }
+    let planes: Vec<DVec3> = (0..7).map(|k| DVec3::Z * (0.4 * f64::from(k) - 1.2)).collect();
+    let series = measures(&made.along, &planes, DVec3::Z, true, &CUBIC, &Job::default()).unwrap();
+    for (plane, measure) in planes.iter().zip(&series) {
+        assert!((measure.area / (PI * (4.0 - plane.z * plane.z)) - 1.0).abs() < 1e-4);
+    }
+    let beyond = measures(&made.along, &[planes[0], DVec3::Z * 3.0], DVec3::Z, true, &CUBIC, &Job::default());
+    assert_eq!(beyond.unwrap_err(), Error::NoNode { section: 1, column: 0 });
+}
+
+#[test]
+fn landmarks_belong_together() {
+    // Squares that turn on their way up, of 4 x 3, 4 x 4, ... points that begin at some corner: the corners are landmarks.
+    let mut landmarks = Vec::new();
+    let sections = Sections::of((0..5usize).map(|k| {
+        let (n, first) = (3 + k, k % 4);
+        let corner = |i: usize| {
+            let t = 0.2 * k as f64 + TAU * (i % 4) as f64 / 4.0;
+            DVec3::new(t.cos(), t.sin(), k as f64)
+        };
+        landmarks.extend((0..4).map(|i| ((i + 4 - first) % 4 * n) as u32));
+        (0..4 * n)
+            .map(|i| corner(first + i / n).lerp(corner(first + i / n + 1), (i % n) as f64 / n as f64).to_array())
+            .collect()
+    }));
+    let polygon = Options { corner_angle: 0.5, ..Options::default() };
+    let correspondence = Correspondence::Landmarks { points: &landmarks, parts: 2 };
+    let made =
+        sections.make(true, &FrameOptions { correspondence, across: polygon, along: CUBIC, ring: false }).unwrap();
+    assert_meets(&made);
+    assert_eq!((made.grid.rows, made.grid.columns), (5, 8));
+    for k in 0..5 {
+        for i in 0..4 {
+            let t = 0.2 * k as f64 + TAU * i as f64 / 4.0;
+            let (corner, middle) = (made.grid.nodes[8 * k + 2 * i], made.grid.nodes[8 * k + 2 * i + 1]);
+            assert!(corner.distance(DVec3::new(t.cos(), t.sin(), k as f64)) < 1e-14);
+            assert!(middle.truncate().length() - (0.5f64).sqrt() < 1e-14, "{middle}");
+        }
+    }
+    // Not in order; not there; not as many for each.
+    for wrong in [&[0u32, 6, 3, 9][..], &[0, 3, 6, 90], &[0, 3, 6, 9, 0, 3]] {
+        let mut points = landmarks.clone();
+        points.splice(0..4, wrong.iter().copied());
+        let correspondence = Correspondence::Landmarks { points: &points, parts: 2 };
+        let error = sections.make(true, &options(correspondence)).unwrap_err();
+        assert!(matches!(error, Error::OptionOutOfRange { option: "landmarks", .. }), "{error}");
+    }
+}
+
+#[test]
+fn a_ring_goes_round() {
+    let sections = Sections::of((0..12).map(|k| {
+        let (sin, cos) = (TAU * f64::from(k) / 12.0).sin_cos();
+        (0..9)
+            .map(|i| {
+                let t = TAU * f64::from(i) / 9.0;
+                let r = 3.0 + t.cos();
+                [r * cos, r * sin, t.sin()]
+            })
+            .collect()
+    }));
+    let made = sections.make(true, &FrameOptions { ring: true, ..options(Correspondence::Given) }).unwrap();
+    assert_meets(&made);
+    assert!((0..9).all(|i| made.along.curve(i).is_closed()));
+    assert!(made.grid.min_sine > 1.0 - 1e-6);
+    // Each curve along crosses a plane through the axis twice; the first crossing is taken, and it is said.
+    let cut = slice(&made.along, DVec3::ZERO, DVec3::Y, true, &CUBIC, &Job::default()).unwrap();
+    assert_eq!(cut.ambiguous.len(), 9);
+}
+
+#[test]
+fn what_makes_no_frame_is_refused() {
+    let two = Sections::of([circle(0.0, 6, 0.0, false), circle(1.0, 7, 0.0, false)]);
+    assert_eq!(
+        two.make(true, &options(Correspondence::Given)).unwrap_err(),
+        Error::SectionsDiffer { section: 1, count: 7, expected: 6 }
+    );
+    let angle = |point, direction, reference| Correspondence::Angle { columns: 5, point, direction, reference };
+    let refused = |correspondence| two.make(true, &options(correspondence)).unwrap_err();
+    assert!(matches!(
+        refused(angle(DVec3::ZERO, DVec3::ZERO, DVec3::X)),
+        Error::OptionOutOfRange { option: "axis", .. }
+    ));
+    assert!(matches!(
+        refused(angle(DVec3::ZERO, DVec3::Z, DVec3::Z)),
+        Error::OptionOutOfRange { option: "reference", .. }
+    ));
+    // From an axis outside some half-planes meet nothing.
+    assert!(matches!(refused(angle(DVec3::X * 9.0, DVec3::Z, DVec3::X)), Error::NoNode { section: 0, column: 0 }));
+    assert!(matches!(
+        refused(Correspondence::ArcLength { columns: 2 }),
+        Error::OptionOutOfRange { option: "columns", .. }
+    ));
+    assert!(matches!(refused(Correspondence::ArcLength { columns: usize::MAX }), Error::TooLarge { .. }));
+    let one = Sections::of([circle(0.0, 6, 0.0, false)]);
+    assert!(matches!(
+        one.make(true, &options(Correspondence::Given)).unwrap_err(),
+        Error::OptionOutOfRange { option: "sections", .. }
+    ));
+    let none = Sections::of([]);
+    assert!(none.make(true, &options(Correspondence::Given)).is_err());
+    let point = Sections::of([vec![[0.0; 3]; 5], circle(1.0, 5, 0.0, false)]);
+    let error = point.make(true, &options(Correspondence::ArcLength { columns: 5 })).unwrap_err();
+    assert_eq!(error, Error::NoNode { section: 0, column: 0 });
+    // A pole is a section like others when it is given.
+    let made = point.make(true, &options(Correspondence::Given)).unwrap();
+    assert_eq!(made.grid.max_gap, 0.0);
+    // NaN in the plane of a cut.
+    let cut = slice(&made.along, DVec3::NAN, DVec3::Z, true, &CUBIC, &Job::default());
+    assert!(matches!(cut.unwrap_err(), Error::OutlineNotFinite { .. }));
+}
