@@ -28,4 +28,5 @@ mkdir -p target/bench
 options=(--only "$only")
 [ -z "$slow" ] || options+=(--slow)
 [ -n "$only" ] || options+=(--docs docs)
-"$venv/bin/python" bench/run.py --prefix "$stage" --tools build/bench --out target/bench/report.json "${options[@]}"
+# SciPy solves small systems, which its threads only slow down.
+OPENBLAS_NUM_THREADS=1 "$venv/bin/python" bench/run.py --prefix "$stage" --tools build/bench --out target/bench/report.json "${options[@]}"
