@@ -10,6 +10,8 @@ import blender_peer
 import gusset
 import meshes
 import meshlib_peer
+import outlines
+import scipy_peer
 import vtk_peer
 from timing import Contender, Outcome, PeakMemory, apart, bound, by_turns, once
 
@@ -32,6 +34,9 @@ JOINS = {
 # Here a peer may take hours or all memory, so that everybody works in a process with bounds.
 APART = "join/100000x80000", "join-strip/100000x80000"
 SECONDS, GIBIBYTES = 45, 4
+OUTLINES = "composite", "composite-median", "self", "cubic", "blend"
+# Sides of the polygon that stands for a curve, for each given point.
+FINE = 100
 # A strip that meets itself everywhere has more intersections than are worth counting.
 JUDGE_SECONDS = 20
 SLOW = {
@@ -50,7 +55,7 @@ class Cases:
         return self.only in case
 
     def run(self):
-        for module in self.boundaries, self.joins, self.exactness, self.memory, self.rows:
+        for module in self.boundaries, self.joins, self.exactness, self.memory, self.rows, self.outlines, self.accuracy:
             module()
 
     # Boundary loops.
@@ -174,6 +179,53 @@ class Cases:
             self.stitch(gap, "gusset", self.library.options(**options)),
             meshlib_peer.rows_contender(gap, edge),
         ]
+
+    # Outlines. SISL and Open CASCADE are in the program in C++.
+
+    def outlines(self):
+        wanted = [kind for kind in OUTLINES if self.wants(f"outline/{kind}")]
+        if not wanted:
+            return
+        given = outlines.everything()
+        ours = [Contender(kind, lambda _, kind=kind: self.library.outline(given, kind)) for kind in wanted]
+        scipy = Contender("scipy", scipy_peer.splines, lambda: scipy_peer.build(given))
+        outcomes = by_turns([*ours, scipy])
+        for outcome in outcomes.values():
+            outcome.result, outcome.times = None, [1e6 * time / len(given.points) for time in outcome.times]
+        for kind in wanted:
+            self.report.add(f"outline/{kind}", "scipy", outcomes[kind], outcomes["scipy"], unit="ns")
+
+    def accuracy(self):
+        """How far curves through few points of smooth outlines are from the outlines; in thousandths of their size."""
+        for name, feet in ("formula", outlines.feet), ("data", outlines.feet_of_data):
+            case = f"outline-accuracy/{name}"
+            if self.wants(case) and feet():
+                given, truth = feet()
+                farthest = {}
+                for who, polygons in self.polygons(given):
+                    found = [outlines.deviation(dense, polygon) for dense, polygon in zip(truth, polygons)]
+                    farthest[who] = 1000 * float(np.median(found))
+                for who, value in farthest.items():
+                    if who != "composite":
+                        ours = who in gusset.OUTLINES
+                        self.report.add(case, f"gusset-{who}" if ours else who, farthest["composite"], value, unit="permille")
+
+    def polygons(self, given):
+        """The curves of everybody as fine polygons."""
+        for kind in gusset.OUTLINES:
+            try:
+                yield kind, self.library.outline_sampled(self.library.outline(given, kind), FINE)
+            except RuntimeError as error:
+                print(f"gusset-{kind}: {error}")
+        built = scipy_peer.build(given)
+        yield "scipy", scipy_peer.sampled(built, scipy_peer.splines(built), FINE)
+        path, samples = self.folder / "feet.outlines", self.folder / "feet.samples"
+        outlines.write(given, path)
+        subprocess.run([self.tools / "outlines", "--outlines", path, "--samples", samples, "--fine", str(FINE)], check=True)
+        lengths = [FINE * len(points) + 1 for points in given]
+        points = np.fromfile(samples).reshape(2, sum(lengths), 2)
+        for who, theirs in zip(("sisl", "occt"), points):
+            yield who, np.split(theirs, np.cumsum(lengths)[:-1])
 
     # Whatever is compared by its meshes.
 

@@ -12,6 +12,10 @@ ROWS_MEAN_EDGE, ROWS_COUNT = 1, 2
 START_GIVEN = 2
 FAIRING_THIN_PLATE = 1
 SEARCH_EXACT = 1
+# Of outlines: curve, method, lock.
+OUTLINES = {
+    "composite": (0, 0, 0), "composite-median": (0, 1, 0), "self": (0, 0, 1), "cubic": (4, 0, 0), "blend": (2, 0, 0),
+    "blend-c2": (3, 0, 0)}
 
 
 class View(Structure):
@@ -56,6 +60,29 @@ class Parts(Structure):
         ("reserved", c_uint32)]
 
 
+class OutlinesGiven(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("points", c_void_p), ("point_stride", c_size_t), ("point_count", c_size_t),
+        ("offsets", c_void_p), ("outline_count", c_size_t), ("constraints", c_void_p), ("constraint_count", c_size_t),
+        ("dimension", c_uint32), ("closed", c_uint32)]
+
+
+class OutlineOptions(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("curve", c_uint32), ("method", c_uint32), ("lock", c_uint32), ("joint", c_uint32),
+        ("solver", c_uint32), ("ends", c_uint32), ("alpha", c_double), ("parameter_limit", c_double),
+        ("repeat_tolerance", c_double), ("corner_angle", c_double), ("tolerance", c_double), ("first_step", c_double),
+        ("step_divisor", c_double), ("max_sweeps", c_uint32), ("max_steps", c_uint32), ("repeats", c_uint32),
+        ("reserved", c_uint32)]
+
+
+class OutlineParts(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("outline_count", c_size_t), ("point_count", c_size_t), ("controls", c_void_p),
+        ("control_count", c_size_t), ("ends", Indices), ("starts", c_void_p), ("segments", Indices),
+        ("parameters", c_void_p), ("statuses", c_void_p)]
+
+
 def sized(kind):
     made = kind()
     made.struct_size = ctypes.sizeof(kind)
@@ -82,13 +109,20 @@ class Library:
         self.c = ctypes.CDLL(str(Path(prefix) / "lib" / "libgusset.so"))
         self.c.gusset_version.restype = self.c.gusset_status_text.restype = ctypes.c_char_p
         self.c.gusset_boundary_loop_count.restype = c_size_t
-        for name in ("boundary", "stitch", "strip"):
+        for name in ("boundary", "stitch", "strip", "outline", "context"):
             getattr(self.c, f"gusset_{name}_destroy").argtypes = [c_void_p]
+        self.one_thread = self._context(1)
         self.version = self.c.gusset_version().decode()
 
     def _check(self, status):
         if status:
             raise RuntimeError(self.c.gusset_status_text(status).decode())
+
+    def _context(self, threads):
+        address = c_void_p()
+        self._check(self.c.gusset_context_create(byref(address)))
+        self._check(self.c.gusset_context_set_threads(address, c_uint32(threads)))
+        return Handle(self.c, "gusset_context_destroy", address)
 
     @staticmethod
     def _view(mesh):
@@ -151,3 +185,32 @@ class Library:
         self._check(self.c.gusset_stitch_view(stitch.address, byref(parts)))
         points = self.mesh(stitch)[0]
         return [np.ascontiguousarray(points[array(rim.data, rim.count, np.uint32)]) for rim in parts.rim]
+
+    def outline(self, outlines, kind):
+        """The curves through the points of closed outlines, by one thread."""
+        given, options, address = sized(OutlinesGiven), sized(OutlineOptions), c_void_p()
+        given.points, given.point_count = outlines.points.ctypes.data, len(outlines.points)
+        given.offsets, given.outline_count = outlines.offsets.ctypes.data, len(outlines.offsets) - 1
+        given.dimension, given.closed = 2, 1
+        options.curve, options.method, options.lock = OUTLINES[kind]
+        self._check(self.c.gusset_outline_create(self.one_thread.address, byref(given), byref(options), byref(address)))
+        return Handle(self.c, "gusset_outline_destroy", address)
+
+    def outline_sampled(self, outline, fine):
+        """Each curve as a polygon with `fine` sides for each segment."""
+        parts = sized(OutlineParts)
+        self._check(self.c.gusset_outline_view(outline.address, byref(parts)))
+        controls = array(parts.controls, 3 * parts.control_count, np.float64).reshape(-1, 3)[:, :2]
+        ends = array(parts.ends.data, parts.ends.count, np.uint32).astype(np.int64)
+        starts = array(parts.starts, 2 * (parts.outline_count + 1), np.uint64).astype(np.int64).reshape(-1, 2)
+        t = (np.arange(fine) / fine)[:, None]
+        found = []
+        for (point, end), (_, next_end) in zip(starts[:-1], starts[1:]):
+            polygon = []
+            for a, b in zip(ends[end:next_end - 1], ends[end + 1:next_end]):
+                rungs = [controls[point + k] for k in range(a, b + 1)]
+                while len(rungs) > 1:
+                    rungs = [p * (1 - t) + q * t for p, q in zip(rungs, rungs[1:])]
+                polygon.append(rungs[0])
+            found.append(np.concatenate(polygon))
+        return found

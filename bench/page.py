@@ -43,6 +43,17 @@ Everything else is known: for gusset two rims and their first meridian, for the 
 gusset from arrays to arrays, at its best with five rows, thin-plate fairing and intersections backed off; MeshLib's
 stitchHolesNicely on a mesh with its holes found, subdivided to the mean edge and smoothed. `-mean-edge`: as many rows as the
 mean edge asks for. `-unfair`: without fairing. `-area`: least-area meridians, without fairing.""",
+    "outline": """## Outlines
+
+Curves through the points of 249 closed plane outlines, 34,820 points, all in one call; ns for each point, one thread.
+The outlines: sections like those of a foot, by formula; letters of the Debian package fonts-dejavu-core; random smooth ones. `sisl`
+is s1356 with the first point again at the end, `occt` Perform() of a periodic Geom2dAPI_Interpolate, `scipy` make_interp_spline
+(k = 3, periodic) with its parameters given: cubic splines all. `gusset-automatic` is the same with as many threads as the machine
+has. `section` is the sections by themselves, `composite` and `composite-median` the default curve by the bisector and the median,
+`self` the default with the parameters of its own triangles, `cubic` the C2 cubic spline, `blend` sections blended linearly.""",
+    "outline-accuracy": """How far the outline is from the curve through 16 or 32 of its points: the farthest of 2048 points of the
+outline, by the outline's size, the median over twenty outlines like sections of a foot, in thousandths. Ours is `composite`.
+`formula`: generated; `data`: from files, where these are there.""",
     "assemble": "## Assembly",
     "meridians": "## The paper's rule by index\n\nBeside its loops as printed, mended, and beside the bare closed form.",
 }
@@ -97,12 +108,13 @@ def qualities(entries):
 
 def versions():
     said = []
-    for package, name in ("meshlib", "MeshLib"), ("vtk", "VTK"), ("bpy", "Blender"):
+    for package, name in ("meshlib", "MeshLib"), ("vtk", "VTK"), ("bpy", "Blender"), ("scipy", "SciPy"):
         try:
             said.append(f"{name} {version(package)}")
         except PackageNotFoundError:
             said.append(f"{name} not installed")
-    for package, name in ("libopenmesh-dev", "OpenMesh"), ("libcgal-dev", "CGAL"):
+    debian = {"libopenmesh-dev": "OpenMesh", "libcgal-dev": "CGAL", "libsisl-dev": "SISL", "libocct-modeling-algorithms-dev": "Open CASCADE"}
+    for package, name in debian.items():
         found = subprocess.run(["dpkg-query", "-W", "-f=${Version}", package], capture_output=True, text=True).stdout
         said.append(f"{name} {found} (Debian)")
     return ", ".join(said)

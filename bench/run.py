@@ -7,7 +7,8 @@ import time
 from pathlib import Path
 
 import meshes
-from cases import BOUNDARIES, Cases
+import outlines
+from cases import BOUNDARIES, OUTLINES, Cases
 from gusset import Library
 from page import write_page
 from report import Report
@@ -26,6 +27,12 @@ def in_cpp(report, tools, folder, only):
         out = folder / "cpp.json"
         sys.stdout.flush()
         subprocess.run([tools / "bench", *wanted, "--only", only, "--runs", "5", "--out", out], check=True)
+        report.merge(out)
+    if any(only in f"outline/{name}" for name in ("section", *OUTLINES)):
+        path, out = folder / "all.outlines", folder / "outlines.json"
+        outlines.write(outlines.everything(), path)
+        sys.stdout.flush()
+        subprocess.run([tools / "outlines", "--outlines", path, "--only", only, "--out", out], check=True)
         report.merge(out)
 
 

@@ -1,5 +1,6 @@
 // Benchmarks: ours and the peers in turn, on the same arrays, in one run. Prints a table and writes a report.
 #include "mesh.hpp"
+#include "timing.hpp"
 
 #include <gusset.hpp>
 
@@ -11,8 +12,6 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -153,16 +152,6 @@ public:
     void write(const std::string &path) const { std::ofstream(path) << report_.dump(2) << '\n'; }
 
 private:
-    static double milliseconds(const std::function<void()> &work) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    }
-    static double median(std::vector<double> &times) {
-        std::sort(times.begin(), times.end());
-        return (times[(times.size() - 1) / 2] + times[times.size() / 2]) / 2;
-    }
-
     int runs_;
     std::string only_;
     nlohmann::json report_ = nlohmann::json::array();

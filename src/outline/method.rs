@@ -70,6 +70,7 @@ impl Method {
 }
 
 /// x^alpha, without calling for the power where a root will do.
+#[inline]
 pub(super) fn power(x: f64, alpha: f64) -> f64 {
     match alpha {
         0.5 => x.sqrt(),
@@ -80,6 +81,7 @@ pub(super) fn power(x: f64, alpha: f64) -> f64 {
 }
 
 /// The section from A through P at parameter `t` to C.
+#[inline]
 pub(super) fn through(a: DVec3, p: DVec3, c: DVec3, t: f64) -> Result<Section, PointStatus> {
     // Near the ends the control point is out of reach of the numbers.
     if !(1e-150..=1.0 - 1e-15).contains(&t) {

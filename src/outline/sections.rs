@@ -1,12 +1,15 @@
 //! The sections of all points by themselves: what the paper's methods are about, before anything is joined.
 
 use super::fit::{check, span};
-use super::method::{Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent, through};
-use super::request::{Constraint, Demand, Outlines, PointStatus};
+use super::method::{
+    Method, Section, power, section_by_end_tangent, section_by_start_tangent, section_by_tangent, through,
+};
+use super::request::{Constraint, Demand, Outlines, PointStatus, Points};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use glam::DVec3;
+use std::ops::Range;
 
 /// Points between two reports of progress.
 const REPORT: usize = 1 << 16;
@@ -56,6 +59,17 @@ pub fn sections(outlines: &Outlines<'_>, method: Method, job: &Job<'_>) -> Resul
         let (own, rest) = constraints.split_at(constraints.partition_point(|c| (c.point as usize) < span.end));
         constraints = rest;
         let closed = outlines.closed && span.len() > 2;
+        if let (true, [], Some(alpha)) = (closed, own, method.alpha()) {
+            for from in span.clone().step_by(REPORT) {
+                if from - reported >= REPORT {
+                    reported = from;
+                    job.step(from as f64 / total as f64, STAGE)?;
+                }
+                let some = from..span.end.min(from + REPORT);
+                plain(points, &span, some, scale, method, alpha, &mut found);
+            }
+            continue;
+        }
         for i in span {
             if i - reported >= REPORT {
                 reported = i;
@@ -89,6 +103,38 @@ pub fn sections(outlines: &Outlines<'_>, method: Method, job: &Job<'_>) -> Resul
 }
 
 const STAGE: &str = "finding sections";
+
+/// The sections of some points of a closed outline of which nothing is demanded, by a method with an exponent: each chord is
+/// measured once.
+fn plain(
+    points: &Points<'_>,
+    outline: &Range<usize>,
+    some: Range<usize>,
+    scale: f64,
+    method: Method,
+    alpha: f64,
+    found: &mut Sections,
+) {
+    // Exact, as the scale is a power of two.
+    let back = 1.0 / scale;
+    let at = |i: usize| points.get(i) * scale;
+    let (mut before, mut p) =
+        (at(if some.start == outline.start { outline.end } else { some.start } - 1), at(some.start));
+    let mut arriving = power(before.distance(p), alpha);
+    for i in some {
+        let after = at(if i + 1 == outline.end { outline.start } else { i + 1 });
+        let leaving = power(p.distance(after), alpha);
+        let section = through(before, p, after, arriving / (arriving + leaving));
+        let (section, status) = match section {
+            Ok(section) => (section, PointStatus::Ok),
+            Err(_) => one([before, p, after], [None; 3], method),
+        };
+        found.controls.push(section.control * back);
+        found.parameters.push(section.t);
+        found.statuses.push(status);
+        (before, p, arriving) = (p, after, leaving);
+    }
+}
 
 /// A power of two that brings coordinates near 1 if squares of them could overflow or vanish; else 1.
 fn scale(outlines: &Outlines<'_>) -> Result<f64> {

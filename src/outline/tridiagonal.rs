@@ -6,7 +6,7 @@ use glam::DVec3;
 const SINGULAR: f64 = 1e-14;
 
 /// What the last unknown of a cyclic system contributes is left out below this.
-const FAINT: f64 = 1e-40;
+const FAINT: f64 = 1e-24;
 
 /// Solves for `unknowns[1..n - 1]`; the first and the last one are given. `row(i)`: the coefficients of unknowns i - 1, i and i + 1;
 /// `known(i)`: the right side. `upper`: room for n factors. False if the system is singular.
@@ -46,70 +46,118 @@ pub(super) struct Cyclic<'a> {
     pub(super) across: &'a mut [f64],
 }
 
+/// One end of a cyclic system while its rows are eliminated towards the middle: the unknown reached last is
+/// `known` - `ratio` * (the next one) - `across` * (the last unknown).
+struct End {
+    known: DVec3,
+    ratio: f64,
+    across: f64,
+    /// The coefficient of the next unknown in the last row.
+    far: f64,
+}
+
+impl End {
+    /// Before any row the unknown reached is the last one itself.
+    fn new(far: f64) -> Self {
+        End { known: DVec3::ZERO, ratio: 0.0, across: -1.0, far }
+    }
+
+    /// Takes a row: the coefficients of the unknown reached, of the next one and of the one after. The pivot, and what the row
+    /// took of the unknown reached.
+    #[inline]
+    fn eliminate(&mut self, [behind, diagonal, ahead]: [f64; 3], known: DVec3) -> [f64; 2] {
+        let pivot = diagonal - behind * self.ratio;
+        let scale = 1.0 / pivot;
+        self.known = (known - self.known * behind) * scale;
+        self.ratio = ahead * scale;
+        [pivot, behind * scale]
+    }
+
+    /// The same, and carries the last unknown along, in this row and in the last one.
+    #[inline]
+    fn carry(&mut self, row: [f64; 3], known: DVec3, last: &mut (f64, DVec3)) -> f64 {
+        let [pivot, taken] = self.eliminate(row, known);
+        self.across *= -taken;
+        last.0 -= self.far * self.across;
+        last.1 -= self.known * self.far;
+        self.far *= -self.ratio;
+        pivot
+    }
+
+    /// Whether the last unknown has no part in it any more.
+    fn is_free(&self) -> bool {
+        self.across.abs() <= FAINT && self.far.abs() <= FAINT
+    }
+}
+
 impl Cyclic<'_> {
     /// Solves it. `row(i, before)`: the coefficients of unknowns `before` (i - 1, round the end), i and i + 1; `known(i)`: the right side.
     /// False if the system is singular.
     ///
-    /// As for an open system, with the last unknown carried along: by `across` in the rows from the first one on, and by `far`
-    /// in the last row, until both have faded away.
+    /// As for an open system, but from both ends at once, which keeps a processor busy while it divides; and with the last
+    /// unknown carried along in the rows next to it, until it has faded away.
     pub(super) fn solve(self, row: impl Fn(usize, usize) -> [f64; 3], known: impl Fn(usize) -> DVec3) -> bool {
         let Cyclic { unknowns, upper, across } = self;
         let n = unknowns.len();
         let (upper, across) = (&mut upper[..n], &mut across[..n]);
-        let [mut far_lower, mut far_diagonal, mut far] = row(n - 1, n - 2);
-        let mut far_known = known(n - 1);
-        let [lower, diagonal, above] = row(0, n - 1);
-        let mut sound = diagonal.abs() > SINGULAR;
-        let scale = 1.0 / diagonal;
-        upper[0] = above * scale;
-        across[0] = lower * scale;
-        unknowns[0] = known(0) * scale;
-        let mut carried = 1;
-        while carried < n - 1 && (across[carried - 1].abs() > FAINT || far.abs() > FAINT) {
-            let i = carried;
-            far_diagonal -= far * across[i - 1];
-            far_known -= unknowns[i - 1] * far;
-            far *= -upper[i - 1];
-            let [lower, diagonal, above] = row(i, i - 1);
-            let diagonal = diagonal - lower * upper[i - 1];
-            sound &= diagonal.abs() > SINGULAR;
-            let scale = 1.0 / diagonal;
-            across[i] = -lower * across[i - 1] * scale;
-            upper[i] = above * scale;
-            unknowns[i] = (known(i) - unknowns[i - 1] * lower) * scale;
+        let forth = |i: usize| row(i, if i == 0 { n - 1 } else { i - 1 });
+        let back = |i: usize| {
+            let [behind, diagonal, ahead] = row(i, i - 1);
+            [ahead, diagonal, behind]
+        };
+        let [lower, diagonal, above] = row(n - 1, n - 2);
+        let mut last = (diagonal, known(n - 1));
+        let (mut first_end, mut last_end) = (End::new(above), End::new(lower));
+        let mut least = f64::INFINITY;
+        // Rows 0 to n - 2 but the middle one: in pairs, and row 0 before them if it has no partner.
+        let (pairs, alone) = ((n - 2) / 2, n % 2);
+        let middle = pairs + alone;
+        if alone == 1 {
+            least = first_end.carry(forth(0), known(0), &mut last).abs();
+            (unknowns[0], upper[0], across[0]) = (first_end.known, first_end.ratio, first_end.across);
+        }
+        let mut carried = 0;
+        while carried < pairs && !(first_end.is_free() && last_end.is_free()) {
+            let (i, j) = (alone + carried, n - 2 - carried);
+            let pivots = [first_end.carry(forth(i), known(i), &mut last), last_end.carry(back(j), known(j), &mut last)];
+            least = least.min(pivots[0].abs()).min(pivots[1].abs());
+            (unknowns[i], upper[i], across[i]) = (first_end.known, first_end.ratio, first_end.across);
+            (unknowns[j], upper[j], across[j]) = (last_end.known, last_end.ratio, last_end.across);
             carried += 1;
         }
-        let (mut before, mut ratio) = (unknowns[carried - 1], upper[carried - 1]);
-        for i in carried..n - 1 {
-            let [lower, diagonal, above] = row(i, i - 1);
-            let diagonal = diagonal - lower * ratio;
-            sound &= diagonal.abs() > SINGULAR;
-            let scale = 1.0 / diagonal;
-            before = (known(i) - before * lower) * scale;
-            ratio = above * scale;
-            unknowns[i] = before;
-            upper[i] = ratio;
+        for k in carried..pairs {
+            let (i, j) = (alone + k, n - 2 - k);
+            let [[p, _], [q, _]] = [first_end.eliminate(forth(i), known(i)), last_end.eliminate(back(j), known(j))];
+            least = least.min(p.abs()).min(q.abs());
+            (unknowns[i], upper[i]) = (first_end.known, first_end.ratio);
+            (unknowns[j], upper[j]) = (last_end.known, last_end.ratio);
         }
-        // If nothing has faded, the last row meets the one before it in both ways.
-        if carried == n - 1 {
-            far_lower += far;
-            far_diagonal -= far_lower * (upper[n - 2] + across[n - 2]);
-        } else {
-            far_diagonal -= far_lower * upper[n - 2];
-        }
-        sound &= far_diagonal.abs() > SINGULAR;
-        let last = (far_known - unknowns[n - 2] * far_lower) / far_diagonal;
-        unknowns[n - 1] = last;
-        let mut after = last;
-        for i in (carried..n - 1).rev() {
+        // The middle row and the last one, in the middle unknown and the last one.
+        let [lower, diagonal, above] = forth(middle);
+        let pivot = diagonal - lower * first_end.ratio - above * last_end.ratio;
+        let scale = 1.0 / pivot;
+        let own = (known(middle) - first_end.known * lower - last_end.known * above) * scale;
+        let share = -(lower * first_end.across + above * last_end.across) * scale;
+        let far = first_end.far + last_end.far;
+        let last_pivot = last.0 - far * share;
+        let end = (last.1 - own * far) / last_pivot;
+        let centre = own - end * share;
+        (unknowns[n - 1], unknowns[middle]) = (end, centre);
+        let (mut after, mut before) = (centre, centre);
+        for k in (0..pairs).rev() {
+            let (i, j) = (alone + k, n - 2 - k);
             after = unknowns[i] - after * upper[i];
-            unknowns[i] = after;
+            before = unknowns[j] - before * upper[j];
+            if k < carried {
+                after -= end * across[i];
+                before -= end * across[j];
+            }
+            (unknowns[i], unknowns[j]) = (after, before);
         }
-        for i in (0..carried).rev() {
-            after = unknowns[i] - after * upper[i] - last * across[i];
-            unknowns[i] = after;
+        if alone == 1 {
+            unknowns[0] = unknowns[0] - after * upper[0] - end * across[0];
         }
-        sound
+        least.min(pivot.abs()).min(last_pivot.abs()) > SINGULAR
     }
 }
 
