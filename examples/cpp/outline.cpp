@@ -49,14 +49,14 @@ std::vector<Point> read(const std::string &path, const std::string &x, const std
     return points;
 }
 
-/// 18 points, closer together where the outline bends more.
+/// 12 points, closer together where the outline bends more.
 std::vector<Point> formula() {
     std::vector<Point> points;
-    for (int i = 0; i < 18; ++i) {
-        const double t = 2 * std::acos(-1.0) * (i + 0.35 * std::sin(2 * std::acos(-1.0) * i / 9)) / 18;
+    for (int i = 0; i < 12; ++i) {
+        const double t = 2 * std::acos(-1.0) * (i + 0.45 * std::sin(2 * std::acos(-1.0) * i / 6)) / 12;
         const double c = std::cos(t), s = std::sin(t);
         const double r = 1 / std::pow(std::pow(std::abs(c), 2.6) + std::pow(std::abs(s), 2.6), 1 / 2.6);
-        points.push_back({60 * r * c * (1 - 0.12 * s), 34 * r * s * (s < 0 ? 0.6 : 1.0) + 6 * c});
+        points.push_back({60 * r * c * (1 - 0.12 * s), 34 * r * s * (s < 0 ? 0.5 : 1.0) + 6 * c});
     }
     return points;
 }
@@ -111,11 +111,11 @@ void write(std::ostream &svg, const std::vector<Point> &points, const std::vecto
     if (closed) {
         svg << px(all[0].polygon[0][0]) << ',' << py(all[0].polygon[0][1]);
     }
-    svg << "'/>\n<g fill='none' stroke-width='1.6' transform='matrix(" << scale << " 0 0 " << -scale << ' ' << px(0) << ' '
+    svg << "'/>\n<g fill='none' stroke-width='" << 1.6 / scale << "' transform='matrix(" << scale << " 0 0 " << -scale << ' ' << px(0) << ' '
         << py(0) << ")'>\n";
-    for (const Drawn &drawn : all) {
-        svg << "<path vector-effect='non-scaling-stroke' stroke='" << drawn.style.colour << "' d='"
-            << drawn.curve.svg().text() << "'/>\n";
+    // The first one on top.
+    for (auto drawn = all.rbegin(); drawn != all.rend(); ++drawn) {
+        svg << "<path stroke='" << drawn->style.colour << "' d='" << drawn->curve.svg().text() << "'/>\n";
     }
     svg << "</g>\n";
     for (const gusset::Point3 &p : all[0].polygon) {
@@ -125,7 +125,7 @@ void write(std::ostream &svg, const std::vector<Point> &points, const std::vecto
         svg << "<circle cx='" << px(p[0]) << "' cy='" << py(p[1]) << "' r='3.5' fill='black'/>\n";
     }
     // How far the others are from the first one, along it.
-    const int count = 600;
+    const int count = 400;
     const double size = std::max(wide, high);
     double largest = 0;
     std::vector<std::vector<double>> apart;
