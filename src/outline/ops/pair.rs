@@ -25,7 +25,7 @@ use glam::DVec3;
 /// Boxes nearer than this are not apart, in a frame of size 1.
 pub(super) const SLACK: f64 = 1.0 / (1u64 << 46) as f64;
 /// Points nearer than this are common.
-const COMMON: f64 = 1e-12;
+pub(super) const COMMON: f64 = 1e-12;
 /// Parts smaller than this are not halved.
 const SHORT: f64 = 1.0 / (1u64 << 20) as f64;
 /// Meetings whose parameters both differ by less are one.
