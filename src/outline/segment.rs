@@ -15,12 +15,21 @@ pub(super) fn point(controls: &[DVec3], t: f64) -> DVec3 {
     }
 }
 
-/// The sum of the Bernstein terms by a scheme like Horner's, from the nearer end, so that no power overflows its binomial.
+/// The binomials of the highest degree, up to 2^61, and the sum of the terms are less than this.
+const LARGE: f64 = (1u128 << 80) as f64;
+
+/// The sum of the Bernstein terms; control points so large that a term overflows are scaled first.
 fn horner(controls: &[DVec3], t: f64) -> DVec3 {
+    let point = terms(controls, t, 1.0);
+    if point.is_finite() { point } else { terms(controls, t, 1.0 / LARGE) * LARGE }
+}
+
+/// The sum by a scheme like Horner's, from the nearer end, so that no power overflows its binomial.
+fn terms(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
     let n = controls.len() - 1;
     let backwards = t > 0.5;
     let (t, s) = if backwards { (1.0 - t, t) } else { (t, 1.0 - t) };
-    let at = |i: usize| controls[if backwards { n - i } else { i }];
+    let at = |i: usize| controls[if backwards { n - i } else { i }] * unit;
     // sum C(n, i) t^i s^(n - i) B_i = s^n sum C(n, i) x^i B_i, with x = t / s <= 1.
     let x = t / s;
     let mut sum = at(0);

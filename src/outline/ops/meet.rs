@@ -1,9 +1,9 @@
 //! Where two plane curves meet, and where one meets itself.
 
-use super::super::curve::{CurveView, MAX_DEGREE, Place};
+use super::super::curve::{CurveView, Place};
 use super::frame::Frame;
-use super::pair::{Found, Joined, SAME, SLACK, advances, meet};
-use super::split::{Room, split_segment};
+use super::pair::{COMMON, Found, Joined, SAME, SLACK, advances, meet};
+use super::split::split_segment;
 use super::tree::{Aabb, Tree};
 use crate::alloc;
 use crate::error::Result;
@@ -42,8 +42,7 @@ pub struct Meetings {
 
 /// A part of a curve without points in common with itself.
 struct Piece {
-    controls: Room,
-    len: usize,
+    controls: Vec<DVec3>,
     segment: u32,
     from: f64,
     to: f64,
@@ -51,7 +50,7 @@ struct Piece {
 
 impl Piece {
     fn controls(&self) -> &[DVec3] {
-        &self.controls[..self.len]
+        &self.controls
     }
 
     fn place(&self, t: f64) -> Place {
@@ -139,24 +138,21 @@ impl CurveView<'_> {
             if depth > 0 && controls.iter().all(|&p| p == controls[0]) {
                 continue;
             }
-            let mut room: Room = [DVec3::ZERO; MAX_DEGREE + 1];
-            for (to, &p) in room.iter_mut().zip(controls) {
-                *to = frame.point(p);
-            }
-            let piece = Piece { controls: room, len: controls.len(), segment: k as u32, from: 0.0, to: 1.0 };
+            let local = alloc::collect(controls.iter().map(|&p| frame.point(p)))?;
+            let piece = Piece { controls: local, segment: k as u32, from: 0.0, to: 1.0 };
             simple(piece, depth, &mut pieces)?;
         }
         Ok(pieces)
     }
 }
 
-/// Appends a piece, or its halves.
+/// Appends a piece, or its halves; what is smaller than rounding can tell is one piece.
 fn simple(mut piece: Piece, depth: u32, pieces: &mut Vec<Piece>) -> Result<()> {
-    if depth == 0 || advances(piece.controls()) {
+    if depth == 0 || advances(piece.controls()) || Aabb::of(piece.controls()).size() <= COMMON {
         return alloc::push(pieces, piece);
     }
-    let mut before: Room = [DVec3::ZERO; MAX_DEGREE + 1];
-    split_segment(&mut piece.controls[..piece.len], 0.5, &mut before[..piece.len]);
+    let mut before = alloc::filled(DVec3::ZERO, piece.controls.len())?;
+    split_segment(&mut piece.controls, 0.5, &mut before);
     let middle = 0.5 * (piece.from + piece.to);
     simple(Piece { controls: before, to: middle, ..piece }, depth - 1, pieces)?;
     simple(Piece { from: middle, ..piece }, depth - 1, pieces)

@@ -1,6 +1,6 @@
 //! Operations on curves: what can be asked of a piecewise Bézier curve, and what can be made of it.
 //!
-//! They are methods of [`CurveView`](super::CurveView), one file for each subject:
+//! They are methods of [`CurveView`], one file for each subject:
 //!
 //! * evaluate: points, derivatives, tangents and curvatures at places.
 //! * split, degree: parts of a curve, its reverse, other degrees.

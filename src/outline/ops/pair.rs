@@ -25,15 +25,19 @@ use glam::DVec3;
 /// Boxes nearer than this are not apart, in a frame of size 1.
 pub(super) const SLACK: f64 = 1.0 / (1u64 << 46) as f64;
 /// Points nearer than this are common.
-const COMMON: f64 = 1e-12;
+pub(super) const COMMON: f64 = 1e-12;
 /// Parts smaller than this are not halved.
 const SHORT: f64 = 1.0 / (1u64 << 20) as f64;
 /// Meetings whose parameters both differ by less are one.
 pub(super) const SAME: f64 = 1e-6;
 /// Touches farther apart than this, in the parameters, are different ones.
 const CLOSE: f64 = 1e-3;
-/// Pairs of parts that are looked at before it is given up.
-const PATIENCE: u32 = 20_000;
+/// Pairs of parts that are looked at before two segments are given up: so many by the product of their degrees, within limits.
+const PATIENCE: usize = 100_000;
+const PATIENCE_LIMITS: (usize, usize) = (1_000, 20_000);
+/// After so many pairs given up the rest is looked at with the patience that plain crossings need.
+const GIVEN_UP: u32 = 32;
+const LITTLE_PATIENCE: usize = 300;
 
 /// Where the segments have a joint with each other, which does not count as a meeting.
 #[derive(Debug, Clone, Copy, Default)]
@@ -51,6 +55,8 @@ pub(super) struct Found {
     /// From where to where on each, running with the first.
     pub(super) overlaps: Vec<[[f64; 2]; 2]>,
     pub(super) undecided: bool,
+    /// How many pairs have been given up so far.
+    pub(super) given_up: u32,
 }
 
 /// A part of a segment.
@@ -89,11 +95,18 @@ pub(super) fn meet(a: &[DVec3], b: &[DVec3], joined: Joined, found: &mut Found) 
     overlaps(a, b, &mut found.overlaps)?;
     let mut waiting = Vec::new();
     alloc::push(&mut waiting, [Part::whole(a), Part::whole(b)])?;
+    let degrees = (a.len() - 1) * (b.len() - 1);
+    let patience = if found.given_up < GIVEN_UP {
+        (PATIENCE / degrees).clamp(PATIENCE_LIMITS.0, PATIENCE_LIMITS.1)
+    } else {
+        LITTLE_PATIENCE
+    };
     let mut looked = 0;
     while let Some([p, q]) = waiting.pop() {
         looked += 1;
-        if looked > PATIENCE {
+        if looked > patience {
             found.undecided = true;
+            found.given_up += 1;
             break;
         }
         if apart(p.controls(), q.controls()) || found.covers(&p, &q) {
