@@ -212,6 +212,13 @@ fn near(line: &Line, a: &Fit, b: &Fit, tolerance: f64, what: &str) {
 fn nothing_breaks_the_solvers() {
     let mut lines = adversarial();
     lines.extend(random(12, 17));
+    // All but straight: guides across, crossings near the ends.
+    for n in [6, 10, 16] {
+        lines.extend(random(8, n).into_iter().map(|mut line| {
+            line.points.iter_mut().for_each(|p| p.y *= 1e-9);
+            line
+        }));
+    }
     let methods = [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian, Method::Alpha(0.25)];
     for line in &lines {
         for method in methods {
