@@ -214,7 +214,7 @@ fn nothing_breaks_the_solvers() {
     lines.extend(random(12, 17));
     // All but straight: guides across, crossings near the ends.
     for n in [6, 10, 16] {
-        lines.extend(random(8, n).into_iter().map(|mut line| {
+        lines.extend(random(24, n).into_iter().map(|mut line| {
             line.points.iter_mut().for_each(|p| p.y *= 1e-9);
             line
         }));
@@ -236,6 +236,10 @@ fn nothing_breaks_the_solvers() {
                     ..Options::default()
                 };
                 check(line, &solve(line, &step), &format!("{method:?} {lock:?} steps"));
+                for (joint, max_sweeps) in [(Joint::Knot, 1), (Joint::Knot, 5), (Joint::G2, 5)] {
+                    let hasty = Options { method, lock, joint, max_sweeps, ..Options::default() };
+                    check(line, &solve(line, &hasty), &format!("{method:?} {lock:?} {joint:?}, {max_sweeps} sweeps"));
+                }
                 let knots = Options { joint: Joint::Knot, ..step };
                 check(line, &solve(line, &knots), &format!("{method:?} {lock:?} knots, steps"));
                 let single = Options { mode: Mode::Single, ..step };
