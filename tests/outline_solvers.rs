@@ -367,6 +367,38 @@ fn lost_guides_are_told() {
     assert!(kept > 50 && lost > 50, "{kept} {lost}");
 }
 
+/// All but straight, with a tangent out of its plane: with guides, control points go astray with any shares of the joints.
+#[test]
+fn what_runs_away_with_any_joints_is_solved_by_parameters() {
+    let points = [
+        (0.697, 7.8),
+        (0.335, 4.4),
+        (0.025, 6.9),
+        (0.488, 2.7),
+        (0.676, 4.5),
+        (0.157, 9.1),
+        (0.276, 0.0),
+        (0.239, 7.3),
+        (0.275, 0.8),
+        (0.309, 1.3),
+        (0.44, 8.2),
+        (0.271, 1.8),
+        (0.182, 6.0),
+        (0.871, 1.7),
+        (0.066, 3.5),
+        (0.861, 0.4),
+    ];
+    let points = points.map(|(x, y)| DVec3::new(x, y * 1e-10, 0.0)).to_vec();
+    let line = Line { name: "astray".into(), closed: false, points };
+    let constraints = [Constraint { point: 7, demand: Demand::Tangent(DVec3::new(-0.11, 0.36, 0.15)) }];
+    let options = Options { method: Method::Median, lock: Lock::DataGuide, ..Options::default() };
+    for (joint, parameter_limit) in [(Joint::Knot, 1e-4), (Joint::Knot, 1.0 / 6.0), (Joint::G2, 1e-4)] {
+        let fit = solve_with(&line, &Options { joint, parameter_limit, ..options }, &constraints);
+        assert!(fit.reports()[0].max_residual <= 1e-14, "{joint:?} {:?}", fit.reports()[0]);
+        assert!(fit.statuses().contains(&PointStatus::FellBack));
+    }
+}
+
 #[test]
 fn points_in_space() {
     let helix = |n: usize| {
