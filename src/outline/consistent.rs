@@ -301,7 +301,7 @@ impl<const D: usize> Newton<D> {
 }
 
 /// The control point of section `i`, and its first and last joint, from its point on.
-#[inline]
+#[inline(always)]
 pub(super) fn legs(run: &Run<'_>, solution: &Solution, shares: &[f64], i: usize) -> [DVec3; 3] {
     let n = run.points.len();
     let (before, after) = (if i == 0 { n - 1 } else { i - 1 }, if i + 1 == n { 0 } else { i + 1 });
@@ -315,7 +315,7 @@ pub(super) fn legs(run: &Run<'_>, solution: &Solution, shares: &[f64], i: usize)
 /// By the chords: t = a^alpha / (a^alpha + b^alpha), dt = alpha t (1 - t) (da / a - db / b). By the normal: t = sqrt(x) /
 /// (sqrt(x) + sqrt(y)), dt = t (1 - t) (dx / x - dy / y) / 2 for the parts x = -u.(v - u) and y = v.(v - u) of the chord; a
 /// foot outside the chord counts as its nearer end, so that the parameter remains continuous.
-#[inline]
+#[inline(always)]
 pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 2]) {
     let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
     let (t, parts, alpha) = match options.method.alpha() {
@@ -350,7 +350,7 @@ fn cut<const D: usize>(v: DVec3) -> [f64; D] {
 }
 
 /// The inverse of a matrix of 2 or 3 rows, by its adjoint.
-#[inline]
+#[inline(always)]
 fn inverse<const D: usize>(m: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
     let mut adjoint = [[0.0; D]; D];
     let determinant = if D == 2 {

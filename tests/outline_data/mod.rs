@@ -1,6 +1,8 @@
-//! Outlines to try: those of the data directory, curves that are known, and hard cases.
+//! Outlines to try: those of the data directory, curves that are known, and hard cases; and what every solution must be.
 
 use glam::DVec3;
+use gusset::job::Job;
+use gusset::outline::{Constraint, Fit, FitStatus, Options, Outlines, PointStatus, Points, fit};
 use std::path::PathBuf;
 
 /// Points, one after another.
@@ -165,4 +167,60 @@ pub(crate) fn adversarial() -> Vec<Line> {
     let space = (0..15).map(|_| DVec3::new(next(&mut state), next(&mut state), next(&mut state))).collect();
     lines.push(Line { name: "space".into(), closed: true, points: space });
     lines
+}
+
+pub(crate) fn solve(line: &Line, options: &Options) -> Fit {
+    solve_with(line, options, &[])
+}
+
+pub(crate) fn solve_with(line: &Line, options: &Options, constraints: &[Constraint]) -> Fit {
+    let points: Vec<[f64; 3]> = line.points.iter().map(DVec3::to_array).collect();
+    let outlines = Outlines { points: Points::from(&points[..]), offsets: None, closed: line.closed, constraints };
+    fit(&outlines, options, &Job::default()).unwrap()
+}
+
+pub(crate) fn casteljau(controls: &[DVec3], t: f64) -> DVec3 {
+    let mut points = controls.to_vec();
+    while points.len() > 1 {
+        points = points.windows(2).map(|pair| pair[0] * (1.0 - t) + pair[1] * t).collect();
+    }
+    points[0]
+}
+
+pub(crate) fn size(line: &Line) -> f64 {
+    let (mut low, mut high) = (line.points[0], line.points[0]);
+    line.points.iter().for_each(|&p| (low, high) = (low.min(p), high.max(p)));
+    (high - low).max_element()
+}
+
+/// All coordinates are finite, every point that is not said to be missed lies on the curve, and the joints are smooth.
+pub(crate) fn check(line: &Line, fit: &Fit, what: &str) {
+    let curve = fit.curve(0);
+    assert!(curve.points().iter().all(|p| p.is_finite()), "{what} {}: not finite", line.name);
+    let report = fit.reports()[0];
+    assert!(report.max_residual.is_finite() && report.last_move.is_finite(), "{what} {}: {report:?}", line.name);
+    if curve.is_empty() || report.status == FitStatus::TooFewPoints {
+        return;
+    }
+    let (size, reach) = (size(line), line.points.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max));
+    for (i, p) in line.points.iter().enumerate() {
+        let place = fit.place(i);
+        assert!((0.0..=1.0).contains(&place.t), "{what} {}: {place:?}", line.name);
+        let (status, controls) = (fit.statuses()[i], curve.segment(place.segment as usize));
+        if matches!(status, PointStatus::NotConverged | PointStatus::Missed) {
+            continue;
+        }
+        let far = casteljau(controls, place.t).distance(*p);
+        // Rounding: of the solution, of control points far out, and of coordinates far from the origin.
+        let out = controls.iter().map(|b| b.distance(*p)).fold(0.0, f64::max);
+        let bound = 4e-15 * size.max(out)
+            + 2.0 * controls.len() as f64 * f64::EPSILON * reach
+            + 1.1e-12 * size * f64::from(status == PointStatus::Merged);
+        assert!(
+            far <= bound,
+            "{what} {}: point {i} is {far:e} from the curve of size {size:e} ({status:?})",
+            line.name
+        );
+    }
+    assert!(report.max_joint_sine < 1e-6, "{what} {}: joint {report:?}", line.name);
 }
