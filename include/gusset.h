@@ -1808,7 +1808,8 @@ typedef struct gusset_curve_parts {
      */
     size_t point_count;
     /**
-     * 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to ends[k + 1].
+     * 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to
+     * ends[k + 1].
      */
     struct gusset_indices ends;
     /**
@@ -1858,8 +1859,8 @@ typedef struct gusset_nearest {
 } gusset_nearest;
 
 /**
- * The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round clockwise
- * count negative.
+ * The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round
+ * clockwise count negative.
  */
 typedef struct gusset_curve_moments {
     /**
@@ -1947,7 +1948,8 @@ typedef struct gusset_places_view {
      */
     const struct gusset_place *others;
     /**
-     * Parts that two segments have in common: start and end on the first, the same start and end on the second; four places each.
+     * Parts that two segments have in common: start and end on the first, the same start and end on the second; four places
+     * each.
      */
     const struct gusset_place *overlaps;
     /**
@@ -3124,11 +3126,11 @@ GUSSET_API gusset_status gusset_context_report(const struct gusset_context *cont
 /**
  * Makes a curve from its control points.
  *
- * points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the place of
- * the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments and 1. Degrees
- * are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy, for
- * gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED,
- * UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
+ * points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the
+ * place of the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments
+ * and 1. Degrees are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy,
+ * for gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
+ * CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3183,8 +3185,8 @@ gusset_status gusset_curve_tangents(const struct gusset_context *context,
                                     double *out);
 
 /**
- * The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where the first
- * derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+ * The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where
+ * the first derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3195,9 +3197,9 @@ gusset_status gusset_curve_curvatures(const struct gusset_context *context,
                                       double *out);
 
 /**
- * The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About
- * O(log segments + degree^2) a point, on the context's threads.
+ * The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * About O(log segments + degree^2) a point, on the context's threads.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3208,8 +3210,8 @@ gusset_status gusset_curve_nearest(const struct gusset_context *context,
                                    struct gusset_nearest *out);
 
 /**
- * The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to 1e-13, in
- * closed form up to degree 2.
+ * The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to
+ * 1e-13, in closed form up to degree 2.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3218,7 +3220,8 @@ gusset_status gusset_curve_length(const struct gusset_context *context,
                                   double *length);
 
 /**
- * The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives. O(points) in all.
+ * The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+ * O(points) in all.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3229,8 +3232,8 @@ gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
                                       double *out);
 
 /**
- * The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives count places.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
+ * The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives count
+ * places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3241,8 +3244,8 @@ gusset_status gusset_curve_places_at(const struct gusset_context *context,
                                      struct gusset_place *out);
 
 /**
- * The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
+ * The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3251,8 +3254,8 @@ gusset_status gusset_curve_bounds(const struct gusset_context *context,
                                   double *bounds);
 
 /**
- * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
+ * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3261,8 +3264,8 @@ gusset_status gusset_curve_area_vector(const struct gusset_context *context,
                                        double *area);
 
 /**
- * Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- * CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
+ * Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3271,8 +3274,8 @@ gusset_status gusset_curve_enclosed(const struct gusset_context *context,
                                     struct gusset_curve_moments *moments);
 
 /**
- * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives the
- * result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+ * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
+ * the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
  * MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce), OUT_OF_MEMORY. O(points).
  */
 GUSSET_API
@@ -3283,8 +3286,8 @@ gusset_status gusset_curve_svg(const struct gusset_context *context,
 
 /**
  * The contour of a TrueType font: control points, and those joints that are not in the middle between two of them, within
- * tolerance (at least 0) or rounding. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE,
- * OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY. O(points).
+ * tolerance (at least 0) or rounding. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED,
+ * EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY. O(points).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3294,8 +3297,8 @@ gusset_status gusset_curve_contour(const struct gusset_context *context,
                                    struct gusset_curve_form **form);
 
 /**
- * The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity n - 1
- * and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
+ * The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity n
+ * - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
  * OUT_OF_MEMORY. O(points).
  */
 GUSSET_API
@@ -3318,9 +3321,10 @@ gusset_status gusset_curve_form_parts(const struct gusset_curve_form *form,
                                       struct gusset_curve_form_view *parts);
 
 /**
- * Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length but 0.
- * places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a crossing.
+ * Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length
+ * but 0. places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a
+ * crossing.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3343,9 +3347,9 @@ gusset_status gusset_curve_cross_line(const struct gusset_context *context,
                                       struct gusset_places **places);
 
 /**
- * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do not count.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each pair of
- * segments whose boxes meet.
+ * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do
+ * not count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each
+ * pair of segments whose boxes meet.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3355,9 +3359,9 @@ gusset_status gusset_curve_intersect(const struct gusset_context *context,
                                      struct gusset_places **places);
 
 /**
- * Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...; amount: a
- * whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
- * EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
+ * Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...;
+ * amount: a whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3381,10 +3385,10 @@ gusset_status gusset_places_found(const struct gusset_places *places,
                                   struct gusset_places_view *view);
 
 /**
- * The part of a curve from one place to another, open. On a closed curve it may run over the start, and from a place to itself it
- * goes round once. part: receives the result, for gusset_curve_destroy, as for all functions of this group; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to
- * before from), UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
+ * The part of a curve from one place to another, open. On a closed curve it may run over the start, and from a place to
+ * itself it goes round once. part: receives the result, for gusset_curve_destroy, as for all functions of this group; NULL
+ * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open
+ * curve, and to before from), UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3428,10 +3432,10 @@ gusset_status gusset_curve_elevate(const struct gusset_context *context,
                                    struct gusset_curve **elevated);
 
 /**
- * The curve with segments of degree `degree` at most, 1 to 64, by least squares with fixed ends; segments that would deviate by more
- * than tolerance (at least 0; infinity is allowed) are kept. deviations: receives a bound on the deviation of each segment from
- * the original, of a kept one what it would have been; NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * OUT_OF_RANGE (degree, tolerance), OUT_OF_MEMORY. O(degree^3) a segment.
+ * The curve with segments of degree `degree` at most, 1 to 64, by least squares with fixed ends; segments that would deviate
+ * by more than tolerance (at least 0; infinity is allowed) are kept. deviations: receives a bound on the deviation of each
+ * segment from the original, of a kept one what it would have been; NULL if it is not wanted. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance), OUT_OF_MEMORY. O(degree^3) a segment.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3443,10 +3447,11 @@ gusset_status gusset_curve_reduce(const struct gusset_context *context,
                                   struct gusset_curve **reduced);
 
 /**
- * The curve at a distance to the left of a plane curve, to the right if negative, re-fitted by segments with common tangents. Places
- * where it crosses itself are not removed. options: its tolerance must be given. report: what became of it; NULL if it is not
- * wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE
- * (distance, tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
+ * The curve at a distance to the left of a plane curve, to the right if negative, re-fitted by segments with common
+ * tangents. Places where it crosses itself are not removed. options: its tolerance must be given. report: what became of it;
+ * NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE,
+ * EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places
+ * measured.
  */
 GUSSET_API
 GUSSET_MUST_USE

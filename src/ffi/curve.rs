@@ -37,7 +37,8 @@ pub struct gusset_curve_parts {
     pub points: *const f64,
     /// How many.
     pub point_count: usize,
-    /// 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to ends[k + 1].
+    /// 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to
+    /// ends[k + 1].
     pub ends: gusset_indices,
     /// 1: the curve ends where it begins and goes on there.
     pub closed: u32,
@@ -103,11 +104,11 @@ pub(super) fn write(points: &[DVec3], out: &mut [f64]) {
 
 /// Makes a curve from its control points.
 ///
-/// points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the place of
-/// the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments and 1. Degrees
-/// are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy, for
-/// gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE, CURVE_NOT_CLOSED,
-/// UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
+/// points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the
+/// place of the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments
+/// and 1. Degrees are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy,
+/// for gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
+/// CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_create(

@@ -20,8 +20,8 @@ pub struct gusset_nearest {
     pub distance: f64,
 }
 
-/// The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round clockwise
-/// count negative.
+/// The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round
+/// clockwise count negative.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_curve_moments {
@@ -86,8 +86,8 @@ pub unsafe extern "C" fn gusset_curve_tangents(
     })
 }
 
-/// The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where the first
-/// derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+/// The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where
+/// the first derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_curvatures(
@@ -104,9 +104,9 @@ pub unsafe extern "C" fn gusset_curve_curvatures(
     })
 }
 
-/// The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About
-/// O(log segments + degree^2) a point, on the context's threads.
+/// The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// About O(log segments + degree^2) a point, on the context's threads.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_nearest(
@@ -126,8 +126,8 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     })
 }
 
-/// The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to 1e-13, in
-/// closed form up to degree 2.
+/// The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to
+/// 1e-13, in closed form up to degree 2.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_length(
@@ -142,7 +142,8 @@ pub unsafe extern "C" fn gusset_curve_length(
     })
 }
 
-/// The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives. O(points) in all.
+/// The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+/// O(points) in all.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_lengths_at(
@@ -163,8 +164,8 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     })
 }
 
-/// The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives count places.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
+/// The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives count
+/// places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_places_at(
@@ -185,8 +186,8 @@ pub unsafe extern "C" fn gusset_curve_places_at(
     })
 }
 
-/// The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
+/// The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_bounds(
@@ -202,8 +203,8 @@ pub unsafe extern "C" fn gusset_curve_bounds(
     })
 }
 
-/// The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
+/// The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_area_vector(
@@ -218,8 +219,8 @@ pub unsafe extern "C" fn gusset_curve_area_vector(
     })
 }
 
-/// Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
-/// CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
+/// Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE, CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_enclosed(

@@ -51,8 +51,8 @@ unsafe impl Versioned for gusset_curve_form_view {
 }
 const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_curve_form_view>() == 72);
 
-/// The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives the
-/// result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+/// The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
+/// the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
 /// MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce), OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
@@ -69,8 +69,8 @@ pub unsafe extern "C" fn gusset_curve_svg(
 }
 
 /// The contour of a TrueType font: control points, and those joints that are not in the middle between two of them, within
-/// tolerance (at least 0) or rounding. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE,
-/// OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY. O(points).
+/// tolerance (at least 0) or rounding. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED,
+/// EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_contour(
@@ -86,8 +86,8 @@ pub unsafe extern "C" fn gusset_curve_contour(
     })
 }
 
-/// The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity n - 1
-/// and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
+/// The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity n
+/// - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
 /// OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]

@@ -38,7 +38,8 @@ pub struct gusset_places_view {
     pub points: *const f64,
     /// Of intersections: the places on the second curve, or the later ones on the same; else NULL.
     pub others: *const gusset_place,
-    /// Parts that two segments have in common: start and end on the first, the same start and end on the second; four places each.
+    /// Parts that two segments have in common: start and end on the first, the same start and end on the second; four places
+    /// each.
     pub overlaps: *const gusset_place,
     /// How many, each of four places.
     pub overlap_count: usize,
@@ -96,9 +97,10 @@ impl gusset_places {
     }
 }
 
-/// Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length but 0.
-/// places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a crossing.
+/// Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length
+/// but 0. places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a
+/// crossing.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_cross_plane(
@@ -131,9 +133,9 @@ pub unsafe extern "C" fn gusset_curve_cross_line(
     })
 }
 
-/// The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do not count.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each pair of
-/// segments whose boxes meet.
+/// The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do
+/// not count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each
+/// pair of segments whose boxes meet.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_intersect(
@@ -151,9 +153,9 @@ pub unsafe extern "C" fn gusset_curve_intersect(
     })
 }
 
-/// Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...; amount: a
-/// whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-/// EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
+/// Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...;
+/// amount: a whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_sample(

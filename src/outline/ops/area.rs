@@ -1,7 +1,7 @@
 //! Area and moments of what a curve encloses; an open curve is closed by its chord.
 //!
-//! Seen from the curve's start, the area is swept in triangles (0, r, r + dr) of area r x dr / 2 (Green's theorem); the mean of a
-//! triangle's points is 2 r / 3 and of their products r r^T / 2. So
+//! Seen from the curve's start, the area is swept in triangles (0, r, r + dr) of area r x dr / 2 (Green's theorem); the mean
+//! of a triangle's points is 2 r / 3 and of their products r r^T / 2. So
 //!
 //! area = 1/2 of the integral of W,   first = 1/3 of that of r W,   second = 1/4 of that of r r^T W,   W dt = r x dr,
 //!
@@ -13,8 +13,8 @@ use super::frame::Frame;
 use crate::error::Result;
 use glam::DVec3;
 
-/// The moments of the region that a plane curve encloses. Regions that the curve runs round clockwise count negative, those it runs
-/// round twice count twice.
+/// The moments of the region that a plane curve encloses. Regions that the curve runs round clockwise count negative, those
+/// it runs round twice count twice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moments {
     /// The area, positive if the curve runs counter-clockwise.
@@ -44,8 +44,8 @@ fn components(frame: &Frame, start: DVec3, controls: &[DVec3]) -> ([Component; 3
 }
 
 impl CurveView<'_> {
-    /// The area vector, half the integral of r x dr: for a plane curve, (0, 0, its signed area); in space its component along any
-    /// direction is the area of the shadow thrown that way. Exact but for rounding. O(sum of degree^2).
+    /// The area vector, half the integral of r x dr: for a plane curve, (0, 0, its signed area); in space its component along
+    /// any direction is the area of the shadow thrown that way. Exact but for rounding. O(sum of degree^2).
     pub fn area_vector(&self) -> DVec3 {
         let frame = Frame::of(self.points());
         let Some(&start) = self.points().first() else {

@@ -10,8 +10,8 @@ use glam::DVec3;
 /// What a curve has in common with a line or a plane.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Crossings {
-    /// Places of crossing or touching, in the order of the curve, each once: a joint belongs to the segment that ends there, and the
-    /// joint of a closed curve's end and start to its start.
+    /// Places of crossing or touching, in the order of the curve, each once: a joint belongs to the segment that ends there,
+    /// and the joint of a closed curve's end and start to its start.
     pub places: Vec<Place>,
     /// The segments that lie in the line or plane altogether; their points are not among the places.
     pub inside: Vec<u32>,
@@ -21,9 +21,9 @@ pub struct Crossings {
 pub(super) const TOUCH: f64 = 1.0 / (1u64 << 46) as f64;
 
 impl CurveView<'_> {
-    /// Crossings with the plane through `point` across `normal`, which need not have length 1. Where the curve comes within 1.4e-14 of its
-    /// size it counts as touching. Roots of the distance in closed form up to degree 2, isolated otherwise. O(points) and
-    /// O(degree^2) for each crossing.
+    /// Crossings with the plane through `point` across `normal`, which need not have length 1. Where the curve comes within
+    /// 1.4e-14 of its size it counts as touching. Roots of the distance in closed form up to degree 2, isolated otherwise.
+    /// O(points) and O(degree^2) for each crossing.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::OutlineNotFinite`] (point 0 is `point`, 1 is `normal`),
@@ -63,9 +63,8 @@ impl CurveView<'_> {
     /// Crossings of a plane curve with the line through `point` along `direction`, endless to both sides. As
     /// [`crossings_with_plane`](Self::crossings_with_plane).
     ///
-    /// # Errors
-    /// [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line, have z other than 0), and those of the
-    /// plane.
+    /// # Errors [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line, have z other than
+    /// 0), and those of the plane.
     pub fn crossings_with_line(&self, point: DVec3, direction: DVec3) -> Result<Crossings> {
         self.check_plane()?;
         check_finite([point, direction])?;

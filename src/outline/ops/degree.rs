@@ -14,9 +14,9 @@ use glam::DVec3;
 pub struct Reduced {
     /// The curve. Its segments are those of the original, in order.
     pub curve: Curve,
-    /// Of each segment: how far its points are from those of the original at the same parameter, at most. It is a bound, the largest
-    /// distance of the control points of both at the same degree. For a segment that was kept, what the reduced one would have had;
-    /// 0 for a segment whose degree was low enough.
+    /// Of each segment: how far its points are from those of the original at the same parameter, at most. It is a bound, the
+    /// largest distance of the control points of both at the same degree. For a segment that was kept, what the reduced one
+    /// would have had; 0 for a segment whose degree was low enough.
     pub deviations: Vec<f64>,
     /// The segments that were kept as they are, because the deviation would have been above the tolerance.
     pub kept: Vec<u32>,
@@ -61,9 +61,9 @@ impl CurveView<'_> {
         Ok(curve)
     }
 
-    /// The curve with segments of degree `degree` at most, 1 to [`MAX_DEGREE`]: each is the one with the same ends whose mean square
-    /// distance at equal parameters is least. Segments that would deviate by more than `tolerance` (at least 0, in the unit of the
-    /// points; infinity is allowed) are kept. Joints may become corners by as much as the deviation lets them.
+    /// The curve with segments of degree `degree` at most, 1 to [`MAX_DEGREE`]: each is the one with the same ends whose mean
+    /// square distance at equal parameters is least. Segments that would deviate by more than `tolerance` (at least 0, in the
+    /// unit of the points; infinity is allowed) are kept. Joints may become corners by as much as the deviation lets them.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (degree or tolerance), [`Error::OutOfMemory`]. O(degree^3) for each segment.
@@ -120,15 +120,15 @@ fn elevate(controls: &mut Room, from: usize, to: usize) {
     }
 }
 
-/// The largest distance of the control points of two segments, the second one raised to the degree of the first: by the convex hull of
-/// the difference no points at equal parameters are farther apart.
+/// The largest distance of the control points of two segments, the second one raised to the degree of the first: by the
+/// convex hull of the difference no points at equal parameters are farther apart.
 fn deviation(controls: &[DVec3], mut fitted: Room, degree: usize) -> f64 {
     elevate(&mut fitted, degree, controls.len() - 1);
     controls.iter().zip(fitted).fold(0.0, |most, (p, q)| most.max(p.distance(q)))
 }
 
-/// The segment of degree m with the ends of `controls` whose integral of the squared distance is least: the normal equations of its inner
-/// control points, whose coefficients are
+/// The segment of degree m with the ends of `controls` whose integral of the squared distance is least: the normal equations
+/// of its inner control points, whose coefficients are
 ///
 /// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1),
 ///

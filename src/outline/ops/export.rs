@@ -47,8 +47,9 @@ impl fmt::Display for Number {
 const WIDTH: usize = 25;
 
 impl CurveView<'_> {
-    /// The data of an SVG path: `M`, then `L`, `Q` or `C` for each segment, and `Z` if the curve is closed. Numbers read back as the same
-    /// bits. y grows upwards here and downwards in SVG; the caller may turn it over. A curve without points is an empty text.
+    /// The data of an SVG path: `M`, then `L`, `Q` or `C` for each segment, and `Z` if the curve is closed. Numbers read back
+    /// as the same bits. y grows upwards here and downwards in SVG; the caller may turn it over. A curve without points is an
+    /// empty text.
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG does not have: see
@@ -81,9 +82,10 @@ impl CurveView<'_> {
         Ok(text)
     }
 
-    /// The contour of a TrueType font: the control points of the quadratics, off the curve, and those joints, on the curve, that are not in
-    /// the middle between two of them. A joint is in the middle if it is so within `tolerance` (at least 0, in the unit of the points) or
-    /// within rounding; so the composite curve of n points with halved joints becomes n points off the curve.
+    /// The contour of a TrueType font: the control points of the quadratics, off the curve, and those joints, on the curve,
+    /// that are not in the middle between two of them. A joint is in the middle if it is so within `tolerance` (at least 0,
+    /// in the unit of the points) or within rounding; so the composite curve of n points with halved joints becomes n points
+    /// off the curve.
     ///
     /// # Errors
     /// [`Error::CurveNotPlane`], [`Error::CurveNotClosed`] (contours are closed), [`Error::EmptyCurve`],
@@ -120,13 +122,13 @@ impl CurveView<'_> {
         Ok(contour)
     }
 
-    /// The curve as a B-spline, if all segments have the same degree n. A joint where the direction does not change, within an angle of
-    /// 1e-9, becomes a knot of multiplicity n - 1, and is no control point: the lengths of the knot intervals are chosen so that the first
-    /// derivative is continuous there, l' / l = |B'_1 - J| / |J - B_(n-1)|. Others have multiplicity n. The first interval has length 1.
+    /// The curve as a B-spline, if all segments have the same degree n. A joint where the direction does not change, within
+    /// an angle of 1e-9, becomes a knot of multiplicity n - 1, and is no control point: the lengths of the knot intervals are
+    /// chosen so that the first derivative is continuous there, l' / l = |B'_1 - J| / |J - B_(n-1)|. Others have multiplicity
+    /// n. The first interval has length 1.
     ///
-    /// # Errors
-    /// [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a segment's degree is not that of the first), [`Error::OutOfMemory`].
-    /// O(points).
+    /// # Errors [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (a segment's degree is not that of the first),
+    /// [`Error::OutOfMemory`]. O(points).
     pub fn spline(&self) -> Result<Spline> {
         if self.is_empty() {
             return Err(Error::EmptyCurve);

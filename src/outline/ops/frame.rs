@@ -1,7 +1,7 @@
 //! The frame in which a curve is near the origin and of size about 1.
 //!
-//! x' = (x 2^a - o) 2^b: first the coordinates come below 1, so that their difference from the centre o cannot overflow, then the extent
-//! does. Powers of 2 change no digits.
+//! x' = (x 2^a - o) 2^b: first the coordinates come below 1, so that their difference from the centre o cannot overflow, then
+//! the extent does. Powers of 2 change no digits.
 
 use glam::DVec3;
 

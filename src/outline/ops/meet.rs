@@ -35,8 +35,8 @@ pub struct Meetings {
     pub points: Vec<Meeting>,
     /// Parts in common, one for each pair of segments.
     pub overlaps: Vec<Overlap>,
-    /// True if some pair of segments was given up: they run beside each other within rounding for a long way without being the same curve.
-    /// Some of their common points may be missing.
+    /// True if some pair of segments was given up: they run beside each other within rounding for a long way without being
+    /// the same curve. Some of their common points may be missing.
     pub undecided: bool,
 }
 
@@ -63,12 +63,13 @@ impl Piece {
 const DEEPEST: u32 = 20;
 
 impl CurveView<'_> {
-    /// The common points of two plane curves: crossings to rounding, touches to about 1e-7 in the parameters. Curves touch where they come
-    /// within 1e-12 of their size; meetings that differ by less than 1e-6 in both parameters count as one. Parts in common are
-    /// reported as such. Bounded work for each pair of segments whose boxes meet; about O(log(1 / distance)) halvings for each meeting.
+    /// The common points of two plane curves: crossings to rounding, touches to about 1e-7 in the parameters. Curves touch
+    /// where they come within 1e-12 of their size; meetings that differ by less than 1e-6 in both parameters count as one.
+    /// Parts in common are reported as such. Bounded work for each pair of segments whose boxes meet; about O(log(1 /
+    /// distance)) halvings for each meeting.
     ///
-    /// # Errors
-    /// [`CurveNotPlane`](crate::Error::CurveNotPlane), [`OutOfMemory`](crate::Error::OutOfMemory), [`Cancelled`](crate::Error::Cancelled).
+    /// # Errors [`CurveNotPlane`](crate::Error::CurveNotPlane), [`OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Cancelled`](crate::Error::Cancelled).
     pub fn intersections(&self, other: &CurveView<'_>, job: &Job<'_>) -> Result<Meetings> {
         self.check_plane()?;
         other.check_plane()?;
@@ -89,9 +90,9 @@ impl CurveView<'_> {
         Ok(meetings)
     }
 
-    /// The points that a plane curve passes more than once: crossings, touches, parts run through twice, loops within a segment. The joint of
-    /// neighbours is none, nor is the closing of a closed curve, nor a cusp. Loops that take less than 1e-5 of a segment's parameter are
-    /// not seen. Otherwise as [`intersections`](Self::intersections).
+    /// The points that a plane curve passes more than once: crossings, touches, parts run through twice, loops within a
+    /// segment. The joint of neighbours is none, nor is the closing of a closed curve, nor a cusp. Loops that take less than
+    /// 1e-5 of a segment's parameter are not seen. Otherwise as [`intersections`](Self::intersections).
     ///
     /// # Errors
     /// As for [`intersections`](Self::intersections).
@@ -130,8 +131,8 @@ impl CurveView<'_> {
         Ok(meetings)
     }
 
-    /// The segments in a frame, those that may meet themselves halved until they do not, at most `depth` times. Segments that are points
-    /// are left out where `depth` asks for self-intersections.
+    /// The segments in a frame, those that may meet themselves halved until they do not, at most `depth` times. Segments that
+    /// are points are left out where `depth` asks for self-intersections.
     fn pieces(&self, frame: &Frame, depth: u32) -> Result<Vec<Piece>> {
         let mut pieces = alloc::with_capacity(self.len())?;
         for (k, controls) in self.segments().enumerate() {

@@ -13,11 +13,12 @@
 //! * resample, [`Samples`]: points along a curve.
 //! * export: SVG paths, TrueType contours, B-splines.
 //!
-//! What they stand on: frame (numbers near 1, whatever the unit), bernstein and roots (polynomials on 0 to 1 and where they vanish),
-//! cubic (the closed form).
+//! What they stand on: frame (numbers near 1, whatever the unit), bernstein and roots (polynomials on 0 to 1 and where they
+//! vanish), cubic (the closed form).
 //!
-//! Every operation measures in a frame in which the curve has about size 1, and is exact, or stops, at an error relative to that size.
-//! Lengths of 1e200 and 1e-200 are as good as others; results that f64 cannot hold, such as an area of 1e400, become infinite or 0.
+//! Every operation measures in a frame in which the curve has about size 1, and is exact, or stops, at an error relative to
+//! that size. Lengths of 1e200 and 1e-200 are as good as others; results that f64 cannot hold, such as an area of 1e400,
+//! become infinite or 0.
 
 mod area;
 mod bernstein;

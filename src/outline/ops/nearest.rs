@@ -1,7 +1,8 @@
 //! The point of a curve that is nearest to a given one.
 //!
-//! On a segment it is an end or a root of (C(t) - q) . C'(t), a polynomial of degree 2 n - 1: for the quadratic a cubic with a closed form.
-//! Segments whose boxes are farther than the best so far are passed over, so the result is the nearest point of all.
+//! On a segment it is an end or a root of (C(t) - q) . C'(t), a polynomial of degree 2 n - 1: for the quadratic a cubic with
+//! a closed form. Segments whose boxes are farther than the best so far are passed over, so the result is the nearest point
+//! of all.
 
 use super::super::curve::{CurveView, MAX_DEGREE, Place};
 use super::super::segment;
@@ -34,11 +35,11 @@ const FAR: f64 = (1u64 << 26) as f64;
 const BATCH: usize = 256;
 
 impl CurveView<'_> {
-    /// The nearest point of the curve to each of `queries`. About O(log segments + degree^2) for each query, on the job's threads; memory
-    /// O(points).
+    /// The nearest point of the curve to each of `queries`. About O(log segments + degree^2) for each query, on the job's
+    /// threads; memory O(points).
     ///
-    /// # Errors
-    /// [`Error::EmptyCurve`] (no segments), [`Error::OutlineNotFinite`] (a query), [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// # Errors [`Error::EmptyCurve`] (no segments), [`Error::OutlineNotFinite`] (a query), [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
         job.step(0.0, "nearest points")?;
         if self.is_empty() {

@@ -1,9 +1,9 @@
 //! The curve at a distance from a plane curve, re-fitted by Bézier segments.
 //!
-//! With the left normal N the offset is O = C + d N, and O' = C' + d N', N' being T' turned, T' = (C'' - T (T . C'')) / |C'|. O runs along T,
-//! too: by 1 - k d times the speed, k the curvature, so it turns back where the radius 1 / k is smaller than d. A cubic piece takes both
-//! ends and both derivatives of O (error of order h^4), a quadratic one both ends and the directions there. Either way pieces join with
-//! one tangent. Pieces are halved until the deviation measured is small enough.
+//! With the left normal N the offset is O = C + d N, and O' = C' + d N', N' being T' turned, T' = (C'' - T (T . C'')) / |C'|.
+//! O runs along T, too: by 1 - k d times the speed, k the curvature, so it turns back where the radius 1 / k is smaller than
+//! d. A cubic piece takes both ends and both derivatives of O (error of order h^4), a quadratic one both ends and the
+//! directions there. Either way pieces join with one tangent. Pieces are halved until the deviation measured is small enough.
 
 use super::super::curve::{Curve, CurveView, MAX_DEGREE};
 use super::super::segment;
@@ -34,8 +34,8 @@ pub struct Offset {
     pub deviation: f64,
     /// False if the tolerance was not reached: see [`OffsetOptions::max_segments`].
     pub reached: bool,
-    /// True if somewhere the radius of curvature, on the side of the offset, is at most the distance: the offset has cusps there, or
-    /// runs backwards.
+    /// True if somewhere the radius of curvature, on the side of the offset, is at most the distance: the offset has cusps
+    /// there, or runs backwards.
     pub tight: bool,
     /// The number of corners of the original, where the ends of the offset pieces are joined by a straight segment.
     pub corners: usize,
@@ -50,9 +50,8 @@ impl CurveView<'_> {
     /// The curve at the distance `distance` to the left of a plane curve, seen along it from x to y; to the right if negative.
     /// Segments without extent are passed over. O(degree) for each of the places measured.
     ///
-    /// # Errors
-    /// [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (no segment with an extent), [`Error::OptionOutOfRange`] (distance not finite
-    /// or beyond 1e100 sizes of the curve; an option), [`Error::TooLarge`], [`Error::OutOfMemory`].
+    /// # Errors [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (no segment with an extent), [`Error::OptionOutOfRange`]
+    /// (distance not finite or beyond 1e100 sizes of the curve; an option), [`Error::TooLarge`], [`Error::OutOfMemory`].
     pub fn offset(&self, distance: f64, options: &OffsetOptions) -> Result<Offset> {
         self.check_plane()?;
         let refuse = |option, value| Err(Error::OptionOutOfRange { option, value });
@@ -196,8 +195,8 @@ impl Fit {
         }
     }
 
-    /// The largest distance of the piece's points from the true offset: at the same parameter, or at the foot on the curve found from
-    /// there by a step of Newton's method for (C - Q) . C' = 0, if that is nearer.
+    /// The largest distance of the piece's points from the true offset: at the same parameter, or at the foot on the curve
+    /// found from there by a step of Newton's method for (C - Q) . C' = 0, if that is nearer.
     fn measure(&mut self, controls: &[DVec3], from: &Spot, to: &Spot, inner: &[DVec3]) -> f64 {
         let mut room = [from.point; 4];
         room[1..=inner.len()].copy_from_slice(inner);
@@ -257,8 +256,8 @@ fn cubic(from: &Spot, to: &Spot) -> ([DVec3; 2], usize) {
     ([from.point + from.speed * third, to.point - to.speed * third], 2)
 }
 
-/// The inner control point of the quadratic with the ends and directions given: where the tangents cross, if that is ahead of the one end
-/// and behind the other; in the middle for a straight piece.
+/// The inner control point of the quadratic with the ends and directions given: where the tangents cross, if that is ahead of
+/// the one end and behind the other; in the middle for a straight piece.
 fn quadratic(from: &Spot, to: &Spot) -> Option<([DVec3; 2], usize)> {
     let chord = to.point - from.point;
     let cross = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;

@@ -2,15 +2,16 @@
 //!
 //! Both are halved, the longer one first, until a pair of parts
 //!
-//! * is apart: their boxes are, along the axes or along either chord (the fat line of Sederberg and Nishita 1990); by the convex hull
-//!   no points are lost;
-//! * crosses once at most: every leg of one control polygon turns to the same side of every leg of the other. Two common points would
-//!   give both parts the same chord, which is a positive sum of legs of each: its cross product with itself would not be 0. Newton's method
-//!   then finds the crossing, or the halving goes on;
+//! * is apart: their boxes are, along the axes or along either chord (the fat line of Sederberg and Nishita 1990); by the
+//!   convex hull no points are lost;
+//! * crosses once at most: every leg of one control polygon turns to the same side of every leg of the other. Two common
+//!   points would give both parts the same chord, which is a positive sum of legs of each: its cross product with itself
+//!   would not be 0. Newton's method then finds the crossing, or the halving goes on;
 //! * is so short that nothing but a touch can be told: it is looked for, and taken if the segments come within rounding.
 //!
-//! Segments that run together would be halved for ever. They are recognised before: polynomial segments of degrees n and m that have more
-//! than n m points in common lie on the same curve (Bézout), and then the common part begins and ends at ends of segments.
+//! Segments that run together would be halved for ever. They are recognised before: polynomial segments of degrees n and m
+//! that have more than n m points in common lie on the same curve (Bézout), and then the common part begins and ends at ends
+//! of segments.
 
 use super::super::curve::MAX_DEGREE;
 use super::super::segment;
@@ -161,8 +162,8 @@ impl Found {
 }
 
 impl Found {
-    /// Makes one meeting of those between which the segments stay together: where they touch so closely that no place can be told from
-    /// the next. It is their middle.
+    /// Makes one meeting of those between which the segments stay together: where they touch so closely that no place can be
+    /// told from the next. It is their middle.
     fn merge(&mut self, a: &[DVec3], b: &[DVec3]) {
         self.at.sort_by(|x, y| x[0].total_cmp(&y[0]));
         let together = |x: [f64; 2], y: [f64; 2]| {
@@ -228,7 +229,8 @@ fn crosses_once(a: &[DVec3], b: &[DVec3]) -> bool {
     side != 0.0
 }
 
-/// Whether some direction increases along all legs of both: then one follows the other, and they have only their joint in common.
+/// Whether some direction increases along all legs of both: then one follows the other, and they have only their joint in
+/// common.
 fn runs_on(a: &[DVec3], b: &[DVec3]) -> bool {
     let chord = |c: &[DVec3]| (c[c.len() - 1] - c[0]).normalize_or_zero();
     let along = chord(a) + chord(b);

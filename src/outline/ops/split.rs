@@ -10,7 +10,8 @@ use glam::DVec3;
 /// The control points of one segment of any degree.
 pub(super) type Room = [DVec3; MAX_DEGREE + 1];
 
-/// Splits a segment by de Casteljau's scheme: `right` holds the segment and keeps the part after `t`, `left` receives the one before.
+/// Splits a segment by de Casteljau's scheme: `right` holds the segment and keeps the part after `t`, `left` receives the one
+/// before.
 pub(super) fn split_segment(right: &mut [DVec3], t: f64, left: &mut [DVec3]) {
     let n = right.len() - 1;
     let s = 1.0 - t;
@@ -50,8 +51,8 @@ impl CurveView<'_> {
         Ok([self.between(Place { segment: 0, t: 0.0 }, at)?, self.between(at, last)?])
     }
 
-    /// The part from one place to another, open. On a closed curve it may run over the start, and from a place to itself it goes round
-    /// once; on an open one that is a single point.
+    /// The part from one place to another, open. On a closed curve it may run over the start, and from a place to itself it
+    /// goes round once; on an open one that is a single point.
     ///
     /// # Errors
     /// [`Error::NoSuchPlace`], [`Error::OptionOutOfRange`] (an open curve, and `to` before `from`), [`Error::TooLarge`],

@@ -1,7 +1,7 @@
 //! Boxes round consecutive things, and boxes round those: which of them can matter is found without looking at all.
 //!
-//! Neighbours on a curve are neighbours in space, so the tree is the plain binary one over the order: node k has the children 2 k and
-//! 2 k + 1, and the leaves are the last nodes.
+//! Neighbours on a curve are neighbours in space, so the tree is the plain binary one over the order: node k has the children
+//! 2 k and 2 k + 1, and the leaves are the last nodes.
 
 use crate::alloc;
 use crate::error::Result;
@@ -61,8 +61,8 @@ impl Tree {
         Ok(Tree { nodes, leaves })
     }
 
-    /// Goes down to the leaves whose boxes are nearer to `p` than the best so far, the nearer child first. `leaf` is given the leaf, and
-    /// returns the square of the best distance.
+    /// Goes down to the leaves whose boxes are nearer to `p` than the best so far, the nearer child first. `leaf` is given
+    /// the leaf, and returns the square of the best distance.
     pub(super) fn nearest(&self, p: DVec3, mut best: f64, leaf: &mut impl FnMut(usize) -> f64) {
         // At most one node a level waits, beside the one at work.
         let mut waiting = [(0usize, 0.0); 64];
