@@ -116,11 +116,11 @@
 #define GUSSET_SURVEY_WHOLE_MESH 0
 
 /**
- * As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open, touching
- * itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from the
- * boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut there.
- * The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made to deceive may
- * hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
+ * As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open,
+ * touching itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from
+ * the boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut
+ * there. The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made
+ * to deceive may hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
  */
 #define GUSSET_SURVEY_BOUNDARY_ONLY 1
 
@@ -301,8 +301,8 @@
 #define GUSSET_CORRESPONDENCE_GIVEN 0
 
 /**
- * Equal parts of the arc length of each section from its first point on; a closed section that runs the other way round than the
- * first one is taken backwards.
+ * Equal parts of the arc length of each section from its first point on; a closed section that runs the other way round than
+ * the first one is taken backwards.
  */
 #define GUSSET_CORRESPONDENCE_ARC_LENGTH 1
 
@@ -368,8 +368,8 @@
 #define GUSSET_CURVE_SINGLE 1
 
 /**
- * Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of the method's exponent (G1 with the
- * normal). With the bisector the centripetal Catmull-Rom spline.
+ * Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of the method's exponent (G1
+ * with the normal). With the bisector the centripetal Catmull-Rom spline.
  */
 #define GUSSET_CURVE_BLEND_C1 2
 
@@ -404,8 +404,8 @@
 #define GUSSET_METHOD_SYMMEDIAN 3
 
 /**
- * The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from its neighbours: the median at alpha = 0,
- * the bisector at 1/2, the symmedian at 1.
+ * The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from its neighbours: the median
+ * at alpha = 0, the bisector at 1/2, the symmedian at 1.
  */
 #define GUSSET_METHOD_ALPHA 4
 
@@ -485,7 +485,8 @@
 #define GUSSET_POINT_MERGED 2
 
 /**
- * It is so near the first or last point of its section that this has no control point by the method; the median took its place.
+ * It is so near the first or last point of its section that this has no control point by the method; the median took its
+ * place.
  */
 #define GUSSET_POINT_REPEATED 3
 
@@ -622,8 +623,8 @@
 #define GUSSET_MERIDIANS_QUAD 6
 
 /**
- * The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time, linear
- * memory, and a result within a few hundredths of a per cent of the best on all rims that were measured.
+ * The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time,
+ * linear memory, and a result within a few hundredths of a per cent of the best on all rims that were measured.
  */
 #define GUSSET_SEARCH_AUTO 0
 
@@ -633,8 +634,8 @@
 #define GUSSET_SEARCH_EXACT 1
 
 /**
- * The first meridian of a closed band joins the closest pair of vertices, or the closest pair after rim B has been turned along
- * rim A to where it fits best; the better strip of the two is kept.
+ * The first meridian of a closed band joins the closest pair of vertices, or the closest pair after rim B has been turned
+ * along rim A to where it fits best; the better strip of the two is kept.
  */
 #define GUSSET_START_AUTO 0
 
@@ -655,14 +656,14 @@
 #define GUSSET_FAIRING_NONE 0
 
 /**
- * New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of the squared
- * Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
+ * New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of the
+ * squared Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
  */
 #define GUSSET_FAIRING_THIN_PLATE 1
 
 /**
- * Faces of the strip that cut others are looked for where rows are faired; there the fairing is taken back in places until nothing
- * cuts, or nothing is left to take back.
+ * Faces of the strip that cut others are looked for where rows are faired; there the fairing is taken back in places until
+ * nothing cuts, or nothing is left to take back.
  */
 #define GUSSET_INTERSECTIONS_AUTO 0
 
@@ -1193,9 +1194,9 @@ typedef struct gusset_stitch_options {
      */
     uint32_t orientation;
     /**
-     * The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so many
-     * places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any value;
-     * taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
+     * The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so
+     * many places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any
+     * value; taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
      */
     int64_t twist;
     /**
@@ -1228,8 +1229,8 @@ typedef struct gusset_stitch_options {
      */
     double tolerance;
     /**
-     * Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length. The
-     * arc runs along the loop as it was given, and may pass its end.
+     * Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length.
+     * The arc runs along the loop as it was given, and may pass its end.
      */
     uint32_t arc_a[2];
     /**
@@ -1317,8 +1318,8 @@ typedef struct gusset_assembly_options {
      */
     uint32_t weld;
     /**
-     * GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face each other are
-     * made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned.
+     * GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face each
+     * other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned.
      */
     uint32_t orientation;
     /**
@@ -1338,13 +1339,13 @@ typedef struct gusset_assembly_options {
      */
     uint32_t fill;
     /**
-     * Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0 leaves all
-     * open.
+     * Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0
+     * leaves all open.
      */
     double max_gap;
     /**
-     * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, and none is named
-     * twice. Errors name a pair by its number from 0.
+     * Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, and none is
+     * named twice. Errors name a pair by its number from 0.
      */
     const struct gusset_loop_pair *pairs;
     /**
@@ -1365,8 +1366,8 @@ typedef struct gusset_assembly_options {
      */
     const struct gusset_weld_options *weld_options;
     /**
-     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing and intersections are read; the
-     * other fields must be valid too.
+     * The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing and intersections are
+     * read; the other fields must be valid too.
      */
     const struct gusset_stitch_options *strip_options;
     /**
@@ -1476,8 +1477,8 @@ typedef struct gusset_left_loop {
  */
 typedef struct gusset_hole {
     /**
-     * Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given loop that is not simple, free or
-     * oriented, as given.
+     * Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given loop that is not simple,
+     * free or oriented, as given.
      */
     size_t rim_first;
     /**
@@ -2216,8 +2217,8 @@ typedef struct gusset_outlines {
 } gusset_outlines;
 
 /**
- * How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of its
- * box.
+ * How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of
+ * its box.
  */
 typedef struct gusset_outline_options {
     /**
@@ -2472,9 +2473,9 @@ typedef struct gusset_orient_parts {
 /**
  * All curves in one. Pointers are valid until the outline is destroyed.
  *
- * Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends starts[2 k + 1]
- * to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1], both included, counted
- * from the curve's first one. A closed curve repeats its first control point at its end.
+ * Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends
+ * starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1],
+ * both included, counted from the curve's first one. A closed curve repeats its first control point at its end.
  */
 typedef struct gusset_outline_parts {
     /**
@@ -2566,8 +2567,8 @@ typedef struct gusset_outline_report {
 } gusset_outline_report;
 
 /**
- * One section for each point: the quadratic from the point before over the control point to the point after. Pointers are valid until
- * the sections are destroyed.
+ * One section for each point: the quadratic from the point before over the control point to the point after. Pointers are
+ * valid until the sections are destroyed.
  */
 typedef struct gusset_sections_parts {
     /**
@@ -2615,8 +2616,9 @@ typedef struct gusset_stitch_parts {
     struct gusset_indices rim[2];
     /**
      * The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
-     * They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M - 1) for
-     * arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by the rule by index, both.
+     * They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M -
+     * 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by the rule by
+     * index, both.
      */
     struct gusset_indices meridians;
     /**
@@ -2712,19 +2714,20 @@ typedef struct gusset_strip_parts {
      */
     uint32_t start[2];
     /**
-     * The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for closed polylines of N and M points,
-     * where place N is place 0 again, and to (N - 1, M - 1) for open ones; count is twice the number of meridians.
+     * The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for closed polylines of N and M
+     * points, where place N is place 0 again, and to (N - 1, M - 1) for open ones; count is twice the number of meridians.
      */
     struct gusset_indices meridians;
     /**
-     * The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow. They run A_i+1, A_i, B_j: against
-     * polyline A, and along B. Where both sides advance at once a quad is split by its shorter diagonal.
+     * The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow. They run A_i+1, A_i, B_j:
+     * against polyline A, and along B. Where both sides advance at once a quad is split by its shorter diagonal.
      */
     struct gusset_indices triangles;
 } gusset_strip_parts;
 
 /**
- * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is destroyed.
+ * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is
+ * destroyed.
  */
 typedef struct gusset_weld_parts {
     /**
@@ -2928,8 +2931,8 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other across a
- * gap stitched, and holes filled, as the options say.
+ * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
+ * across a gap stitched, and holes filled, as the options say.
  *
  * pieces: piece_count mesh views one after another, each as large as the first one's struct_size says, at least one; each may
  * have several components. options: NULL for the defaults. assembly: receives the result, for gusset_assembly_destroy; NULL on
@@ -2990,10 +2993,10 @@ gusset_status gusset_assembly_view(const struct gusset_assembly *assembly,
  * are left out. A face of fewer than three sides of different ends has no border; its neighbours are taken to touch each
  * other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
  *
- * options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure.
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
- * vertex, or O(H + B log B) for GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory.
- * Source: Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
+ * options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure. Errors: those
+ * of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex,
+ * or O(H + B log B) for GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory. Source: Nesterenko, algorithm
+ * 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3043,9 +3046,8 @@ gusset_status gusset_boundary_defects(const struct gusset_boundary *boundary,
 /**
  * Checks a mesh. What it finds is no error.
  *
- * check: receives the result, for gusset_check_destroy; NULL on failure.
- * Errors: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex; linear
- * extra memory.
+ * check: receives the result, for gusset_check_destroy; NULL on failure. Errors: those of gusset_mesh_view, OUT_OF_MEMORY,
+ * CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3495,13 +3497,13 @@ gusset_status gusset_facing_arcs(const struct gusset_facing *facing,
                                  struct gusset_facing_view *view);
 
 /**
- * The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones the later.
+ * The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones the
+ * later.
  *
- * n, m: segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of N vertices has N - 1, a closed
- * one N. j: receives n + 1 numbers; NULL with capacity 0 asks for how many. capacity: of j. written: receives their number; may
- * not be NULL.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the number is written). O(n).
- * Source: Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+ * n, m: segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of N vertices has N - 1, a
+ * closed one N. j: receives n + 1 numbers; NULL with capacity 0 asks for how many. capacity: of j. written: receives their
+ * number; may not be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the
+ * number is written). O(n). Source: Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3519,15 +3521,15 @@ gusset_status gusset_meridians_index(uint32_t n,
  * receives the result, for gusset_fill_destroy; NULL on failure. Loops that cannot be filled are left, which is no error: the
  * account of each says why.
  *
- * The result has the old vertices with their bits and indices, then the new ones; the old faces, then the new triangles, hole by
- * hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not cross itself;
- * whether a patch meets other parts of the surface is not looked at.
+ * The result has the old vertices with their bits and indices, then the new ones; the old faces, then the new triangles,
+ * hole by hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not
+ * cross itself; whether a patch meets other parts of the surface is not looked at.
  *
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500 vertices:
- * O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
- * memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole;
- * loops that touch at one vertex look at each other's edges there.
- * Source: Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500
+ * vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log
+ * n) and linear memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices
+ * of a hole; loops that touch at one vertex look at each other's edges there. Source: Barequet and Sharir 1995; Liepa,
+ * Filling holes in meshes, 2003.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3570,13 +3572,14 @@ gusset_status gusset_fill_quality(const struct gusset_fill *fill,
                                   struct gusset_quality *quality);
 
 /**
- * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of it, and a
- * curve along through each column.
+ * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of
+ * it, and a curve along through each column.
  *
- * sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy; NULL on
- * failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not as many for each
- * section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a half-plane does not meet, or
- * that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction; the correspondences are ours.
+ * sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy;
+ * NULL on failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not
+ * as many for each section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a
+ * half-plane does not meet, or that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction;
+ * the correspondences are ours.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3591,8 +3594,8 @@ gusset_status gusset_frame_create(const struct gusset_context *context,
 GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
 
 /**
- * Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
- * thread.
+ * Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3600,9 +3603,9 @@ gusset_status gusset_frame_view(const struct gusset_frame *frame,
                                 struct gusset_frame_parts *parts);
 
 /**
- * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i of row k is
- * point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT. O(1). From any thread.
+ * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i
+ * of row k is point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3611,12 +3614,13 @@ gusset_status gusset_frame_curves(const struct gusset_frame *frame,
                                   const struct gusset_outline **along);
 
 /**
- * Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves across were
- * made: a new section.
+ * Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves
+ * across were made: a new section.
  *
- * point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on failure; point i of it
- * is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create, OUT_OF_RANGE (the normal), NOT_FINITE,
- * NO_NODE (the value in the report is the column that the plane does not cross). O(segments).
+ * point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on
+ * failure; point i of it is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create,
+ * OUT_OF_RANGE (the normal), NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
+ * O(segments).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3627,8 +3631,8 @@ gusset_status gusset_frame_slice(const struct gusset_context *context,
                                  struct gusset_outline **section);
 
 /**
- * Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
+ * Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3644,9 +3648,9 @@ gusset_status gusset_outline_measure(const struct gusset_outline *outline,
  * turned face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions, order of
  * faces.
  *
- * options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure.
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
- * vertex; linear extra memory.
+ * options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure. Errors: those of
+ * gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
+ * linear extra memory.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3678,17 +3682,18 @@ gusset_status gusset_orient_view(const struct gusset_orient *orient,
                                  struct gusset_orient_parts *parts);
 
 /**
- * Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its outline.
+ * Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its
+ * outline.
  *
- * outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point for each
- * point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated as asked is no
- * failure: its status says so, and the curve passes it all the same if that is possible at all.
+ * outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point
+ * for each point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated
+ * as asked is no failure: its status says so, and the curve passes it all the same if that is possible at all.
  *
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension), BAD_STRIDE,
- * BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint whose point does not exist or
- * is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED. Composite, blended and cubic curves
- * take linear time; linear memory, none for each outline but for its result. Source: Nadopta; the composite and blended readings
- * are ours.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension),
+ * BAD_STRIDE, BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint
+ * whose point does not exist or is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED.
+ * Composite, blended and cubic curves take linear time; linear memory, none for each outline but for its result. Source:
+ * Nadopta; the composite and blended readings are ours.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3703,8 +3708,8 @@ gusset_status gusset_outline_create(const struct gusset_context *context,
 GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
 
 /**
- * Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
- * any thread.
+ * Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3712,7 +3717,8 @@ gusset_status gusset_outline_view(const struct gusset_outline *outline,
                                   struct gusset_outline_parts *parts);
 
 /**
- * The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+ * The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From
+ * any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3721,8 +3727,8 @@ gusset_status gusset_outline_account(const struct gusset_outline *outline,
                                      struct gusset_outline_report *report);
 
 /**
- * Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
+ * Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy;
+ * NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3732,14 +3738,15 @@ gusset_status gusset_outline_curve(const struct gusset_context *context,
                                    struct gusset_curve **curve);
 
 /**
- * Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the guide of the
- * method. A tangent demanded at a point makes its section pass in that direction; one at the first or last point of an open outline is
- * that of the neighbour's section there. Where it cannot be had, or the normal, the method (the bisector) takes its place, and the
- * status says so.
+ * Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the
+ * guide of the method. A tangent demanded at a point makes its section pass in that direction; one at the first or last
+ * point of an open outline is that of the neighbour's section there. Where it cannot be had, or the normal, the method (the
+ * bisector) takes its place, and the status says so.
  *
  * options: NULL for the defaults; method and alpha are read, all must be valid. sections: receives the result, for
- * gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of the normal,
- * tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
+ * gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of
+ * the normal, tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C -
+ * A) of the guide.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3754,7 +3761,8 @@ gusset_status gusset_sections_create(const struct gusset_context *context,
 GUSSET_API void gusset_sections_destroy(struct gusset_sections *sections);
 
 /**
- * Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -3775,13 +3783,13 @@ GUSSET_API const char *gusset_status_text(int32_t status);
  * loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
  * gusset_stitch_destroy; NULL on failure.
  *
- * The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the strip.
- * Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex gets a fan,
- * which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
+ * The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the
+ * strip. Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex
+ * gets a fan, which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
  *
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX,
- * LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64
- * positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT,
+ * LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP,
+ * MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
  *
  * O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices,
  * beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where
@@ -3895,12 +3903,12 @@ uint32_t gusset_abi(void);
  * together without an edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together
  * become one whatever comes of the edges.
  *
- * Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones within
- * the tolerance of it, nearest first, so that nothing chains.
+ * Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
+ * within the tolerance of it, nearest first, so that nothing chains.
  *
- * The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left, and its
- * position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none and is no
- * valid input.
+ * The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left,
+ * and its position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none
+ * and is no valid input.
  *
  * options: NULL for the defaults. weld: receives the result, for gusset_weld_destroy; NULL on failure.
  * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the tolerance), OUT_OF_MEMORY, CANCELLED. O(H log H) for H
@@ -3938,13 +3946,13 @@ gusset_status gusset_weld_view(const struct gusset_weld *weld,
 /**
  * Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
  *
- * options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with three or
- * more faces, or with two that run it in the same direction, becomes several marked records of one face each. The mesh
- * of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled.
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
- * vertex; linear extra memory.
- * Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is NULL", as the text has it;
- * the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a border on both sides.
+ * options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with
+ * three or more faces, or with two that run it in the same direction, becomes several marked records of one face each. The
+ * mesh of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled. Errors: those of
+ * gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
+ * linear extra memory. Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is
+ * NULL", as the text has it; the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a
+ * border on both sides.
  */
 GUSSET_API
 GUSSET_MUST_USE

@@ -201,7 +201,8 @@ pub enum Error {
         /// A face of the second piece.
         face: u32,
     },
-    /// Every strip through the first meridian, or the strip of the chosen rule, would use an edge twice that the mesh already has.
+    /// Every strip through the first meridian, or the strip of the chosen rule, would use an edge twice that the mesh already
+    /// has.
     NoStrip {
         /// The vertex of the first loop where the rule's meridian starts, if one is to blame.
         vertex: u32,

@@ -16,11 +16,11 @@
 //! that was found explains both sums: it must pass each vertex whose s is not 0, once, with s = f(w) - f(u), and the area must
 //! be that inside its loops.
 //!
-//! **What can hide.** Let R = N - B be what was not found. Then at every vertex v the sum of R(v, u) f(u) is 0 in 32 bits, while
-//! R has as many edges into v as out of it. With one in and one out they would be one edge, back and forth, which is
-//! none. So through each of its vertices R passes twice or more, and at each of them hashes cancel by coincidence; and
-//! over all of R the areas do so once more, in 64 bits. Also, N does not see an edge with as many faces one way as the
-//! other, two or more each; nor does anything here see what is odd away from the boundary.
+//! **What can hide.** Let R = N - B be what was not found. Then at every vertex v the sum of R(v, u) f(u) is 0 in 32 bits,
+//! while R has as many edges into v as out of it. With one in and one out they would be one edge, back and forth, which is
+//! none. So through each of its vertices R passes twice or more, and at each of them hashes cancel by coincidence; and over
+//! all of R the areas do so once more, in 64 bits. Also, N does not see an edge with as many faces one way as the other, two
+//! or more each; nor does anything here see what is odd away from the boundary.
 
 use super::walk::Dart;
 use crate::alloc;

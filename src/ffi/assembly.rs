@@ -64,8 +64,8 @@ pub struct gusset_assembly_options {
     pub struct_size: usize,
     /// GUSSET_ASSEMBLY_WELD or GUSSET_ASSEMBLY_NO_WELD.
     pub weld: u32,
-    /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face each other are
-    /// made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned.
+    /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face each
+    /// other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned.
     pub orientation: u32,
     /// GUSSET_GAP_...
     pub gap: u32,
@@ -75,11 +75,11 @@ pub struct gusset_assembly_options {
     pub within_components: u32,
     /// 1: holes that are left in the end are filled. 0 or 1.
     pub fill: u32,
-    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0 leaves all
-    /// open.
+    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0
+    /// leaves all open.
     pub max_gap: f64,
-    /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, and none is named
-    /// twice. Errors name a pair by its number from 0.
+    /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, and none is
+    /// named twice. Errors name a pair by its number from 0.
     pub pairs: *const gusset_loop_pair,
     /// How many.
     pub pair_count: usize,
@@ -90,8 +90,8 @@ pub struct gusset_assembly_options {
     pub excluded_count: usize,
     /// How to weld; NULL for the defaults.
     pub weld_options: *const gusset_weld_options,
-    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing and intersections are read; the
-    /// other fields must be valid too.
+    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing and intersections are
+    /// read; the other fields must be valid too.
     pub strip_options: *const gusset_stitch_options,
     /// How to fill, NULL for the defaults.
     pub fill_options: *const gusset_fill_options,
@@ -321,8 +321,8 @@ fn lent<T>(list: &[T]) -> *const T {
     if list.is_empty() { ptr::null() } else { list.as_ptr() }
 }
 
-/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other across a
-/// gap stitched, and holes filled, as the options say.
+/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
+/// across a gap stitched, and holes filled, as the options say.
 ///
 /// pieces: piece_count mesh views one after another, each as large as the first one's struct_size says, at least one; each may
 /// have several components. options: NULL for the defaults. assembly: receives the result, for gusset_assembly_destroy; NULL on

@@ -17,11 +17,11 @@ pub const GUSSET_NON_MANIFOLD_STOP: u32 = 1;
 
 /// Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
 pub const GUSSET_SURVEY_WHOLE_MESH: u32 = 0;
-/// As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open, touching
-/// itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from the
-/// boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut there.
-/// The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made to deceive may
-/// hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
+/// As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open,
+/// touching itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from
+/// the boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut
+/// there. The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made
+/// to deceive may hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
 pub const GUSSET_SURVEY_BOUNDARY_ONLY: u32 = 1;
 
 /// The chain does not close: it has one vertex more than it has edges.
@@ -172,10 +172,10 @@ impl From<&Defect> for gusset_defect {
 /// are left out. A face of fewer than three sides of different ends has no border; its neighbours are taken to touch each
 /// other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
 ///
-/// options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure.
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
-/// vertex, or O(H + B log B) for GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory.
-/// Source: Nesterenko, algorithm 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
+/// options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure. Errors: those
+/// of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex,
+/// or O(H + B log B) for GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory. Source: Nesterenko, algorithm
+/// 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_create(

@@ -72,9 +72,8 @@ const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_check_report>(
 
 /// Checks a mesh. What it finds is no error.
 ///
-/// check: receives the result, for gusset_check_destroy; NULL on failure.
-/// Errors: those of gusset_mesh_view, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex; linear
-/// extra memory.
+/// check: receives the result, for gusset_check_destroy; NULL on failure. Errors: those of gusset_mesh_view, OUT_OF_MEMORY,
+/// CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex; linear extra memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_check_create(

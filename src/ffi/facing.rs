@@ -157,13 +157,13 @@ pub unsafe extern "C" fn gusset_facing_arcs(
     })
 }
 
-/// The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones the later.
+/// The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones the
+/// later.
 ///
-/// n, m: segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of N vertices has N - 1, a closed
-/// one N. j: receives n + 1 numbers; NULL with capacity 0 asks for how many. capacity: of j. written: receives their number; may
-/// not be NULL.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the number is written). O(n).
-/// Source: Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+/// n, m: segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of N vertices has N - 1, a
+/// closed one N. j: receives n + 1 numbers; NULL with capacity 0 asks for how many. capacity: of j. written: receives their
+/// number; may not be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the
+/// number is written). O(n). Source: Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_meridians_index(

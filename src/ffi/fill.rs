@@ -79,8 +79,8 @@ pub struct gusset_fill_options {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_hole {
-    /// Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given loop that is not simple, free or
-    /// oriented, as given.
+    /// Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given loop that is not simple,
+    /// free or oriented, as given.
     pub rim_first: usize,
     /// How many they are.
     pub rim_count: usize,
@@ -209,15 +209,15 @@ fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u3
 /// receives the result, for gusset_fill_destroy; NULL on failure. Loops that cannot be filled are left, which is no error: the
 /// account of each says why.
 ///
-/// The result has the old vertices with their bits and indices, then the new ones; the old faces, then the new triangles, hole by
-/// hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not cross itself;
-/// whether a patch meets other parts of the surface is not looked at.
+/// The result has the old vertices with their bits and indices, then the new ones; the old faces, then the new triangles,
+/// hole by hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not
+/// cross itself; whether a patch meets other parts of the surface is not looked at.
 ///
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500 vertices:
-/// O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log n) and linear
-/// memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices of a hole;
-/// loops that touch at one vertex look at each other's edges there.
-/// Source: Barequet and Sharir 1995; Liepa, Filling holes in meshes, 2003.
+/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500
+/// vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log
+/// n) and linear memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices
+/// of a hole; loops that touch at one vertex look at each other's edges there. Source: Barequet and Sharir 1995; Liepa,
+/// Filling holes in meshes, 2003.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill_create(

@@ -14,8 +14,8 @@ use std::ptr;
 
 /// The points of the sections by their places: all sections have equally many.
 pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;
-/// Equal parts of the arc length of each section from its first point on; a closed section that runs the other way round than the
-/// first one is taken backwards.
+/// Equal parts of the arc length of each section from its first point on; a closed section that runs the other way round than
+/// the first one is taken backwards.
 pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: u32 = 1;
 /// Where half-planes at equal angles round the axis meet each section; the farthest place where there are several.
 pub const GUSSET_CORRESPONDENCE_ANGLE: u32 = 2;
@@ -142,13 +142,14 @@ impl gusset_frame_options {
     }
 }
 
-/// Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of it, and a
-/// curve along through each column.
+/// Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of
+/// it, and a curve along through each column.
 ///
-/// sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy; NULL on
-/// failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not as many for each
-/// section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a half-plane does not meet, or
-/// that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction; the correspondences are ours.
+/// sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy;
+/// NULL on failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not
+/// as many for each section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a
+/// half-plane does not meet, or that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction;
+/// the correspondences are ours.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_create(
@@ -175,8 +176,8 @@ pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
     input::destroy(frame);
 }
 
-/// Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
-/// thread.
+/// Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_view(
@@ -202,9 +203,9 @@ pub unsafe extern "C" fn gusset_frame_view(
     })
 }
 
-/// Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i of row k is
-/// point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT. O(1). From any thread.
+/// Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i
+/// of row k is point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_curves(
@@ -226,12 +227,13 @@ pub unsafe extern "C" fn gusset_frame_curves(
     })
 }
 
-/// Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves across were
-/// made: a new section.
+/// Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves
+/// across were made: a new section.
 ///
-/// point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on failure; point i of it
-/// is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create, OUT_OF_RANGE (the normal), NOT_FINITE,
-/// NO_NODE (the value in the report is the column that the plane does not cross). O(segments).
+/// point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on
+/// failure; point i of it is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create,
+/// OUT_OF_RANGE (the normal), NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
+/// O(segments).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_frame_slice(
@@ -249,8 +251,8 @@ pub unsafe extern "C" fn gusset_frame_slice(
     })
 }
 
-/// Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
+/// Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_measure(

@@ -68,8 +68,8 @@ pub(super) fn results<'a, T: bytemuck::Pod>(
     }
     aligned(pointer, name)?;
     bytes(pointer.cast_const().cast(), count, size_of::<T>(), name)?;
-    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the caller's promise. Plain numbers may
-    // hold anything.
+    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the caller's promise. Plain
+    // numbers may hold anything.
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 

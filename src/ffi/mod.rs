@@ -13,7 +13,8 @@
 //! | [`stitch_options`] | how to stitch |
 //! | [`outline`], [`outline_options`], [`frame`] | curves through points, and across and along a body |
 //! | [`curve`] | the handle of a curve, and places on it |
-//! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them, written of them |
+//! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
+//! written of them |
 //!
 //! This is the only part of the crate with unsafe code.
 

@@ -90,9 +90,9 @@ impl gusset_orient_options {
 /// turned face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions, order of
 /// faces.
 ///
-/// options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure.
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
-/// vertex; linear extra memory.
+/// options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure. Errors: those of
+/// gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
+/// linear extra memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_orient_create(

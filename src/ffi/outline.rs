@@ -64,9 +64,9 @@ pub struct gusset_outline(pub(super) Fit);
 
 /// All curves in one. Pointers are valid until the outline is destroyed.
 ///
-/// Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends starts[2 k + 1]
-/// to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1], both included, counted
-/// from the curve's first one. A closed curve repeats its first control point at its end.
+/// Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends
+/// starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1],
+/// both included, counted from the curve's first one. A closed curve repeats its first control point at its end.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outline_parts {
@@ -121,8 +121,8 @@ pub struct gusset_outline_report {
 /// The sections of outlines. Opaque and immutable.
 pub struct gusset_sections(Sections);
 
-/// One section for each point: the quadratic from the point before over the control point to the point after. Pointers are valid until
-/// the sections are destroyed.
+/// One section for each point: the quadratic from the point before over the control point to the point after. Pointers are
+/// valid until the sections are destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_sections_parts {
@@ -221,17 +221,18 @@ fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
     Ok(Constraint { point, demand })
 }
 
-/// Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its outline.
+/// Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its
+/// outline.
 ///
-/// outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point for each
-/// point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated as asked is no
-/// failure: its status says so, and the curve passes it all the same if that is possible at all.
+/// outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point
+/// for each point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated
+/// as asked is no failure: its status says so, and the curve passes it all the same if that is possible at all.
 ///
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension), BAD_STRIDE,
-/// BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint whose point does not exist or
-/// is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED. Composite, blended and cubic curves
-/// take linear time; linear memory, none for each outline but for its result. Source: Nadopta; the composite and blended readings
-/// are ours.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension),
+/// BAD_STRIDE, BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint
+/// whose point does not exist or is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED.
+/// Composite, blended and cubic curves take linear time; linear memory, none for each outline but for its result. Source:
+/// Nadopta; the composite and blended readings are ours.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_create(
@@ -253,8 +254,8 @@ pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
     input::destroy(outline);
 }
 
-/// Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
-/// any thread.
+/// Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_view(
@@ -280,7 +281,8 @@ pub unsafe extern "C" fn gusset_outline_view(
     })
 }
 
-/// The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+/// The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From
+/// any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_account(
@@ -308,8 +310,8 @@ pub unsafe extern "C" fn gusset_outline_account(
     })
 }
 
-/// Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy; NULL on failure.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
+/// Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy;
+/// NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_outline_curve(
@@ -327,14 +329,15 @@ pub unsafe extern "C" fn gusset_outline_curve(
     })
 }
 
-/// Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the guide of the
-/// method. A tangent demanded at a point makes its section pass in that direction; one at the first or last point of an open outline is
-/// that of the neighbour's section there. Where it cannot be had, or the normal, the method (the bisector) takes its place, and the
-/// status says so.
+/// Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the
+/// guide of the method. A tangent demanded at a point makes its section pass in that direction; one at the first or last
+/// point of an open outline is that of the neighbour's section there. Where it cannot be had, or the normal, the method (the
+/// bisector) takes its place, and the status says so.
 ///
 /// options: NULL for the defaults; method and alpha are read, all must be valid. sections: receives the result, for
-/// gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of the normal,
-/// tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C - A) of the guide.
+/// gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of
+/// the normal, tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C -
+/// A) of the guide.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sections_create(
@@ -357,7 +360,8 @@ pub unsafe extern "C" fn gusset_sections_destroy(sections: *mut gusset_sections)
     input::destroy(sections);
 }
 
-/// Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sections_view(

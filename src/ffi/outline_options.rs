@@ -8,8 +8,8 @@ use crate::outline::{Ends, Joint, Lock, Method, Mode, Options, Solver};
 pub const GUSSET_CURVE_COMPOSITE: u32 = 0;
 /// One Bezier curve of degree n through n + 1 points.
 pub const GUSSET_CURVE_SINGLE: u32 = 1;
-/// Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of the method's exponent (G1 with the
-/// normal). With the bisector the centripetal Catmull-Rom spline.
+/// Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of the method's exponent (G1
+/// with the normal). With the bisector the centripetal Catmull-Rom spline.
 pub const GUSSET_CURVE_BLEND_C1: u32 = 2;
 /// Neighbouring sections blended smoothly: quintic segments from point to point, C2 (G2 with the normal).
 pub const GUSSET_CURVE_BLEND_C2: u32 = 3;
@@ -24,8 +24,8 @@ pub const GUSSET_METHOD_MEDIAN: u32 = 1;
 pub const GUSSET_METHOD_NORMAL: u32 = 2;
 /// On the symmedian. For all points.
 pub const GUSSET_METHOD_SYMMEDIAN: u32 = 3;
-/// The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from its neighbours: the median at alpha = 0,
-/// the bisector at 1/2, the symmedian at 1.
+/// The parameter of the point is a^alpha / (a^alpha + b^alpha), a and b being the distances from its neighbours: the median
+/// at alpha = 0, the bisector at 1/2, the symmedian at 1.
 pub const GUSSET_METHOD_ALPHA: u32 = 4;
 
 /// The parameter of a point is that of the method on the triangle of the data. Always solvable.
@@ -63,7 +63,8 @@ pub const GUSSET_POINT_OK: u32 = 0;
 pub const GUSSET_POINT_CLAMPED_PARAMETER: u32 = 1;
 /// It repeats its neighbour, and was left out; the curve passes both.
 pub const GUSSET_POINT_MERGED: u32 = 2;
-/// It is so near the first or last point of its section that this has no control point by the method; the median took its place.
+/// It is so near the first or last point of its section that this has no control point by the method; the median took its
+/// place.
 pub const GUSSET_POINT_REPEATED: u32 = 3;
 /// Its triangle is flat: it has no guide, or no perpendicular.
 pub const GUSSET_POINT_COLLINEAR: u32 = 4;
@@ -105,8 +106,8 @@ pub const GUSSET_FIT_TOO_FEW_POINTS: u32 = 5;
 /// A single curve would have a degree above 64.
 pub const GUSSET_FIT_DEGREE_TOO_HIGH: u32 = 6;
 
-/// How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of its
-/// box.
+/// How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of
+/// its box.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_outline_options {

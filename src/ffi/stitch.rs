@@ -26,8 +26,9 @@ pub struct gusset_stitch_parts {
     /// surface on the left, rim 1 on the right. They are also the strip's own first vertices in order: rim 0, then rim 1.
     pub rim: [gusset_indices; 2],
     /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
-    /// They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M - 1) for
-    /// arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by the rule by index, both.
+    /// They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M -
+    /// 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by the rule by
+    /// index, both.
     pub meridians: gusset_indices,
     /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
     pub matrix: gusset_indices,
@@ -119,13 +120,13 @@ impl gusset_quality {
 /// loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
 /// gusset_stitch_destroy; NULL on failure.
 ///
-/// The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the strip.
-/// Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex gets a fan,
-/// which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
+/// The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the
+/// strip. Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex
+/// gets a fan, which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
 ///
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT, LOOP_REPEATS_VERTEX,
-/// LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP, MIXED_SCALARS (A has f32 and B f64
-/// positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT,
+/// LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP,
+/// MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
 ///
 /// O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices,
 /// beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where

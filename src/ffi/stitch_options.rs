@@ -22,14 +22,14 @@ pub const GUSSET_MERIDIANS_SMOOTH: u32 = 5;
 /// where both sides advance, triangles elsewhere. Meant for strips with interior rows.
 pub const GUSSET_MERIDIANS_QUAD: u32 = 6;
 
-/// The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time, linear
-/// memory, and a result within a few hundredths of a per cent of the best on all rims that were measured.
+/// The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time,
+/// linear memory, and a result within a few hundredths of a per cent of the best on all rims that were measured.
 pub const GUSSET_SEARCH_AUTO: u32 = 0;
 /// Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch_create.
 pub const GUSSET_SEARCH_EXACT: u32 = 1;
 
-/// The first meridian of a closed band joins the closest pair of vertices, or the closest pair after rim B has been turned along
-/// rim A to where it fits best; the better strip of the two is kept.
+/// The first meridian of a closed band joins the closest pair of vertices, or the closest pair after rim B has been turned
+/// along rim A to where it fits best; the better strip of the two is kept.
 pub const GUSSET_START_AUTO: u32 = 0;
 /// The closest pair.
 pub const GUSSET_START_CLOSEST: u32 = 1;
@@ -40,12 +40,12 @@ pub const GUSSET_START_GIVEN: u32 = 2;
 /// New vertices stay where they were first put: those of a strip divide their meridians evenly, as the paper has it, those of a
 /// patch lie on the triangles of its first triangulation.
 pub const GUSSET_FAIRING_NONE: u32 = 0;
-/// New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of the squared
-/// Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
+/// New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of the
+/// squared Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
 pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
 
-/// Faces of the strip that cut others are looked for where rows are faired; there the fairing is taken back in places until nothing
-/// cuts, or nothing is left to take back.
+/// Faces of the strip that cut others are looked for where rows are faired; there the fairing is taken back in places until
+/// nothing cuts, or nothing is left to take back.
 pub const GUSSET_INTERSECTIONS_AUTO: u32 = 0;
 /// They are not looked for.
 pub const GUSSET_INTERSECTIONS_IGNORE: u32 = 1;
@@ -109,9 +109,9 @@ pub struct gusset_stitch_options {
     pub meridians: u32,
     /// GUSSET_ORIENTATION_...
     pub orientation: u32,
-    /// The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so many
-    /// places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any value;
-    /// taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
+    /// The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so
+    /// many places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any
+    /// value; taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
     pub twist: i64,
     /// GUSSET_EXTENT_...
     pub extent: u32,
@@ -128,8 +128,8 @@ pub struct gusset_stitch_options {
     /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0; read
     /// for GUSSET_TOLERANCE_GIVEN.
     pub tolerance: f64,
-    /// Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length. The
-    /// arc runs along the loop as it was given, and may pass its end.
+    /// Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length.
+    /// The arc runs along the loop as it was given, and may pass its end.
     pub arc_a: [u32; 2],
     /// The same on loop B.
     pub arc_b: [u32; 2],

@@ -46,7 +46,8 @@ pub struct gusset_weld_options {
     pub unused: u32,
 }
 
-/// What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is destroyed.
+/// What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is
+/// destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_weld_parts {
@@ -113,12 +114,12 @@ impl gusset_weld_options {
 /// together without an edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together
 /// become one whatever comes of the edges.
 ///
-/// Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones within
-/// the tolerance of it, nearest first, so that nothing chains.
+/// Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
+/// within the tolerance of it, nearest first, so that nothing chains.
 ///
-/// The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left, and its
-/// position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none and is no
-/// valid input.
+/// The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left,
+/// and its position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none
+/// and is no valid input.
 ///
 /// options: NULL for the defaults. weld: receives the result, for gusset_weld_destroy; NULL on failure.
 /// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the tolerance), OUT_OF_MEMORY, CANCELLED. O(H log H) for H

@@ -108,13 +108,13 @@ const _: () = assert!(
 
 /// Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
 ///
-/// options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with three or
-/// more faces, or with two that run it in the same direction, becomes several marked records of one face each. The mesh
-/// of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled.
-/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a
-/// vertex; linear extra memory.
-/// Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is NULL", as the text has it;
-/// the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a border on both sides.
+/// options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with
+/// three or more faces, or with two that run it in the same direction, becomes several marked records of one face each. The
+/// mesh of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled. Errors: those of
+/// gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
+/// linear extra memory. Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is
+/// NULL", as the text has it; the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a
+/// border on both sides.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_winged_create(

@@ -1,9 +1,9 @@
 //! Long loops, cut down ear by ear.
 //!
-//! Dynamic programming takes the cube of the loop's length. A loop that is too long for it loses its shortest ear, a triangle of
-//! three consecutive vertices, then the shortest ear of what is left, and so on. An ear must, seen along the loop's mean normal,
-//! bend to the inside and hold no other vertex; every simple polygon has two (G. Meisters, *Polygons have ears*, 1975). Where
-//! no such ear is left, as the loop crosses itself when seen so, the shortest is taken as it is.
+//! Dynamic programming takes the cube of the loop's length. A loop that is too long for it loses its shortest ear, a triangle
+//! of three consecutive vertices, then the shortest ear of what is left, and so on. An ear must, seen along the loop's mean
+//! normal, bend to the inside and hold no other vertex; every simple polygon has two (G. Meisters, *Polygons have ears*,
+//! 1975). Where no such ear is left, as the loop crosses itself when seen so, the shortest is taken as it is.
 
 use crate::alloc;
 use crate::error::Result;

@@ -1,8 +1,9 @@
 //! Filling holes: new faces that close boundary loops.
 //!
-//! Sources: G. Barequet, M. Sharir, *Filling gaps in the boundary of a polyhedron* (1995); P. Liepa, *Filling holes in meshes*
-//! (2003). A hole is closed by the triangulation of its rim of least weight; then, if asked for, the triangles are refined until
-//! they are as small as those round the hole, and the new vertices moved until the patch goes on as the surface does.
+//! Sources: G. Barequet, M. Sharir, *Filling gaps in the boundary of a polyhedron* (1995); P. Liepa, *Filling holes in
+//! meshes* (2003). A hole is closed by the triangulation of its rim of least weight; then, if asked for, the triangles are
+//! refined until they are as small as those round the hole, and the new vertices moved until the patch goes on as the surface
+//! does.
 //!
 //! | file | what it does |
 //! |---|---|

@@ -44,8 +44,8 @@ pub(crate) struct Patch {
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
-/// Plans how a hole is filled; `None` if every triangulation would have an edge that is `taken`, which is asked of numbers of rim
-/// vertices.
+/// Plans how a hole is filled; `None` if every triangulation would have an edge that is `taken`, which is asked of numbers of
+/// rim vertices.
 ///
 /// O(n^3) for a rim of n <= 500 vertices and 40 n^2 bytes; O(n log n), and linear memory, for longer ones. Refinement and
 /// fairing of m new vertices: O(m log m), and O(m^1.5) for the sparse factor.

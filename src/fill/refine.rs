@@ -1,8 +1,8 @@
 //! Refinement: new vertices inside a patch, as dense as those round the hole.
 //!
-//! Source: P. Liepa (2003), section 4, after R. Pfeifle, H.-P. Seidel. Every rim vertex has a scale, the mean length of the old
-//! edges at it. A triangle is split at its centroid, whose scale is the mean of its corners', if that is farther from each corner
-//! than its own scale and the corner's, and edges are flipped to Delaunay's rule, until nothing changes.
+//! Source: P. Liepa (2003), section 4, after R. Pfeifle, H.-P. Seidel. Every rim vertex has a scale, the mean length of the
+//! old edges at it. A triangle is split at its centroid, whose scale is the mean of its corners', if that is farther from
+//! each corner than its own scale and the corner's, and edges are flipped to Delaunay's rule, until nothing changes.
 
 use super::net::Net;
 use crate::alloc;
@@ -14,7 +14,8 @@ use std::f64::consts::SQRT_2;
 
 /// Passes over all edges in which flips may follow from flips.
 const MOST_PASSES: usize = 30;
-/// An edge is not flipped where the new one would bend by more than the old one did and more than this: 1 - cosine of 60 degrees.
+/// An edge is not flipped where the new one would bend by more than the old one did and more than this: 1 - cosine of 60
+/// degrees.
 const MOST_BEND: f64 = 0.5;
 /// Angles whose sum exceeds half a turn by less than this are left alone: the sine.
 const COCIRCULAR: f64 = 1e-9;

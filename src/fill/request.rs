@@ -7,12 +7,12 @@ use std::ops::Range;
 /// What makes one triangulation of a rim better than another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Weight {
-    /// The area, and for each edge, those of the rim included, its squared length times 1 - cosine of the angle between its faces:
-    /// the patch goes on as the surface does where that costs little. By area alone if the rim is planar.
+    /// The area, and for each edge, those of the rim included, its squared length times 1 - cosine of the angle between its
+    /// faces: the patch goes on as the surface does where that costs little. By area alone if the rim is planar.
     #[default]
     AreaAndBend,
-    /// The largest angle between neighbouring faces, those beyond the rim included, and then the area, as Liepa has it. One bend
-    /// that cannot be avoided hides all smaller ones.
+    /// The largest angle between neighbouring faces, those beyond the rim included, and then the area, as Liepa has it. One
+    /// bend that cannot be avoided hides all smaller ones.
     BendThenArea,
     /// The area, as Barequet and Sharir have it.
     Area,
@@ -93,8 +93,8 @@ pub enum HoleStatus {
 pub struct Hole {
     /// What became of it.
     pub status: HoleStatus,
-    /// Its vertices, in [`Filled::rims`]: with the surface on the left, or, of a given loop that is not simple, free or oriented,
-    /// as given.
+    /// Its vertices, in [`Filled::rims`]: with the surface on the left, or, of a given loop that is not simple, free or
+    /// oriented, as given.
     pub rim: Range<usize>,
     /// Its faces in the result.
     pub faces: Range<u32>,

@@ -21,8 +21,8 @@ pub(super) struct Surroundings {
 const STEP: usize = 1 << 16;
 
 impl Surroundings {
-    /// One pass over the faces. `on_rim`: per vertex of the mesh. Extra memory: 4 bytes a vertex of the mesh, and 16 a corner at
-    /// a rim.
+    /// One pass over the faces. `on_rim`: per vertex of the mesh. Extra memory: 4 bytes a vertex of the mesh, and 16 a corner
+    /// at a rim.
     pub(super) fn new(mesh: &MeshView<'_>, on_rim: &[bool], job: &Job<'_>) -> Result<Self> {
         let (mut corners, mut edges) = (Vec::new(), Vec::new());
         for f in 0..mesh.faces().len() {

@@ -71,7 +71,8 @@ impl Cost {
     }
 }
 
-/// The triangles (i, m, k), i < m < k, of the triangulation of least weight in which no chord is `taken`; `None` if there is none.
+/// The triangles (i, m, k), i < m < k, of the triangulation of least weight in which no chord is `taken`; `None` if there is
+/// none.
 ///
 /// By area it is the least there is. Bends are treated as Liepa treats them: each part of the loop takes its own best
 /// triangulation, seen from inside, which need not be the best when the triangle beyond its chord is known.

@@ -1,7 +1,7 @@
 //! Boxes that overlap a box: a balanced tree without pointers.
 //!
-//! The boxes are permuted so that every range of them is split in the middle, by their centres along the widest axis. The nodes lie
-//! in depth-first order: the left child follows its parent, the right one is where the parent says.
+//! The boxes are permuted so that every range of them is split in the middle, by their centres along the widest axis. The
+//! nodes lie in depth-first order: the left child follows its parent, the right one is where the parent says.
 
 use crate::alloc;
 use crate::error::Result;

@@ -5,14 +5,15 @@
 //!
 //! P_i, (P_i + 2 X) / 3, (2 Y + P_(i+1)) / 3, P_(i+1),
 //!
-//! which with the bisector is the centripetal Catmull-Rom spline and with the median the uniform one. Blended by w = 3 u^2 - 2
-//! u^3, whose derivative is 0 at both ends, the curve has at each point the first and second derivatives of its section, on both
-//! sides: a quintic, C2 in the knots of the method's exponent.
+//! which with the bisector is the centripetal Catmull-Rom spline and with the median the uniform one. Blended by w = 3 u^2 -
+//! 2 u^3, whose derivative is 0 at both ends, the curve has at each point the first and second derivatives of its section, on
+//! both sides: a quintic, C2 in the knots of the method's exponent.
 //!
-//! At a free end the one section goes on alone; a given tangent is the first leg of the quadratic that takes the place of the missing section.
+//! At a free end the one section goes on alone; a given tangent is the first leg of the quadratic that takes the place of the
+//! missing section.
 //!
-//! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear blend; C. Yuksel, 2020, for blends
-//! that keep second derivatives, there trigonometric.
+//! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear blend; C. Yuksel, 2020, for
+//! blends that keep second derivatives, there trigonometric.
 
 use super::curve::Place;
 use super::method::{Method, through};

@@ -20,6 +20,7 @@ use super::run::{Room, Run, Sketch, Solution, Solved, mark};
 use super::tridiagonal::Cyclic;
 use super::{consistent, curvature, joints, segment, sweeps, tridiagonal};
 use crate::error::Result;
+use glam::DVec3;
 
 /// Appends the composite curve of a run.
 pub(super) fn curve(
@@ -28,6 +29,24 @@ pub(super) fn curve(
     solved: &mut [Solved],
     room: &mut Room,
     sketch: &mut Sketch,
+    report: &mut Report,
+) -> Result<()> {
+    identify(run, options, solved, room, report)?;
+    if !run.closed {
+        return append(run, &room.solution, solved, sketch);
+    }
+    let places = (0..).zip(&room.solution.t).map(|(segment, &t)| Place { segment, t });
+    solved.iter_mut().zip(places).for_each(|(solved, place)| solved.place = place);
+    trace(run, &room.solution, |p| p, sketch.closed_quadratics(run.points.len())?, report);
+    Ok(())
+}
+
+/// Finds the control points of a run.
+pub(super) fn identify(
+    run: &Run<'_>,
+    options: &Options,
+    solved: &mut [Solved],
+    room: &mut Room,
     report: &mut Report,
 ) -> Result<()> {
     let (n, solution) = (run.points.len(), &mut room.solution);
@@ -43,7 +62,7 @@ pub(super) fn curve(
             Joint::G2 => curvature::curvatures(run, options, solved, room, report)?,
         }
     }
-    append(run, &room.solution, solved, sketch, report)
+    Ok(())
 }
 
 /// Finds parameters and control points for the shares of the joints, from control points that solve the linear equations.
@@ -117,18 +136,9 @@ fn parameters(run: &Run<'_>, options: &Options, solution: &mut Solution, solved:
     }
 }
 
-/// Appends the segments, and says where the points lie on them.
-fn append(
-    run: &Run<'_>,
-    solution: &Solution,
-    solved: &mut [Solved],
-    sketch: &mut Sketch,
-    report: &mut Report,
-) -> Result<()> {
+/// Appends the segments of an open run, and says where the points lie on them.
+fn append(run: &Run<'_>, solution: &Solution, solved: &mut [Solved], sketch: &mut Sketch) -> Result<()> {
     let n = run.points.len();
-    if run.closed {
-        return append_closed(run, solution, solved, sketch, report);
-    }
     let first = sketch.len() as u32;
     let last = n - 1;
     let ends = run.end_controls();
@@ -154,34 +164,33 @@ fn append(
     Ok(())
 }
 
-/// As [`append`], and measures the curve on the way: see [`judge`](super::judge).
-fn append_closed(
+/// Writes the control points of a closed run, each p as `place(p)`, as many as two for each point and one more; section i is
+/// segment i. Measures the curve on the way: see [`judge`](super::judge).
+pub(super) fn trace(
     run: &Run<'_>,
     solution: &Solution,
-    solved: &mut [Solved],
-    sketch: &mut Sketch,
+    place: impl Fn(DVec3) -> DVec3,
+    out: &mut [DVec3],
     report: &mut Report,
-) -> Result<()> {
+) {
     let n = run.points.len();
     let start = solution.joint(run, n - 1);
-    sketch.begin(start)?;
-    let segments = sketch.quadratics(n)?;
+    let (first, rest) = out.split_at_mut(1);
+    first[0] = place(start);
     let controls = &solution.controls[..n];
     let following = controls[1..].iter().chain(&controls[..1]);
     let known = run.points.iter().zip(controls).zip(following).zip(&solution.t);
     let (mut joint, mut smoothness, mut farthest) = (start, Smoothness::default(), 0.0f64);
-    for (i, ((segment, solved), (((&p, &control), &next), &t))) in segments.zip(solved).zip(known).enumerate() {
+    for (i, (segment, (((&p, &control), &next), &t))) in rest.as_chunks_mut::<2>().0.iter_mut().zip(known).enumerate() {
         let beta = if solution.beta.is_empty() { 0.5 } else { solution.beta[i] };
         let end = if i + 1 == n { start } else { control + (next - control) * beta };
-        *segment = [control, end];
-        solved.place = Place { segment: i as u32, t };
+        *segment = [place(control), place(end)];
         farthest = farthest.max(segment::point(&[joint, control, end], t).distance_squared(p));
         smoothness.joint(end - control, next - end);
         joint = end;
     }
     report.max_residual = farthest.sqrt() / run.size;
     report.max_joint_sine = smoothness.sine();
-    Ok(())
 }
 
 /// Solves for the control points, given the parameters and the shares beta of the joints. False if the equations are singular,

@@ -5,8 +5,8 @@
 //!
 //! l_i D_(i-1) + 2 D_i + m_i D_(i+1) = 3 (l_i d_(i-1) + m_i d_i), l_i = h_i / (h_(i-1) + h_i), m_i = 1 - l_i,
 //!
-//! and segment i has the control points P_i, P_i + h_i D_i / 3, P_(i+1) - h_i D_(i+1) / 3, P_(i+1). Free ends have the derivative of
-//! the parabola through their three points; a given tangent is taken at the speed of the chord.
+//! and segment i has the control points P_i, P_i + h_i D_i / 3, P_(i+1) - h_i D_(i+1) / 3, P_(i+1). Free ends have the
+//! derivative of the parabola through their three points; a given tangent is taken at the speed of the chord.
 //!
 //! Source: the complete and periodic cubic splines (de Boor, A Practical Guide to Splines, chapter IV; Bessel's end condition).
 

@@ -1,22 +1,23 @@
 //! The joints of composite curves by curvatures.
 //!
-//! With D_i the area of the triangle of B_(i-1), B_i and B_(i+1), the sections i and i+1 arrive at and leave J_i with the curvatures
-//! (1 - beta_(i-1)) D_i / (beta_i^2 L^3) and beta_(i+1) D_(i+1) / ((1 - beta_i)^2 L^3), where L = |B_i B_(i+1)|. They agree if
+//! With D_i the area of the triangle of B_(i-1), B_i and B_(i+1), the sections i and i+1 arrive at and leave J_i with the
+//! curvatures (1 - beta_(i-1)) D_i / (beta_i^2 L^3) and beta_(i+1) D_(i+1) / ((1 - beta_i)^2 L^3), where L = |B_i B_(i+1)|.
+//! They agree if
 //!
 //! beta_i = sqrt((1 - beta_(i-1)) D_i) / (sqrt((1 - beta_(i-1)) D_i) + sqrt(beta_(i+1) D_(i+1))).
 //!
 //! The roots of D_i and D_(i+1) alone, as one reads at times, would do for equal shares only. Where the polygon turns the other
 //! way behind the joint, the curvatures are as large as each other, but have different signs.
 //!
-//! The right side, for the control points that the shares beta give, is a map w(beta); we look for w(beta) = beta. To apply the map again
-//! and again takes hundreds of rounds where the points are dense. Newton's method takes the derivatives of w by differences: a
-//! share has little influence on what is more than REACH joints away, so that the shares of joints 2 REACH + 1 apart are
-//! varied together.
+//! The right side, for the control points that the shares beta give, is a map w(beta); we look for w(beta) = beta. To apply
+//! the map again and again takes hundreds of rounds where the points are dense. Newton's method takes the derivatives of w by
+//! differences: a share has little influence on what is more than REACH joints away, so that the shares of joints 2 REACH + 1
+//! apart are varied together.
 //!
-//! Nothing is said here of whether there is a solution. Even and dense points have their parameters near 1/2, and curvatures that are
-//! continuous and change steadily along each section, as those of a cubic spline that is given in the middle of its spans: such a
-//! spline does not see an error that changes sign from point to point. Shares that find no rest are the best that were found, and
-//! the points beside them [`PointStatus::NotConverged`].
+//! Nothing is said here of whether there is a solution. Even and dense points have their parameters near 1/2, and curvatures
+//! that are continuous and change steadily along each section, as those of a cubic spline that is given in the middle of its
+//! spans: such a spline does not see an error that changes sign from point to point. Shares that find no rest are the best
+//! that were found, and the points beside them [`PointStatus::NotConverged`].
 //!
 //! Source: Yan, Schiller, Wilensky, Carr and Schaefer, k-Curves, 2017, for the shares by areas.
 
@@ -40,8 +41,8 @@ const REACH: usize = 3;
 /// The diagonal and what is beside it.
 const BAND: usize = 2 * REACH + 1;
 
-/// The rows of a closed run that are taken once more before its first and after its last: what is left of the influence of those
-/// farther away makes the step inexact, but not the solution.
+/// The rows of a closed run that are taken once more before its first and after its last: what is left of the influence of
+/// those farther away makes the step inexact, but not the solution.
 const OVERLAP: usize = 24;
 
 /// By how much shares are varied for the differences.
@@ -160,7 +161,8 @@ impl Shares {
         alloc::reserve(&mut self.work, n + 2 * OVERLAP)
     }
 
-    /// Enters w(beta) - beta; the largest, and the sum of the squares. Joints of points that have fallen back stay where they are.
+    /// Enters w(beta) - beta; the largest, and the sum of the squares. Joints of points that have fallen back stay where they
+    /// are.
     fn measure(&mut self, run: &Run<'_>, solution: &Solution, solved: &[Solved], joints: Range<usize>) -> (f64, f64) {
         let (mut farthest, mut sum) = (0.0f64, 0.0);
         for i in joints {
@@ -171,7 +173,8 @@ impl Shares {
         (farthest, sum)
     }
 
-    /// One step of Newton's method from the shares that are kept, with the parameters as they are. False if the equations are singular.
+    /// One step of Newton's method from the shares that are kept, with the parameters as they are. False if the equations are
+    /// singular.
     fn newton(
         &mut self,
         run: &Run<'_>,

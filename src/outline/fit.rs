@@ -103,6 +103,13 @@ impl Fit {
         Fit { closed, starts: vec![[0, 0]], ..Fit::default() }
     }
 
+    /// Makes room for so many more points.
+    pub(super) fn reserve_points(&mut self, count: usize) -> Result<()> {
+        alloc::reserve(&mut self.segments, count)?;
+        alloc::reserve(&mut self.parameters, count)?;
+        alloc::reserve(&mut self.statuses, count)
+    }
+
     /// Takes all that another one has.
     fn append(&mut self, other: &mut Fit) -> Result<()> {
         let [points, ends] = [self.points.len(), self.ends.len()];
@@ -132,9 +139,9 @@ impl Fit {
 ///
 /// Composite, blended and cubic curves take linear time and memory. No memory is allocated for an outline but for the result.
 ///
-/// # Errors
-/// [`Error::BadOffsets`], [`Error::OptionOutOfRange`], [`Error::OutlineNotFinite`], [`Error::TooLarge`], [`Error::NoSuchPoint`] (a
-/// constraint names a point that there is not, or is out of order), [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// # Errors [`Error::BadOffsets`], [`Error::OptionOutOfRange`], [`Error::OutlineNotFinite`], [`Error::TooLarge`],
+/// [`Error::NoSuchPoint`] (a constraint names a point that there is not, or is out of order), [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 ///
 /// Source: Nadopta; the composite and blended readings of the set of sections are ours.
 pub fn fit(outlines: &Outlines<'_>, options: &Options, job: &Job<'_>) -> Result<Fit> {

@@ -84,8 +84,8 @@ pub(super) fn settle(
     Ok(())
 }
 
-/// Sections whose control points are farther away than they could be with joints in the middle, or that miss their points, as the
-/// elimination may lose digits where rows are not dominant.
+/// Sections whose control points are farther away than they could be with joints in the middle, or that miss their points, as
+/// the elimination may lose digits where rows are not dominant.
 fn astray<'a>(run: &'a Run<'_>, solution: &'a Solution) -> impl Iterator<Item = usize> + 'a {
     run.sections().filter(|&i| {
         let (p, b) = (run.points[i], solution.controls[i]);

@@ -24,7 +24,8 @@ pub enum Method {
     Normal,
     /// On the symmedian: t by the lengths of the chords. For all points.
     Symmedian,
-    /// t = a^alpha / (a^alpha + b^alpha) for a = |AP|, b = |PC| and 0 <= alpha <= 1: 0 is the median, 1/2 the bisector, 1 the symmedian.
+    /// t = a^alpha / (a^alpha + b^alpha) for a = |AP|, b = |PC| and 0 <= alpha <= 1: 0 is the median, 1/2 the bisector, 1 the
+    /// symmedian.
     Alpha(f64),
 }
 
@@ -61,9 +62,8 @@ impl Method {
 
     /// The section from A through P to C.
     ///
-    /// # Errors
-    /// [`PointStatus::NormalOutside`] and [`PointStatus::RightAngle`] for the normal; [`PointStatus::Repeated`] if P is A or C and the
-    /// parameter would be 0 or 1.
+    /// # Errors [`PointStatus::NormalOutside`] and [`PointStatus::RightAngle`] for the normal; [`PointStatus::Repeated`] if P
+    /// is A or C and the parameter would be 0 or 1.
     pub fn section(self, a: DVec3, p: DVec3, c: DVec3) -> Result<Section, PointStatus> {
         through(a, p, c, self.parameter(a, p, c)?)
     }
@@ -106,12 +106,12 @@ fn normal_parameter(a: DVec3, p: DVec3, c: DVec3) -> Result<f64, PointStatus> {
     }
 }
 
-/// The section from A with the tangent `tau` there, through P, to C: t = sqrt((tau x V) / (tau x W)) for V = P - A, W = C - A, and
-/// B = A + mu tau. All in one plane.
+/// The section from A with the tangent `tau` there, through P, to C: t = sqrt((tau x V) / (tau x W)) for V = P - A, W = C -
+/// A, and B = A + mu tau. All in one plane.
 ///
-/// # Errors
-/// [`PointStatus::TangentSeparates`] (the tangent runs between P and C), [`PointStatus::TangentBeyond`] (P is farther from the tangent than C is),
-/// [`PointStatus::TangentBackward`] (the curve would have to leave A backwards), [`PointStatus::OutOfPlane`].
+/// # Errors [`PointStatus::TangentSeparates`] (the tangent runs between P and C), [`PointStatus::TangentBeyond`] (P is
+/// farther from the tangent than C is), [`PointStatus::TangentBackward`] (the curve would have to leave A backwards),
+/// [`PointStatus::OutOfPlane`].
 pub fn section_by_start_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Section, PointStatus> {
     let (v, w) = (p - a, c - a);
     let length = tau.length();
@@ -152,12 +152,11 @@ pub fn section_by_end_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Resul
     Ok(Section { t: 1.0 - mirrored.t, ..mirrored })
 }
 
-/// The section from A to C that passes P in the direction `tau`: with h(X) = tau x (X - P), t = sqrt|h(A)| / (sqrt|h(A)| + sqrt|h(C)|).
-/// All in one plane.
+/// The section from A to C that passes P in the direction `tau`: with h(X) = tau x (X - P), t = sqrt|h(A)| / (sqrt|h(A)| +
+/// sqrt|h(C)|). All in one plane.
 ///
-/// # Errors
-/// [`PointStatus::TangentSeparates`] (A and C are on different sides of the tangent, or on it), [`PointStatus::TangentBackward`] (the curve
-/// passes P the other way), [`PointStatus::OutOfPlane`].
+/// # Errors [`PointStatus::TangentSeparates`] (A and C are on different sides of the tangent, or on it),
+/// [`PointStatus::TangentBackward`] (the curve passes P the other way), [`PointStatus::OutOfPlane`].
 pub fn section_by_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Section, PointStatus> {
     let length = tau.length();
     if length.is_nan() || length <= 0.0 {

@@ -1,8 +1,8 @@
 //! Outlines: Bézier curves through given points.
 //!
-//! The inverse problem of Bézier curves: the points of an outline are given, and the control points are sought. The paper (Nadopta, 2008)
-//! takes three neighbouring points at a time: the quadratic through the middle one whose control point lies on a guide, the normal of
-//! the chord, the bisector, the median, or a tangent.
+//! The inverse problem of Bézier curves: the points of an outline are given, and the control points are sought. The paper
+//! (Nadopta, 2008) takes three neighbouring points at a time: the quadratic through the middle one whose control point lies
+//! on a guide, the normal of the chord, the bisector, the median, or a tangent.
 //!
 //! * [`Method`]: the sections by themselves, closed forms.
 //! * [`sections`](sections()): the sections of all points of outlines.

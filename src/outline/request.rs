@@ -4,7 +4,8 @@ use super::method::Method;
 use crate::error::{Error, Result};
 use glam::DVec3;
 
-/// Points as they lie in memory: 2 or 3 coordinates at the start of every `stride` bytes, at any alignment. Plane points have z = 0.
+/// Points as they lie in memory: 2 or 3 coordinates at the start of every `stride` bytes, at any alignment. Plane points have
+/// z = 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Points<'a> {
     bytes: &'a [u8],
@@ -145,9 +146,9 @@ pub enum Mode {
     /// Quadratic segments, one control point for each point; smooth (G1) everywhere.
     #[default]
     Composite,
-    /// One Bézier curve of degree n through n + 1 points; each tangent at an end raises the degree by one. Closed: begins and ends at
-    /// the first point, with the tangent of that point's own section. Beyond degree 10 or so control points may lie far out
-    /// ([`FitStatus::IllConditioned`]); beyond [`MAX_DEGREE`](super::MAX_DEGREE) the curve is composite.
+    /// One Bézier curve of degree n through n + 1 points; each tangent at an end raises the degree by one. Closed: begins and
+    /// ends at the first point, with the tangent of that point's own section. Beyond degree 10 or so control points may lie
+    /// far out ([`FitStatus::IllConditioned`]); beyond [`MAX_DEGREE`](super::MAX_DEGREE) the curve is composite.
     Single,
     /// The sections of neighbouring points blended linearly: cubic segments from point to point, C1 (G1 with the normal).
     BlendC1,
@@ -163,11 +164,11 @@ pub enum Lock {
     /// The parameter of the point is that of the method on the data's own triangle. Always solvable.
     #[default]
     Parameter,
-    /// The parameter is that of the method on the section's own triangle (its joints and the point). A foot of the normal outside
-    /// the chord counts as the chord's end. Single curves have no sections, and take [`Lock::DataGuide`].
+    /// The parameter is that of the method on the section's own triangle (its joints and the point). A foot of the normal
+    /// outside the chord counts as the chord's end. Single curves have no sections, and take [`Lock::DataGuide`].
     SelfConsistent,
-    /// The control point lies on the guide of the data's triangle; outlines in a plane, any plane, only. Points whose section does
-    /// not cross the guide fall back to [`Lock::Parameter`].
+    /// The control point lies on the guide of the data's triangle; outlines in a plane, any plane, only. Points whose section
+    /// does not cross the guide fall back to [`Lock::Parameter`].
     DataGuide,
 }
 
@@ -179,8 +180,8 @@ pub enum Joint {
     Half,
     /// By the chords to the power of the method's exponent, as in a quadratic B-spline: C1 in those knots.
     Knot,
-    /// So that the curvature is continuous where the control polygon turns one way, and changes its sign only elsewhere. Slow, and
-    /// for dense and even points hardly determined ([`PointStatus::NotConverged`]).
+    /// So that the curvature is continuous where the control polygon turns one way, and changes its sign only elsewhere.
+    /// Slow, and for dense and even points hardly determined ([`PointStatus::NotConverged`]).
     G2,
 }
 
@@ -190,8 +191,8 @@ pub enum Solver {
     /// By closed forms and Newton's method.
     #[default]
     Fast,
-    /// The paper's: sweeps over the points, with steps along the guide, refined tenfold where the deviation changes its sign. Where
-    /// there is no guide to keep, along the deviation.
+    /// The paper's: sweeps over the points, with steps along the guide, refined tenfold where the deviation changes its sign.
+    /// Where there is no guide to keep, along the deviation.
     Step,
 }
 

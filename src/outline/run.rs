@@ -219,14 +219,14 @@ impl Sketch {
         alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
     }
 
-    /// Room for `n` quadratic segments, each by its control points but the first, to be filled in.
-    pub(super) fn quadratics(&mut self, n: usize) -> Result<impl ExactSizeIterator<Item = &mut [DVec3; 2]>> {
-        let from = self.points.len();
-        alloc::reserve(&mut self.points, 2 * n)?;
+    /// Room for the control points of `n` quadratic segments that are the whole curve, to be filled in.
+    pub(super) fn closed_quadratics(&mut self, n: usize) -> Result<&mut [DVec3]> {
+        self.clear();
+        alloc::reserve(&mut self.points, 2 * n + 1)?;
         alloc::reserve(&mut self.ends, n)?;
-        self.points.resize(from + 2 * n, DVec3::ZERO);
-        self.ends.extend((1..=n as u32).map(|k| from as u32 - 1 + 2 * k));
-        Ok(self.points[from..].as_chunks_mut().0.iter_mut())
+        self.points.resize(2 * n + 1, DVec3::ZERO);
+        self.ends.extend((1..=n as u32).map(|k| 2 * k));
+        Ok(&mut self.points)
     }
 
     /// Says that the curve may turn sharply where it ends so far.

@@ -17,8 +17,8 @@ const REPORT: usize = 1 << 16;
 /// The sections of outlines, one for each point.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Sections {
-    /// The control point of each section; the section of point i is the quadratic from point i - 1 over it to point i + 1. At the
-    /// ends of open outlines, which have no section, the point itself.
+    /// The control point of each section; the section of point i is the quadratic from point i - 1 over it to point i + 1. At
+    /// the ends of open outlines, which have no section, the point itself.
     pub controls: Vec<DVec3>,
     /// The parameter of the point on its section; 0 and 1 at the ends of open outlines.
     pub parameters: Vec<f64>,
@@ -29,8 +29,8 @@ pub struct Sections {
 /// Finds the section of each point with its two neighbours.
 ///
 /// A tangent demanded at a point makes its section pass in that direction; one demanded at the first or last point of an open
-/// outline is that of its neighbour's section there. Where the tangent or the normal cannot be had, the method (the bisector instead of
-/// the normal) takes its place, and the status says so. Corners mean nothing here. O(n); memory for the result.
+/// outline is that of its neighbour's section there. Where the tangent or the normal cannot be had, the method (the bisector
+/// instead of the normal) takes its place, and the status says so. Corners mean nothing here. O(n); memory for the result.
 ///
 /// # Errors
 /// Those of [`fit`](super::fit()), but for the constraints' corners.

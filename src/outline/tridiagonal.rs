@@ -1,4 +1,5 @@
-//! Tridiagonal systems whose unknowns are points, open and cyclic, by elimination without exchanges: for rows that are dominant.
+//! Tridiagonal systems whose unknowns are points, open and cyclic, by elimination without exchanges: for rows that are
+//! dominant.
 
 use glam::DVec3;
 
@@ -8,8 +9,8 @@ const SINGULAR: f64 = 1e-14;
 /// What the last unknown of a cyclic system contributes is left out below this.
 const FAINT: f64 = 1e-24;
 
-/// Solves for `unknowns[1..n - 1]`; the first and the last one are given. `row(i)`: the coefficients of unknowns i - 1, i and i + 1;
-/// `known(i)`: the right side. `upper`: room for n factors. False if the system is singular.
+/// Solves for `unknowns[1..n - 1]`; the first and the last one are given. `row(i)`: the coefficients of unknowns i - 1, i and
+/// i + 1; `known(i)`: the right side. `upper`: room for n factors. False if the system is singular.
 ///
 /// Source: Thomas's algorithm.
 pub(super) fn solve(
@@ -91,8 +92,8 @@ impl End {
 }
 
 impl Cyclic<'_> {
-    /// Solves it. `row(i, before)`: the coefficients of unknowns `before` (i - 1, round the end), i and i + 1; `known(i)`: the right side.
-    /// False if the system is singular.
+    /// Solves it. `row(i, before)`: the coefficients of unknowns `before` (i - 1, round the end), i and i + 1; `known(i)`:
+    /// the right side. False if the system is singular.
     ///
     /// As for an open system, but from both ends at once, which keeps a processor busy while it divides; and with the last
     /// unknown carried along in the rows next to it, until it has faded away.

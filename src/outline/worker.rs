@@ -16,8 +16,8 @@ pub(super) struct Worker<'a> {
     options: &'a Options,
     /// The constraints that are yet to come.
     constraints: &'a [Constraint],
-    /// The points that differ from their neighbours, near the origin. A closed outline that is cut begins at its first cut, and ends
-    /// with that point once more.
+    /// The points that differ from their neighbours, near the origin. A closed outline that is cut begins at its first cut,
+    /// and ends with that point once more.
     nodes: Vec<DVec3>,
     /// For each point of the outline its node.
     node_of: Vec<u32>,
@@ -99,11 +99,11 @@ impl<'a> Worker<'a> {
         let frame = self.read(&points)?;
         self.cut(&points)?;
         let mut report = Report { size: frame.size * frame.unit, ..Report::default() };
-        self.solve(frame.size, &mut report)?;
-        // A composite curve in one run measures itself.
-        if !self.cuts.is_empty() || self.options.mode != Mode::Composite {
-            judge::judge(&self.nodes, &self.solved, &self.sketch, self.is_closed(), frame.size, &mut report);
+        if self.cuts.is_empty() && self.options.mode == Mode::Composite {
+            return self.smooth(&points, frame, first_status, report);
         }
+        self.solve(frame.size, &mut report)?;
+        judge::judge(&self.nodes, &self.solved, &self.sketch, self.is_closed(), frame.size, &mut report);
         self.deliver(&points, frame, first_status, report)
     }
 
@@ -273,6 +273,38 @@ impl<'a> Worker<'a> {
         Ok(())
     }
 
+    /// Finds the composite curve of a closed outline in one run and writes it where the outline is.
+    fn smooth(&mut self, points: &Range<usize>, frame: Frame, first: usize, mut report: Report) -> Result<()> {
+        let run = Run { points: &self.nodes, closed: true, tangents: [None, None], size: frame.size };
+        composite::identify(&run, self.options, &mut self.solved, &mut self.room, &mut report)?;
+        let (n, solution, done) = (self.nodes.len(), &self.room.solution, &mut self.done);
+        let base = done.points.len();
+        alloc::reserve(&mut done.points, 2 * n + 1)?;
+        done.points.resize(base + 2 * n + 1, DVec3::ZERO);
+        let place = |p: DVec3| p * frame.unit + frame.origin;
+        composite::trace(&run, solution, place, &mut done.points[base..], &mut report);
+        alloc::reserve(&mut done.ends, n + 1)?;
+        done.ends.extend((0..=n as u32).map(|k| 2 * k));
+        alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
+        done.reserve_points(points.len())?;
+        if n == points.len() {
+            done.segments.extend(0..n as u32);
+            done.parameters.extend_from_slice(&solution.t[..n]);
+            done.statuses.extend(self.solved.iter().map(|solved| solved.status));
+        } else {
+            let mut taken = 0;
+            for (i, &node) in self.node_of.iter().enumerate() {
+                // Nodes come in ascending order; what comes again repeats its neighbour, or at the end the first point.
+                let repeats = i > 0 && node < taken;
+                taken = taken.max(node + 1);
+                done.segments.push(node);
+                done.parameters.push(solution.t[node as usize]);
+                done.statuses.push(if repeats { PointStatus::Merged } else { self.solved[node as usize].status });
+            }
+        }
+        self.account(first, report)
+    }
+
     /// Appends the curve where the outline is, and the account of its points.
     fn deliver(&mut self, points: &Range<usize>, frame: Frame, first: usize, report: Report) -> Result<()> {
         let done = &mut self.done;
@@ -281,16 +313,7 @@ impl<'a> Worker<'a> {
         done.points.extend(self.sketch.points.iter().map(|&p| p * frame.unit + frame.origin));
         alloc::append(&mut done.ends, &self.sketch.ends)?;
         alloc::push(&mut done.starts, [done.points.len(), done.ends.len()])?;
-        alloc::reserve(&mut done.segments, points.len())?;
-        alloc::reserve(&mut done.parameters, points.len())?;
-        alloc::reserve(&mut done.statuses, points.len())?;
-        if self.solved.len() == points.len() && self.cuts.is_empty() && self.options.mode == Mode::Composite {
-            // One run, without repeats and without a joint at any point.
-            done.segments.extend(self.solved.iter().map(|solved| solved.place.segment));
-            done.parameters.extend(self.solved.iter().map(|solved| solved.place.t));
-            done.statuses.extend(self.solved.iter().map(|solved| solved.status));
-            return self.account(first, report);
-        }
+        done.reserve_points(points.len())?;
         let (mut before, closing) = (u32::MAX, self.node_of.first().copied().unwrap_or(0));
         for (i, &node) in points.clone().zip(&self.node_of) {
             let Solved { place, mut status } = self.solved[node as usize];
@@ -354,8 +377,8 @@ fn direction(tangent: DVec3) -> Option<DVec3> {
     (largest > 0.0).then(|| (tangent * (1.0 / largest).min(f64::MAX)).normalize())
 }
 
-/// Gives the free ends of a run the directions perpendicular to the first and the last chord, in the planes of the first and the
-/// last three points.
+/// Gives the free ends of a run the directions perpendicular to the first and the last chord, in the planes of the first and
+/// the last three points.
 fn perpendicular_ends(run: &mut Run<'_>, solved: &mut [Solved]) {
     let last = run.points.len() - 1;
     for (end, sign) in [(0, 1.0), (1, -1.0)] {

@@ -1,9 +1,9 @@
 //! Which vertices lie together.
 //!
-//! In ascending order, each vertex that is still unclaimed becomes a representative and claims the unclaimed ones that lie at its
-//! position, or within the tolerance of it: nearest first, of equally near ones the smallest. Whatever is claimed lies within the
-//! tolerance of its representative, so nothing chains. Vertices that come in groups narrower than the tolerance, with more than the
-//! tolerance from group to group, are clustered group by group whatever their numbers are.
+//! In ascending order, each vertex that is still unclaimed becomes a representative and claims the unclaimed ones that lie at
+//! its position, or within the tolerance of it: nearest first, of equally near ones the smallest. Whatever is claimed lies
+//! within the tolerance of its representative, so nothing chains. Vertices that come in groups narrower than the tolerance,
+//! with more than the tolerance from group to group, are clustered group by group whatever their numbers are.
 //!
 //! Equal positions are found by sorting, near ones in a k-d tree: O(n log n), as representatives lie apart and a point is
 //! within reach of few. Where corners of one face are kept apart, those that lie together each have a turn.
@@ -28,8 +28,8 @@ pub(super) struct Clusters {
 const STEP: usize = 1 << 14;
 
 impl Clusters {
-    /// Clusters `members`, which are ascending and have finite positions. `tolerance`: `None` for equal positions, else positive.
-    /// With `corners`, no cluster gets two corners of one face.
+    /// Clusters `members`, which are ascending and have finite positions. `tolerance`: `None` for equal positions, else
+    /// positive. With `corners`, no cluster gets two corners of one face.
     pub(super) fn find(
         mesh: &MeshView<'_>,
         members: &[u32],

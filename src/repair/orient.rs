@@ -1,10 +1,10 @@
 //! Orientation: faces are turned over until neighbours agree.
 //!
-//! Two faces at an edge of exactly two agree if they run it in opposite directions. From the smallest face of each component on, a
-//! breadth-first search across such edges says of every face whether it agrees with the first one; the smaller side is turned. A
-//! component where some edge contradicts the search (a Moebius strip) cannot be oriented and stays as it is. Edges of three or
-//! more faces connect nothing, nor do degenerate faces. A turned face keeps its first corner. O(H log d) for H half-edges and at
-//! most d edges at a vertex, which pairing the half-edges takes; the rest is linear.
+//! Two faces at an edge of exactly two agree if they run it in opposite directions. From the smallest face of each component
+//! on, a breadth-first search across such edges says of every face whether it agrees with the first one; the smaller side is
+//! turned. A component where some edge contradicts the search (a Moebius strip) cannot be oriented and stays as it is. Edges
+//! of three or more faces connect nothing, nor do degenerate faces. A turned face keeps its first corner. O(H log d) for H
+//! half-edges and at most d edges at a vertex, which pairing the half-edges takes; the rest is linear.
 
 use crate::alloc;
 use crate::error::Result;
@@ -159,8 +159,8 @@ impl Search<'_> {
 
 /// Whether a closed set of faces, turned as `turned` says, has a negative volume; `None` if it is 0 up to rounding.
 ///
-/// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r, with coordinates from a vertex of the set
-/// in a power-of-two unit of its size.
+/// By the divergence theorem, 6 V = sum of p ((q - p) x (r - p)) over triangles p, q, r, with coordinates from a vertex of
+/// the set in a power-of-two unit of its size.
 fn faces_inward(mesh: &MeshView<'_>, found: &[u32], turned: &[bool]) -> Option<bool> {
     let point = |v: u32| mesh.positions().get(v);
     let corners = || found.iter().flat_map(|&f| mesh.face(f as usize));

@@ -1,14 +1,15 @@
 //! Sewing: free edges that lie on one another become one edge, two by two.
 //!
-//! Free edges are compared by the clusters of their ends, in either direction, as orientation is another matter. Where exactly
-//! two lie on one another they are to be one; where there are more, none is preferred. In the order of the half-edges, each pair is
-//! sewn, that is, its ends are made one vertex each, unless that would
+//! Free edges are compared by the clusters of their ends, in either direction, as orientation is another matter. Where
+//! exactly two lie on one another they are to be one; where there are more, none is preferred. In the order of the
+//! half-edges, each pair is sewn, that is, its ends are made one vertex each, unless that would
 //!
 //! * make one of two corners of a face, which would collapse (where the caller does not allow that), or
 //! * make one of two edges that together have more than two faces.
 //!
-//! So vertices that merely lie together stay apart where no edge joins them, as at a point that two holes share; two solids that
-//! touch along an edge stay two, each sewn to itself; and a manifold stays a manifold: a sewn edge joins two fans into one.
+//! So vertices that merely lie together stay apart where no edge joins them, as at a point that two holes share; two solids
+//! that touch along an edge stay two, each sewn to itself; and a manifold stays a manifold: a sewn edge joins two fans into
+//! one.
 //!
 //! The smaller of two sets of vertices is looked through at each union, and an edge's faces are counted at the end with fewer
 //! corners: O(B log B) for B corners at border vertices of bounded degree.

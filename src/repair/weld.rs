@@ -1,13 +1,13 @@
 //! Welding: one vertex instead of several that lie together.
 //!
 //! Borders are **sewn**: free edges that lie on one another become one edge, two by two, and with them their ends. Where more
-//! lie together none is preferred, and a pair is left where sewing it would make one of two corners of a face or put more than two
-//! faces to an edge: a manifold stays one. Or **all** vertices that lie together become one, as triangle soups need it, whatever
-//! comes of the edges. The faces' orientation plays no part: sheets may be inside out against each other.
+//! lie together none is preferred, and a pair is left where sewing it would make one of two corners of a face or put more
+//! than two faces to an edge: a manifold stays one. Or **all** vertices that lie together become one, as triangle soups need
+//! it, whatever comes of the edges. The faces' orientation plays no part: sheets may be inside out against each other.
 //!
-//! Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones within
-//! the tolerance of it, nearest first. So nothing chains, and groups of vertices that are narrower than the tolerance and farther
-//! apart than it are found whatever the numbers of the vertices are.
+//! Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
+//! within the tolerance of it, nearest first. So nothing chains, and groups of vertices that are narrower than the tolerance
+//! and farther apart than it are found whatever the numbers of the vertices are.
 
 use super::cluster::Clusters;
 use super::corners::Corners;
@@ -44,8 +44,8 @@ pub struct Options {
 /// A welded mesh, and what became of the old one. Indices are those of the old mesh; lists are ascending.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Weld {
-    /// The old faces in their order, each from its own first corner, and the vertices that are left in theirs. Of vertices made one
-    /// the smallest is left, and its position keeps its bits.
+    /// The old faces in their order, each from its own first corner, and the vertices that are left in theirs. Of vertices
+    /// made one the smallest is left, and its position keeps its bits.
     pub mesh: Mesh,
     /// Per old vertex, the new one; [`NONE`] if it was left out as unused.
     pub vertex_map: Vec<u32>,
@@ -58,7 +58,8 @@ pub struct Weld {
     /// Faces dropped.
     pub dropped_faces: u32,
     /// Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
-    /// together there, or sewing would have done harm. With [`Vertices::All`] they may be one edge of three or more faces by now.
+    /// together there, or sewing would have done harm. With [`Vertices::All`] they may be one edge of three or more faces by
+    /// now.
     pub left_edges: Vec<u32>,
     /// Vertices that lie together with another and are not one with it.
     pub left_vertices: Vec<u32>,

@@ -1,8 +1,8 @@
 //! Which vertices of two loops face each other: the paper's algorithm 2, corrected.
 //!
-//! Each loop has a centre C, the mean of its vertices (5). The vectors between the centres, a_1 = C_2 - C_1 and a_2 = -a_1 (6), are
-//! the normals of two planes through the centres (7). A vertex faces the other loop if it lies on that loop's side of its
-//! own plane: (V - C) . a > 0.
+//! Each loop has a centre C, the mean of its vertices (5). The vectors between the centres, a_1 = C_2 - C_1 and a_2 = -a_1
+//! (6), are the normals of two planes through the centres (7). A vertex faces the other loop if it lies on that loop's side
+//! of its own plane: (V - C) . a > 0.
 //!
 //! Where the paper's text does not suffice:
 //!
@@ -79,8 +79,8 @@ pub enum Centres {
 pub struct Options {
     /// Which run is taken.
     pub run: Run,
-    /// A vertex must be farther from its plane than this, in the unit of the points; `None` for what round-off of double precision
-    /// can do.
+    /// A vertex must be farther from its plane than this, in the unit of the points; `None` for what round-off of double
+    /// precision can do.
     pub tolerance: Option<f64>,
     /// The loops' centres.
     pub centres: Centres,

@@ -156,9 +156,10 @@ impl Grid {
         }
     }
 
-    /// The column of the quad whose other diagonal has to be taken so that no edge of a closed strip without interior rows is there
-    /// twice; `n` is the number of vertices on A. With its diagonals the strip is a path of single steps: no edge is there twice if
-    /// one of its steps on A is not at B_0 and one on B is not at A_0. A single flip is enough, as rims have three vertices.
+    /// The column of the quad whose other diagonal has to be taken so that no edge of a closed strip without interior rows is
+    /// there twice; `n` is the number of vertices on A. With its diagonals the strip is a path of single steps: no edge is
+    /// there twice if one of its steps on A is not at B_0 and one on B is not at A_0. A single flip is enough, as rims have
+    /// three vertices.
     fn flipped(&self, n: u32, taken: &impl Fn(u32, u32) -> bool) -> Option<usize> {
         let cell =
             |column: usize| [self.at(0, column + 1), self.at(0, column), self.at(1, column), self.at(1, column + 1)];

@@ -77,7 +77,8 @@ pub(super) fn mean_gap(a: &Rim, b: &Rim) -> Result<f64> {
     Ok(there.max(mean_distance(&a.points, &KdTree::new(&b.points)?)))
 }
 
-/// The mean distance from the vertices of one rim to the nearest of the other; of a long rim only every so many-th vertex is asked.
+/// The mean distance from the vertices of one rim to the nearest of the other; of a long rim only every so many-th vertex is
+/// asked.
 fn mean_distance(from: &[DVec3], to: &KdTree<'_>) -> f64 {
     let asked = from.iter().step_by(from.len().div_ceil(ASKED));
     let count = asked.len() as f64;

@@ -27,8 +27,8 @@ pub enum Rows {
     /// None: every meridian is one edge.
     #[default]
     None,
-    /// So many that the parts of a meridian are, in the mean, about as long as the mean side of the faces of both pieces, as the
-    /// paper suggests: max(0, round(mean meridian / mean side) - 1).
+    /// So many that the parts of a meridian are, in the mean, about as long as the mean side of the faces of both pieces, as
+    /// the paper suggests: max(0, round(mean meridian / mean side) - 1).
     MeanEdge,
     /// This many.
     Count(u32),

@@ -1,9 +1,9 @@
 //! The meridian to begin with, where the rims are closed.
 //!
-//! The paper leaves the pairing of the rims' starts open. There are two candidates: the closest pair of vertices, which on the
-//! study's real rims was the best of all starts; and the closest pair once the rims are laid on each other by the rotation that
-//! fits best, which is what a closest pair is not when a rim comes near the other one in a wrong place. Meridians are found from
-//! both, and the better ones are kept.
+//! The paper leaves the pairing of the rims' starts open. There are two candidates: the closest pair of vertices, which on
+//! the study's real rims was the best of all starts; and the closest pair once the rims are laid on each other by the
+//! rotation that fits best, which is what a closest pair is not when a rim comes near the other one in a wrong place.
+//! Meridians are found from both, and the better ones are kept.
 
 use super::polyline::samples;
 use super::rim::{Bridges, Rim};
@@ -50,9 +50,9 @@ pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -
     Ok(best.1)
 }
 
-/// The places (i, j) of the closest vertices, not joined by an edge already, among those that meet when rim B is turned along rim A
-/// so that the sum of squared distances between points at equal arc lengths is least. The rims run side by side.
-/// O(N log M), and a Fourier transform of [`SAMPLES`] samples.
+/// The places (i, j) of the closest vertices, not joined by an edge already, among those that meet when rim B is turned along
+/// rim A so that the sum of squared distances between points at equal arc lengths is least. The rims run side by side. O(N
+/// log M), and a Fourier transform of [`SAMPLES`] samples.
 pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges) -> Result<Option<(usize, usize)>> {
     let shift = best_shift(&samples(&a.points, true, SAMPLES)?, &samples(&b.points, true, SAMPLES)?);
     let (along_a, along_b) = (parts(&a.points)?, parts(&b.points)?);
@@ -75,7 +75,8 @@ pub(super) fn by_rotation(a: &Rim, b: &Rim, bridges: &Bridges) -> Result<Option<
 /// How far along `q`, as a part of its length, the point lies that belongs to the start of `p`.
 ///
 /// The sum of |p_k - q_(k + s)|^2 is least where the correlation sum of p_k . q_(k + s) is greatest, and that is for all s at
-/// once the inverse transform of conj(P) Q. The planner is told to use no vector instructions of its own: the same bits anywhere.
+/// once the inverse transform of conj(P) Q. The planner is told to use no vector instructions of its own: the same bits
+/// anywhere.
 fn best_shift(p: &[DVec3], q: &[DVec3]) -> f64 {
     let n = p.len();
     let mut planner = FftPlanner::new();

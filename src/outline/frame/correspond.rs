@@ -116,8 +116,8 @@ fn given(sections: &Outlines<'_>, found: &mut Found) -> Result<()> {
     Ok(())
 }
 
-/// Adds `columns` nodes that divide the arc from one place to another (all round, if they are the same on a closed curve) evenly; of
-/// an open curve from end to end the last one is its end.
+/// Adds `columns` nodes that divide the arc from one place to another (all round, if they are the same on a closed curve)
+/// evenly; of an open curve from end to end the last one is its end.
 fn even(
     curve: &CurveView<'_>,
     from: Place,

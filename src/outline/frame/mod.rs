@@ -1,7 +1,7 @@
 //! The frame of outlines: curves across and curves along a body, through a common grid of nodes.
 //!
-//! What the paper is for: a body is described by its cross sections, closed outlines one behind another, and by curves along it. Both
-//! families pass the same nodes, so they meet there. From the curves along come cross sections at any plane.
+//! What the paper is for: a body is described by its cross sections, closed outlines one behind another, and by curves along
+//! it. Both families pass the same nodes, so they meet there. From the curves along come cross sections at any plane.
 //!
 //! * correspond: the nodes; which points of one section belong to which of the next.
 //! * [`frame`](frame()): the curves through them.
@@ -29,8 +29,8 @@ use glam::DVec3;
 pub enum Correspondence<'a> {
     /// The points themselves, by their places: all sections have equally many.
     Given,
-    /// Equal parts of the arc length of each section from its first point on; a section that runs the other way round than the first one is
-    /// taken backwards.
+    /// Equal parts of the arc length of each section from its first point on; a section that runs the other way round than
+    /// the first one is taken backwards.
     ArcLength {
         /// The number of nodes in a section.
         columns: usize,
@@ -105,11 +105,10 @@ pub struct Frame {
 
 /// Makes the frame of some sections, closed or open, one behind another.
 ///
-/// # Errors
-/// Those of [`fit`](super::fit()), [`Error::OptionOutOfRange`] (sections: fewer than 2, or than 3 in a ring; columns: fewer than 2, or than 3 of
-/// closed sections; landmarks: not as many for each section, or not in order; axis, reference), [`Error::SectionsDiffer`],
-/// [`Error::NoNode`] (a section that a half-plane does not meet, or that is no curve). Time and memory: those of the fits; with angles O(columns x
-/// segments) for each section.
+/// # Errors Those of [`fit`](super::fit()), [`Error::OptionOutOfRange`] (sections: fewer than 2, or than 3 in a ring;
+/// columns: fewer than 2, or than 3 of closed sections; landmarks: not as many for each section, or not in order; axis,
+/// reference), [`Error::SectionsDiffer`], [`Error::NoNode`] (a section that a half-plane does not meet, or that is no curve).
+/// Time and memory: those of the fits; with angles O(columns x segments) for each section.
 pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Frame> {
     let found = correspond::correspond(sections, options, &job.part(0.0, 0.4))?;
     let (rows, columns) = (found.rows, found.columns);

@@ -18,12 +18,11 @@ pub struct Slice {
     pub ambiguous: Vec<u32>,
 }
 
-/// Cuts the curves along a body by the plane through `point` across `normal`, and draws a curve through the crossings in the order of the
-/// columns, `closed` or not. O(segments) for crossings.
+/// Cuts the curves along a body by the plane through `point` across `normal`, and draws a curve through the crossings in the
+/// order of the columns, `closed` or not. O(segments) for crossings.
 ///
-/// # Errors
-/// [`Error::OptionOutOfRange`] (the normal), [`Error::OutlineNotFinite`] (point 0 is `point`, 1 is `normal`), [`Error::NoNode`] (section 0, and
-/// the curve that the plane does not cross), those of [`fit`](super::super::fit()).
+/// # Errors [`Error::OptionOutOfRange`] (the normal), [`Error::OutlineNotFinite`] (point 0 is `point`, 1 is `normal`),
+/// [`Error::NoNode`] (section 0, and the curve that the plane does not cross), those of [`fit`](super::super::fit()).
 pub fn slice(
     along: &Fit,
     point: DVec3,

@@ -3,8 +3,8 @@
 use crate::alloc;
 use crate::error::Result;
 
-/// Sets of components whose orientations are bound to each other: a union-find structure that knows for each element whether it is
-/// turned against its root, which is the smallest of the set.
+/// Sets of components whose orientations are bound to each other: a union-find structure that knows for each element whether
+/// it is turned against its root, which is the smallest of the set.
 pub(super) struct Agreement {
     up: Vec<u32>,
     turned: Vec<bool>,

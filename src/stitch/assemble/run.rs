@@ -19,12 +19,12 @@ use crate::stitch::settle::settle;
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, IndexMap};
 
-/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other across
-/// a gap stitched, and holes filled, as the options say.
+/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
+/// across a gap stitched, and holes filled, as the options say.
 ///
 /// O(H log d) for the pieces' H half-edges, O(V log V) for the V vertices on loops, the time of each strip as for
-/// [`stitch()`](crate::stitch::stitch()), and where strips are faired or tested for intersections a pass over all faces for each.
-/// Linear extra memory.
+/// [`stitch()`](crate::stitch::stitch()), and where strips are faired or tested for intersections a pass over all faces for
+/// each. Linear extra memory.
 ///
 /// # Errors
 /// [`Error::EmptyMesh`] without pieces, [`Error::MixedScalars`], [`Error::OptionOutOfRange`] for a gap or tolerance that is

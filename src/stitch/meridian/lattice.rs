@@ -1,9 +1,10 @@
-//! The cheapest path through the lattice, for costs that depend on each step alone: exact dynamic programming over a band of it.
+//! The cheapest path through the lattice, for costs that depend on each step alone: exact dynamic programming over a band of
+//! it.
 //!
-//! Node (i, j) is reached from (i - 1, j), from (i, j - 1), or, if the metric allows steps on both rims, from (i - 1, j - 1); the
-//! cheapest way to it is the cheapest of these, one step longer (Fuchs, Kedem and Uselton, 1977). How each node is reached is
-//! kept for a block of rows at a time: the first pass keeps the costs at each block's start, and the way back computes
-//! each block but the last once more.
+//! Node (i, j) is reached from (i - 1, j), from (i, j - 1), or, if the metric allows steps on both rims, from (i - 1, j - 1);
+//! the cheapest way to it is the cheapest of these, one step longer (Fuchs, Kedem and Uselton, 1977). How each node is
+//! reached is kept for a block of rows at a time: the first pass keeps the costs at each block's start, and the way back
+//! computes each block but the last once more.
 
 use super::band::Band;
 use super::metric::{Line, Metric, Steps};

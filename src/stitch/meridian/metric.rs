@@ -1,7 +1,7 @@
 //! What a step through the lattice of meridians costs.
 //!
-//! Node (i, j) is the meridian from A_i to B_j. A step on A into (i, j) adds the triangle A_i A_i-1 B_j, a step on B the triangle
-//! A_i B_j-1 B_j; a step on both, which only strips of quads take, adds the quad of all four.
+//! Node (i, j) is the meridian from A_i to B_j. A step on A into (i, j) adds the triangle A_i A_i-1 B_j, a step on B the
+//! triangle A_i B_j-1 B_j; a step on both, which only strips of quads take, adds the quad of all four.
 
 use super::Pair;
 use crate::alloc;
@@ -63,7 +63,8 @@ impl Metric {
         self == Metric::Quad
     }
 
-    /// The costs of the steps into the nodes (i, j) for j in `range`. These loops have no branches, so that they run on vectors.
+    /// The costs of the steps into the nodes (i, j) for j in `range`. These loops have no branches, so that they run on
+    /// vectors.
     pub(super) fn measure(self, a: &[DVec3], b: &Line, i: usize, range: RangeInclusive<usize>, steps: &mut Steps) {
         let (first, last) = (*range.start(), *range.end());
         let here = a[i];

@@ -107,8 +107,8 @@ pub(crate) struct Chosen {
     pub(crate) cost: f64,
 }
 
-/// The meridians of `choice` that pass no forbidden node, and of closed rims use none twice; `None` if there are none. The rule by
-/// index minds neither.
+/// The meridians of `choice` that pass no forbidden node, and of closed rims use none twice; `None` if there are none. The
+/// rule by index minds neither.
 pub(crate) fn meridians(rails: &Rails<'_>, choice: Meridians, search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
     let (a, b) = (rails.a, rails.b);
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1)?;
