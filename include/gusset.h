@@ -3299,8 +3299,8 @@ gusset_status gusset_curve_contour(const struct gusset_context *context,
                                    struct gusset_curve_form **form);
 
 /**
- * The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity n
- * - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
+ * The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity
+ * n - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
  * OUT_OF_MEMORY. O(points).
  */
 GUSSET_API

@@ -86,8 +86,8 @@ pub unsafe extern "C" fn gusset_curve_contour(
     })
 }
 
-/// The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity n
-/// - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
+/// The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity
+/// n - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
 /// OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]

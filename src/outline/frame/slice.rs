@@ -95,7 +95,7 @@ const STEPS: u32 = 16;
 /// Measures the sections of a frame by planes through some points across `normal`: girth and area along a body.
 ///
 /// # Errors
-/// Those of [`slice`]; the section of [`Error::NoNode`] is the place of the plane.
+/// Those of [`slice`](slice()); the section of [`Error::NoNode`] is the place of the plane.
 pub fn measures(
     along: &Fit,
     points: &[DVec3],
