@@ -2616,9 +2616,9 @@ typedef struct gusset_stitch_parts {
     struct gusset_indices rim[2];
     /**
      * The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
-     * They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M -
-     * 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by the rule by
-     * index, both.
+     * They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to
+     * (N - 1, M - 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by
+     * the rule by index, both.
      */
     struct gusset_indices meridians;
     /**

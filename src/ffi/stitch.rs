@@ -26,9 +26,9 @@ pub struct gusset_stitch_parts {
     /// surface on the left, rim 1 on the right. They are also the strip's own first vertices in order: rim 0, then rim 1.
     pub rim: [gusset_indices; 2],
     /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
-    /// They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to (N - 1, M -
-    /// 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by the rule by
-    /// index, both.
+    /// They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to
+    /// (N - 1, M - 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by
+    /// the rule by index, both.
     pub meridians: gusset_indices,
     /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
     pub matrix: gusset_indices,
