@@ -220,7 +220,8 @@
 #define GUSSET_SAMPLE_STEP 1
 
 /**
- * gusset_curve_sample: the curve is nowhere farther than `amount` from the chords between the points.
+ * gusset_curve_sample: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
+ * 20 times, which leaves 1e-12 of its size.
  */
 #define GUSSET_SAMPLE_CHORD 2
 
@@ -363,7 +364,8 @@
 #define GUSSET_CURVE_COMPOSITE 0
 
 /**
- * One Bezier curve of degree n through n + 1 points.
+ * One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end tangent, and n + 2 through n points of a
+ * closed outline, whose seam is smooth. Above degree 64 a composite curve takes its place. Good for up to some 20 points.
  */
 #define GUSSET_CURVE_SINGLE 1
 
@@ -415,12 +417,14 @@
 #define GUSSET_LOCK_PARAMETER 0
 
 /**
- * The parameter is that of the method on the section's own triangle.
+ * The parameter is that of the method on the section's own triangle. With the normal there may be several solutions; which one is
+ * found depends on the solver.
  */
 #define GUSSET_LOCK_SELF_CONSISTENT 1
 
 /**
- * The control point lies on the guide of the data's triangle; plane outlines only.
+ * The control point lies on the guide of the data's triangle, where that is possible. Outlines must lie in a plane, any plane; points
+ * of others get GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
  */
 #define GUSSET_LOCK_DATA_GUIDE 2
 
@@ -480,7 +484,8 @@
 #define GUSSET_POINT_CLAMPED_PARAMETER 1
 
 /**
- * It repeats its neighbour, and was left out; the curve passes both.
+ * It repeats a point before it (or the first one, at the end of a closed outline), and was left out: the curve passes that one,
+ * which is within the tolerance for repeats.
  */
 #define GUSSET_POINT_MERGED 2
 
@@ -556,7 +561,7 @@
 #define GUSSET_FIT_OK 0
 
 /**
- * Some points are not as asked: see their status.
+ * Some points are not as asked, in other ways than merged or clamped: see their status.
  */
 #define GUSSET_FIT_PARTIAL 1
 
@@ -566,7 +571,7 @@
 #define GUSSET_FIT_NOT_CONVERGED 2
 
 /**
- * The iteration ran away.
+ * The iteration ran away, or control points are beyond the largest number.
  */
 #define GUSSET_FIT_DIVERGED 3
 
@@ -581,7 +586,7 @@
 #define GUSSET_FIT_TOO_FEW_POINTS 5
 
 /**
- * A single curve would have a degree above 64.
+ * A single curve would have a degree above 64; a composite one took its place.
  */
 #define GUSSET_FIT_DEGREE_TOO_HIGH 6
 
@@ -2199,7 +2204,7 @@ typedef struct gusset_outlines {
      */
     size_t outline_count;
     /**
-     * In ascending order of their points, at most one for each; or NULL.
+     * In ascending order of their points, at most one for each; or NULL. Of points that are merged the first one's holds.
      */
     const struct gusset_constraint *constraints;
     /**
@@ -2254,7 +2259,7 @@ typedef struct gusset_outline_options {
      */
     double alpha;
     /**
-     * Parameters of composite curves are kept within this and 1 less this, below 1/2; 0 for 1/6.
+     * Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for 1/6.
      */
     double parameter_limit;
     /**
@@ -2401,7 +2406,7 @@ typedef struct gusset_measure {
      */
     double girth;
     /**
-     * The area within; that of an open section is closed by its chord.
+     * The area within, never negative; that of an open section is closed by its chord.
      */
     double area;
     /**
@@ -2545,7 +2550,7 @@ typedef struct gusset_outline_report {
      */
     double size;
     /**
-     * The largest distance of a point from its place on the curve.
+     * The largest distance of a point from its place on the curve; merged points count as the one that they repeat.
      */
     double max_residual;
     /**

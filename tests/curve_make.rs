@@ -244,3 +244,32 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn reducing_high_degrees_gives_numbers_or_keeps_them() {
+    for degree in 24..64u32 {
+        let points: Vec<DVec3> = (0..=degree).map(|i| v(f64::from(i), f64::from(i).sin(), 0.0)).collect();
+        let ends = [0, degree];
+        let raised = CurveView::new(&points, &ends, false).unwrap().elevated_by(1).unwrap();
+        for tolerance in [1e-3, f64::INFINITY] {
+            let back = raised.view().reduced(degree as usize, tolerance).unwrap();
+            assert!(back.curve.view().points().iter().all(|p| p.is_finite()), "{degree}");
+            assert!(!back.kept.is_empty() || back.deviations[0] <= tolerance, "{degree}");
+        }
+    }
+}
+
+#[test]
+fn lengths_of_curves_whose_speed_is_noise_end() {
+    // Points far apart that cancel: a single curve through points on a line, there and back.
+    let points: Vec<[f64; 2]> = (0..18).map(|i| [f64::from(i), 0.0]).collect();
+    let outlines =
+        gusset::outline::Outlines { points: points[..].into(), offsets: None, closed: true, constraints: &[] };
+    let options = gusset::outline::Options {
+        mode: gusset::outline::Mode::Single,
+        method: gusset::outline::Method::Symmedian,
+        ..Default::default()
+    };
+    let done = gusset::outline::fit(&outlines, &options, &Job::default()).unwrap();
+    assert!(done.curve(0).length().unwrap() >= 34.0);
+}

@@ -430,10 +430,67 @@ fn what_is_no_outline_is_refused() {
         ("tolerance", Options { tolerance: f64::INFINITY, ..plain }),
         ("first_step", Options { first_step: 0.0, ..plain }),
         ("step_divisor", Options { step_divisor: 1.0, ..plain }),
+        ("max_sweeps", Options { max_sweeps: 0, ..plain }),
+        ("max_steps", Options { max_steps: 0, ..plain }),
     ] {
         match refused(outlines(good, None, &[]), options) {
             Error::OptionOutOfRange { option: named, .. } => assert_eq!(named, option),
             other => panic!("{option}: {other}"),
         }
+    }
+}
+
+#[test]
+fn repeats_at_the_end_of_a_closed_outline() {
+    // Two points that repeat the first one but not each other; and with corners, which turn the nodes round.
+    for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2, Mode::Single] {
+        for corner in [false, true] {
+            let e = 0.7e-12;
+            let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, -e], [0.0, e], [e, -0.1 * e]];
+            let constraints = [Constraint { point: 2, demand: Demand::Corner }];
+            let constraints = if corner { &constraints[..] } else { &[] };
+            let done = one(&points, true, constraints, &Options { mode, ..Options::default() });
+            assert_passes(&points, &done, "repeats");
+            assert_eq!(done.statuses()[4..], [PointStatus::Merged; 3], "{mode:?}");
+            assert!((4..7).all(|i| done.place(i) == done.place(0)), "{mode:?}");
+        }
+    }
+}
+
+#[test]
+fn statuses_do_not_depend_on_where_an_outline_begins() {
+    let ring = [[0.0, 0.0], [1.0, 0.5], [2.0, 0.0], [2.0, 2.0], [1.5, 1.5], [1.0, 1.0], [0.5, 0.5]];
+    for shift in 0..7 {
+        let points: Vec<[f64; 2]> = (0..7).map(|i| ring[(i + shift) % 7]).collect();
+        let at = |corner: usize| ((corner + 7 - shift) % 7) as u32;
+        let mut corners = [at(0), at(3)];
+        corners.sort_unstable();
+        let constraints = corners.map(|point| Constraint { point, demand: Demand::Corner });
+        let done = one(&points, true, &constraints, &Options { ends: Ends::Perpendicular, ..Options::default() });
+        assert_eq!(done.reports()[0].not_ok, 2, "{shift}");
+        assert_eq!([0, 3].map(|corner| done.statuses()[at(corner) as usize]), [PointStatus::Collinear; 2], "{shift}");
+    }
+}
+
+#[test]
+fn curves_beyond_the_largest_number_are_missed() {
+    for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2, Mode::Single] {
+        for s in [1e300, 4e307, 9.1e307, 1.7e308] {
+            let points = [[-s, 0.0], [s, 0.0], [0.0, s]];
+            let done = one(&points, true, &[], &Options { mode, ..Options::default() });
+            assert!(done.curve(0).points().iter().all(|p| p.is_finite()), "{mode:?} {s:e}");
+            let missed = done.statuses().contains(&PointStatus::Missed);
+            assert_eq!(missed, done.reports()[0].status == FitStatus::Diverged, "{mode:?} {s:e}");
+            assert!(s > 1e300 || !missed, "{mode:?}");
+        }
+    }
+}
+
+#[test]
+fn plane_outlines_stay_in_their_plane() {
+    let there_and_back = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [3.0, 3.0], [1.0, 1.0]];
+    for mode in [Mode::Composite, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2, Mode::Single] {
+        let done = one(&there_and_back, true, &[], &Options { mode, ..Options::default() });
+        assert!(done.curve(0).points().iter().all(|p| p.z == 0.0), "{mode:?}");
     }
 }

@@ -247,3 +247,41 @@ fn what_makes_no_frame_is_refused() {
     let cut = slice(&made.along, DVec3::NAN, DVec3::Z, true, &CUBIC, &Job::default());
     assert!(matches!(cut.unwrap_err(), Error::OutlineNotFinite { .. }));
 }
+
+#[test]
+fn landmarks_at_one_place_have_nothing_between_them() {
+    // Point 3 comes twice, and the first one at the end once more.
+    let mut points = circle(0.0, 12, 0.0, false);
+    points.insert(4, points[3]);
+    points.push(points[0]);
+    let sections = Sections::of([points.clone(), points]);
+    let landmarks = [0, 3, 4, 8, 13, 0, 3, 4, 8, 13];
+    let correspondence = Correspondence::Landmarks { points: &landmarks, parts: 2 };
+    let made = sections.make(true, &options(correspondence)).unwrap();
+    let angle = |i: usize| made.grid.nodes[i].y.atan2(made.grid.nodes[i].x).rem_euclid(TAU).to_degrees();
+    for (i, expected) in [0.0, 45.0, 90.0, 90.0, 90.0, 150.0, 210.0, 285.0, 360.0, 360.0].into_iter().enumerate() {
+        let off = (angle(i) - expected).rem_euclid(360.0);
+        assert!(off.min(360.0 - off) < 0.1, "node {i}: {} instead of {expected}", angle(i));
+    }
+}
+
+#[test]
+fn sections_are_turned_at_any_scale() {
+    for scale in [1e-300, 1e-200, 1e-82, 1.0, 1e100, 1e200] {
+        let ring = |z: f64, backwards| -> Vec<[f64; 3]> {
+            circle(z, 16, 0.1, backwards)
+                .into_iter()
+                .map(|p| [p[0] * scale, p[1] * scale, (p[2] + 0.3 * p[0]) * scale])
+                .collect()
+        };
+        let sections = Sections::of([ring(0.0, false), ring(0.5, true), ring(1.0, false)]);
+        let made = sections.make(true, &options(Correspondence::ArcLength { columns: 12 })).unwrap();
+        assert_eq!(made.grid.turned, [0, 1, 0], "{scale:e}");
+        let measure = Measure::of(made.across.curve(1)).unwrap();
+        assert!(
+            measure.centre.is_finite() && (measure.centre.z / scale - 0.5).abs() < 1e-2,
+            "{scale:e} {}",
+            measure.centre
+        );
+    }
+}

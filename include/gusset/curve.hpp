@@ -124,7 +124,9 @@ public:
     template <class Points>
     static Curve from(const Points &points, Indices ends, bool closed, const Context &context = Context()) {
         using Point = std::decay_t<decltype(*std::data(points))>;
-        static_assert(sizeof(Point) == 16 || sizeof(Point) == 24, "two or three doubles");
+        static_assert(std::is_same_v<std::decay_t<decltype(std::declval<const Point &>()[0])>, double> &&
+                          (sizeof(Point) == 16 || sizeof(Point) == 24),
+                      "two or three doubles");
         const auto *numbers = reinterpret_cast<const double *>(std::data(points));
         return made(context, [&](gusset_context *c, gusset_curve **curve) {
             return gusset_curve_create(c, numbers, std::size(points), sizeof(Point) / 8, ends.data(), ends.size(), closed,

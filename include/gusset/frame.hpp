@@ -24,7 +24,7 @@ public:
         Correspondence made;
         made.options_.correspondence = GUSSET_CORRESPONDENCE_ANGLE;
         made.options_.columns = columns;
-        for (int k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             made.options_.axis_point[k] = point[k];
             made.options_.axis_direction[k] = direction[k];
             made.options_.reference[k] = reference[k];

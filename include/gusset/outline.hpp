@@ -44,7 +44,8 @@ struct Constraint : gusset_constraint {
 };
 static_assert(sizeof(Constraint) == sizeof(gusset_constraint), "a constraint is what C takes");
 
-/// Outlines in the host's memory, which must outlive the calls they are given to; see gusset_outlines.
+/// Outlines in the host's memory, which must outlive the calls they are given to: a container that is gone by then leaves nothing to
+/// read. See gusset_outlines.
 class Outlines {
 public:
     /// Plane points.
@@ -62,7 +63,8 @@ public:
     }
     /// Many outlines: where each begins, and where the last one ends.
     Outlines &offsets(Span<const uint32_t> offsets) {
-        given_.offsets = offsets.data();
+        static const uint32_t nothing[1] = {0};
+        given_.offsets = offsets.empty() ? nothing : offsets.data();
         given_.outline_count = offsets.empty() ? 0 : offsets.size() - 1;
         return *this;
     }
@@ -128,7 +130,7 @@ struct OutlineCurve {
     Points controls;
     Indices ends;
     /// The number of segments.
-    std::size_t size() const noexcept { return ends.size() - 1; }
+    std::size_t size() const noexcept { return ends.empty() ? 0 : ends.size() - 1; }
     /// The control points of segment s.
     Points segment(std::size_t s) const { return {controls.data() + ends[s], ends[s + 1] - ends[s] + 1}; }
 };

@@ -61,7 +61,8 @@ const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_places_view>()
 pub const GUSSET_SAMPLE_COUNT: u32 = 0;
 /// gusset_curve_sample: a point every `amount` of arc length; an open curve's end is always the last.
 pub const GUSSET_SAMPLE_STEP: u32 = 1;
-/// gusset_curve_sample: the curve is nowhere farther than `amount` from the chords between the points.
+/// gusset_curve_sample: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
+/// 20 times, which leaves 1e-12 of its size.
 pub const GUSSET_SAMPLE_CHORD: u32 = 2;
 
 fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {

@@ -92,7 +92,7 @@ pub struct gusset_frame_parts {
 pub struct gusset_measure {
     /// Its length: of a closed section all round.
     pub girth: f64,
-    /// The area within; that of an open section is closed by its chord.
+    /// The area within, never negative; that of an open section is closed by its chord.
     pub area: f64,
     /// The mean of its points by arc length.
     pub centre: [f64; 3],

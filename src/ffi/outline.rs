@@ -49,7 +49,7 @@ pub struct gusset_outlines {
     pub offsets: *const u32,
     /// The number of outlines, or 0.
     pub outline_count: usize,
-    /// In ascending order of their points, at most one for each; or NULL.
+    /// In ascending order of their points, at most one for each; or NULL. Of points that are merged the first one's holds.
     pub constraints: *const gusset_constraint,
     /// How many.
     pub constraint_count: usize,
@@ -106,7 +106,7 @@ pub struct gusset_outline_report {
     pub steps: u64,
     /// The longest side of the outline's box, in the unit of the points.
     pub size: f64,
-    /// The largest distance of a point from its place on the curve.
+    /// The largest distance of a point from its place on the curve; merged points count as the one that they repeat.
     pub max_residual: f64,
     /// The largest sine of the angle by which the curve turns at a joint that is to be smooth.
     pub max_joint_sine: f64,
@@ -189,12 +189,11 @@ impl Given<'_> {
                 return Err(Error::TooLarge { what, count: count as u64, limit }.into());
             }
         }
-        let offsets = match given.outline_count {
-            0 => None,
-            count => {
-                let bytes = input::bytes(given.offsets.cast(), count + 1, 4, "offsets")?;
-                Some(alloc::collect(bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned))?)
-            }
+        let offsets = if given.offsets.is_null() && given.outline_count == 0 {
+            None
+        } else {
+            let bytes = input::bytes(given.offsets.cast(), given.outline_count + 1, 4, "offsets")?;
+            Some(alloc::collect(bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned))?)
         };
         let size = size_of::<gusset_constraint>();
         let bytes = input::bytes(given.constraints.cast(), given.constraint_count, size, "constraints")?;

@@ -6,7 +6,8 @@ use crate::outline::{Ends, Joint, Lock, Method, Mode, Options, Solver};
 
 /// Quadratic segments, one control point for each point; smooth (G1) everywhere.
 pub const GUSSET_CURVE_COMPOSITE: u32 = 0;
-/// One Bezier curve of degree n through n + 1 points.
+/// One Bezier curve through all points: of degree n through n + 1 points, 1 more for each end tangent, and n + 2 through n points of a
+/// closed outline, whose seam is smooth. Above degree 64 a composite curve takes its place. Good for up to some 20 points.
 pub const GUSSET_CURVE_SINGLE: u32 = 1;
 /// Neighbouring sections blended linearly: cubic segments from point to point, C1 in the knots of the method's exponent (G1
 /// with the normal). With the bisector the centripetal Catmull-Rom spline.
@@ -30,9 +31,11 @@ pub const GUSSET_METHOD_ALPHA: u32 = 4;
 
 /// The parameter of a point is that of the method on the triangle of the data. Always solvable.
 pub const GUSSET_LOCK_PARAMETER: u32 = 0;
-/// The parameter is that of the method on the section's own triangle.
+/// The parameter is that of the method on the section's own triangle. With the normal there may be several solutions; which one is
+/// found depends on the solver.
 pub const GUSSET_LOCK_SELF_CONSISTENT: u32 = 1;
-/// The control point lies on the guide of the data's triangle; plane outlines only.
+/// The control point lies on the guide of the data's triangle, where that is possible. Outlines must lie in a plane, any plane; points
+/// of others get GUSSET_POINT_OUT_OF_PLANE and the lock by parameter.
 pub const GUSSET_LOCK_DATA_GUIDE: u32 = 2;
 
 /// Sections join in the middle between their control points.
@@ -61,7 +64,8 @@ pub const GUSSET_REPEATS_GIVEN: u32 = 1;
 pub const GUSSET_POINT_OK: u32 = 0;
 /// Its parameter was brought within the limits.
 pub const GUSSET_POINT_CLAMPED_PARAMETER: u32 = 1;
-/// It repeats its neighbour, and was left out; the curve passes both.
+/// It repeats a point before it (or the first one, at the end of a closed outline), and was left out: the curve passes that one,
+/// which is within the tolerance for repeats.
 pub const GUSSET_POINT_MERGED: u32 = 2;
 /// It is so near the first or last point of its section that this has no control point by the method; the median took its
 /// place.
@@ -93,17 +97,17 @@ pub const GUSSET_POINT_MISSED: u32 = 15;
 
 /// As asked.
 pub const GUSSET_FIT_OK: u32 = 0;
-/// Some points are not as asked: see their status.
+/// Some points are not as asked, in other ways than merged or clamped: see their status.
 pub const GUSSET_FIT_PARTIAL: u32 = 1;
 /// The iteration ended before it was still.
 pub const GUSSET_FIT_NOT_CONVERGED: u32 = 2;
-/// The iteration ran away.
+/// The iteration ran away, or control points are beyond the largest number.
 pub const GUSSET_FIT_DIVERGED: u32 = 3;
 /// The equations are so nearly singular that control points lie far outside the outline.
 pub const GUSSET_FIT_ILL_CONDITIONED: u32 = 4;
 /// Fewer than two different points, or three of a closed outline: there is no curve, or what two points give.
 pub const GUSSET_FIT_TOO_FEW_POINTS: u32 = 5;
-/// A single curve would have a degree above 64.
+/// A single curve would have a degree above 64; a composite one took its place.
 pub const GUSSET_FIT_DEGREE_TOO_HIGH: u32 = 6;
 
 /// How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of
@@ -127,7 +131,7 @@ pub struct gusset_outline_options {
     pub ends: u32,
     /// Read for GUSSET_METHOD_ALPHA; 0 to 1.
     pub alpha: f64,
-    /// Parameters of composite curves are kept within this and 1 less this, below 1/2; 0 for 1/6.
+    /// Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for 1/6.
     pub parameter_limit: f64,
     /// Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0, below 1.
     pub repeat_tolerance: f64,

@@ -118,7 +118,8 @@ pub struct Outlines<'a> {
     pub offsets: Option<&'a [u32]>,
     /// Whether they are closed: from the last point back to the first.
     pub closed: bool,
-    /// What is demanded at some points, in ascending order of the points, at most once for each.
+    /// What is demanded at some points, in ascending order of the points, at most once for each. Of points that are merged the first
+    /// demand holds.
     pub constraints: &'a [Constraint],
 }
 
@@ -164,7 +165,8 @@ pub enum Lock {
     /// The parameter of the point is that of the method on the data's own triangle. Always solvable.
     #[default]
     Parameter,
-    /// The parameter is that of the method on the section's own triangle (its joints and the point). A foot of the normal
+    /// The parameter is that of the method on the section's own triangle (its joints and the point). With the normal there may be
+    /// several solutions; which one is found depends on the solver. A foot of the normal
     /// outside the chord counts as the chord's end. Single curves have no sections, and take [`Lock::DataGuide`].
     SelfConsistent,
     /// The control point lies on the guide of the data's triangle; outlines in a plane, any plane, only. Points whose section
@@ -221,17 +223,18 @@ pub struct Options {
     pub solver: Solver,
     /// The ends of open outlines; the constraints come first.
     pub ends: Ends,
-    /// The parameter of a point is kept within this and 1 less this; 0 < `parameter_limit` < 1/2.
+    /// The parameter of a point is kept within this and 1 less this; 0.001 <= `parameter_limit` < 1/2.
     pub parameter_limit: f64,
     /// Neighbours nearer than this, times the size of the outline, are one point. At least 0.
     pub repeat_tolerance: f64,
     /// Where the polygon of the points turns by more than this angle, in radians, is a corner; pi or more for none.
     pub corner_angle: f64,
-    /// Iterations end when nothing moves by more than this, times the size of the outline.
+    /// Iterations end when nothing moves by more than this, times the size of the outline. What is then left to the solution may be
+    /// some times as much where an iteration converges slowly.
     pub tolerance: f64,
-    /// The most sweeps or iterations.
+    /// The most sweeps or iterations; at least 1.
     pub max_sweeps: u32,
-    /// The most steps of the stepping solver at a point, in one sweep.
+    /// The most steps of the stepping solver at a point, in one sweep; at least 1.
     pub max_steps: u32,
     /// Its first step, times the size of the outline.
     pub first_step: f64,
@@ -268,11 +271,13 @@ impl Options {
         let least = |value: f64| value >= 0.0 && value.is_finite();
         let ranges = [
             ("alpha", alpha, (0.0..=1.0).contains(&alpha)),
-            ("parameter_limit", self.parameter_limit, self.parameter_limit > 0.0 && self.parameter_limit < 0.5),
+            ("parameter_limit", self.parameter_limit, (1e-3..0.5).contains(&self.parameter_limit)),
             ("repeat_tolerance", self.repeat_tolerance, least(self.repeat_tolerance) && self.repeat_tolerance < 1.0),
             ("corner_angle", self.corner_angle, self.corner_angle >= 0.0),
             ("tolerance", self.tolerance, least(self.tolerance) && self.tolerance < 1.0),
             ("first_step", self.first_step, self.first_step > 0.0 && self.first_step <= 1.0),
+            ("max_sweeps", f64::from(self.max_sweeps), self.max_sweeps > 0),
+            ("max_steps", f64::from(self.max_steps), self.max_steps > 0),
             ("step_divisor", self.step_divisor, self.step_divisor > 1.0 && self.step_divisor <= 1e6),
         ];
         match ranges.iter().find(|range| !range.2) {
@@ -291,7 +296,8 @@ pub enum PointStatus {
     Ok = 0,
     /// Its parameter was brought within the limits.
     ClampedParameter = 1,
-    /// It repeats its neighbour, and was left out; the curve passes both.
+    /// It repeats a point before it (or the first one, at the end of a closed outline), and was left out: the curve passes that
+    /// one, which is within the tolerance for repeats.
     Merged = 2,
     /// It repeats the first or last point of its section, which has no control point then.
     Repeated = 3,

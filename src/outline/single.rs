@@ -128,7 +128,7 @@ fn seam(run: &Run<'_>, options: &Options) -> DVec3 {
     let direction =
         section.map(|section| (section.control - a) * (1.0 - section.t) + (c - section.control) * section.t);
     // There and back: across.
-    direction.ok().and_then(DVec3::try_normalize).unwrap_or_else(|| (c - p).any_orthogonal_vector().normalize_or_zero())
+    direction.ok().and_then(DVec3::try_normalize).unwrap_or_else(|| upright(c - p))
 }
 
 /// Says that sweeps have ended before they came to rest.
@@ -316,4 +316,10 @@ impl Single {
         }
         (farthest.sqrt(), sum)
     }
+}
+
+/// A direction across a vector, in the plane z = 0 if that is there.
+fn upright(v: DVec3) -> DVec3 {
+    let across = if v.z == 0.0 { DVec3::new(-v.y, v.x, 0.0) } else { v.any_orthogonal_vector() };
+    across.normalize_or_zero()
 }

@@ -30,6 +30,9 @@ pub(super) struct Worker<'a> {
     pub(super) done: Fit,
 }
 
+/// Control points of outlines below this size cannot overflow.
+const HUGE: f64 = 1e200;
+
 #[derive(Clone, Copy)]
 struct Cut {
     node: u32,
@@ -137,7 +140,7 @@ impl<'a> Worker<'a> {
         let exponent = ((half.to_bits() >> 52) & 0x7ff).clamp(1023 - 900, 1023 + 900);
         let unit = f64::from_bits(exponent << 52);
         let (origin, scale) = (self.nodes[0], 1.0 / unit);
-        let size = 2.0 * half * scale;
+        let size = half * scale * 2.0;
         let near = (self.options.repeat_tolerance * size).powi(2);
         // From a box far larger than the unit only repeats are left out.
         let shift = origin * scale;
@@ -156,8 +159,9 @@ impl<'a> Worker<'a> {
         }
         while self.outlines.closed && count > 1 && self.nodes[count - 1].distance_squared(self.nodes[0]) <= near {
             count -= 1;
-            self.node_of.iter_mut().rev().take_while(|node| **node == count as u32).for_each(|node| *node = 0);
         }
+        let closing = self.node_of.partition_point(|&node| (node as usize) < count);
+        self.node_of[closing..].fill(0);
         self.nodes.truncate(count);
         Ok(Frame { origin, unit, size })
     }
@@ -270,6 +274,11 @@ impl<'a> Worker<'a> {
         if self.is_closed() && self.cuts[0].tangent.is_none() {
             self.sketch.mark_corner()?;
         }
+        // The first node is there twice: what was said of either holds.
+        let (first, last) = (self.solved[0].status, self.solved[self.solved.len() - 1].status);
+        if self.is_closed() && first == PointStatus::Ok {
+            self.solved[0].status = last;
+        }
         Ok(())
     }
 
@@ -302,11 +311,12 @@ impl<'a> Worker<'a> {
                 done.statuses.push(if repeats { PointStatus::Merged } else { self.solved[node as usize].status });
             }
         }
+        self.check_range(points, base, first, &mut report)?;
         self.account(first, report)
     }
 
     /// Appends the curve where the outline is, and the account of its points.
-    fn deliver(&mut self, points: &Range<usize>, frame: Frame, first: usize, report: Report) -> Result<()> {
+    fn deliver(&mut self, points: &Range<usize>, frame: Frame, first: usize, mut report: Report) -> Result<()> {
         let done = &mut self.done;
         let base = done.points.len();
         alloc::reserve(&mut done.points, self.sketch.points.len())?;
@@ -336,7 +346,28 @@ impl<'a> Worker<'a> {
             done.parameters.push(place.t);
             done.statuses.push(status);
         }
+        self.check_range(points, base, first, &mut report)?;
         self.account(first, report)
+    }
+
+    /// Takes a curve back whose control points are beyond the largest number, though its points are not.
+    fn check_range(&mut self, points: &Range<usize>, base: usize, first: usize, report: &mut Report) -> Result<()> {
+        let done = &mut self.done;
+        if report.size < HUGE || done.points[base..].iter().all(|p| p.is_finite()) {
+            return Ok(());
+        }
+        done.points.truncate(base);
+        alloc::push(&mut done.points, self.outlines.points.get(points.start))?;
+        let ends = done.starts[done.starts.len() - 2][1];
+        done.ends.truncate(ends);
+        alloc::push(&mut done.ends, 0)?;
+        let last = done.starts.len() - 1;
+        done.starts[last] = [done.points.len(), done.ends.len()];
+        done.segments[first..].fill(0);
+        done.parameters[first..].fill(0.0);
+        done.statuses[first..].fill(PointStatus::Missed);
+        (report.status, report.max_residual, report.max_joint_sine) = (FitStatus::Diverged, 0.0, 0.0);
+        Ok(())
     }
 
     /// Sums up the statuses from the `first` on.

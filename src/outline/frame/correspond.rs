@@ -2,6 +2,7 @@
 
 use super::super::curve::{CurveView, Place};
 use super::super::fit::span;
+use super::super::ops::Lengths;
 use super::super::request::Outlines;
 use super::super::{Fit, fit};
 use super::{Correspondence, FrameOptions};
@@ -30,20 +31,22 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
         Correspondence::Given => given(sections, &mut found)?,
         Correspondence::ArcLength { columns } => {
             found.reserve(columns)?;
-            let mut first_area = None;
+            let mut first_turn = None;
             for k in 0..rows {
+                job.step(k as f64 / rows as f64, "finding nodes")?;
                 let curve = nonempty(&curves, k)?;
-                let area = curve.area_vector();
-                let backwards = sections.closed && area.dot(*first_area.get_or_insert(area)) < 0.0;
+                let turn = turn_of(sections, k);
+                let backwards = sections.closed && turn.dot(*first_turn.get_or_insert(turn)) < 0.0;
                 found.turned[k] = backwards.into();
                 let start = curves.place(span(sections, k).start);
-                even(&curve, start, start, columns, backwards, sections.closed, &mut found.nodes)?;
+                even(&curve, start, columns, backwards, sections.closed, &mut found.nodes)?;
             }
         }
         Correspondence::Angle { columns, point, direction, reference } => {
             let [along, first, second] = axes(direction, reference)?;
             found.reserve(columns)?;
             for k in 0..rows {
+                job.step(k as f64 / rows as f64, "finding nodes")?;
                 let curve = nonempty(&curves, k)?;
                 for i in 0..columns {
                     let angle = TAU * i as f64 / columns as f64;
@@ -116,12 +119,24 @@ fn given(sections: &Outlines<'_>, found: &mut Found) -> Result<()> {
     Ok(())
 }
 
-/// Adds `columns` nodes that divide the arc from one place to another (all round, if they are the same on a closed curve)
-/// evenly; of an open curve from end to end the last one is its end.
+/// The axis that the polygon of a section turns round, of length 1 or 0.
+fn turn_of(sections: &Outlines<'_>, k: usize) -> DVec3 {
+    let span = span(sections, k);
+    let start = sections.points.get(span.start);
+    let seen = span.clone().map(|i| sections.points.get(i) * 0.25 - start * 0.25);
+    let largest = seen.clone().fold(0.0, |m: f64, p| m.max(p.abs().max_element()));
+    if largest == 0.0 {
+        return DVec3::ZERO;
+    }
+    let scaled = seen.map(|p| p / largest);
+    let area: DVec3 = scaled.clone().zip(scaled.skip(1)).map(|(p, q)| p.cross(q)).sum();
+    area.normalize_or_zero()
+}
+
+/// Adds `columns` nodes that divide a curve evenly: a closed one from a place on all round, an open one from there to its end.
 fn even(
     curve: &CurveView<'_>,
     from: Place,
-    to: Place,
     columns: usize,
     backwards: bool,
     round: bool,
@@ -130,28 +145,20 @@ fn even(
     let lengths = curve.lengths()?;
     let total = lengths.total();
     let start = lengths.up_to(from)?;
-    let mut whole = if round { lengths.up_to(to)? - start } else { total - start };
-    if round && whole <= 0.0 {
-        whole += total;
-    }
+    let whole = if round { total } else { total - start };
     let steps = if round { columns } else { columns.saturating_sub(1) };
-    for i in 0..columns {
-        let part = whole * i as f64 / steps.max(1) as f64;
+    nodes.push(curve.point(from)?);
+    for i in 1..columns {
+        let part = whole * (i as f64 / steps as f64);
         let at = if backwards { start - part } else { start + part };
         // Round the end of a closed curve.
-        let at = if !round {
-            at
-        } else if at < 0.0 {
-            at + total
-        } else if at >= total {
-            at - total
-        } else {
-            at
+        let at = match at {
+            _ if !round => at,
+            at if at < 0.0 => at + total,
+            at if at >= total => at - total,
+            at => at,
         };
-        nodes.push(match i {
-            0 => curve.point(from)?,
-            _ => curve.point(lengths.place(at)?)?,
-        });
+        nodes.push(curve.point(lengths.place(at)?)?);
     }
     Ok(())
 }
@@ -179,29 +186,38 @@ fn landmarks(sections: &Outlines<'_>, curves: &Fit, points: &[u32], parts: usize
             return Err(wrong(k * each));
         }
         let place = |landmark: u32| curves.place(span.start + landmark as usize);
+        let lengths = curve.lengths()?;
         for (i, &landmark) in own.iter().enumerate() {
             let last = i + 1 == each;
             if last && !sections.closed {
                 found.nodes.push(curve.point(place(landmark))?);
                 break;
             }
-            between(&curve, place(landmark), place(own[(i + 1) % each]), parts, &mut found.nodes)?;
+            let ends = [place(landmark), place(own[(i + 1) % each])];
+            between(&curve, &lengths, ends, each == 1, parts, &mut found.nodes)?;
         }
     }
     Ok(())
 }
 
-/// Adds `parts` nodes from one landmark on, without the next one.
-fn between(curve: &CurveView<'_>, from: Place, to: Place, parts: usize, nodes: &mut Vec<DVec3>) -> Result<()> {
-    let lengths = curve.lengths()?;
+/// Adds `parts` nodes from one landmark on, without the next one; all round if it is the only one.
+fn between(
+    curve: &CurveView<'_>,
+    lengths: &Lengths<'_>,
+    [from, to]: [Place; 2],
+    only: bool,
+    parts: usize,
+    nodes: &mut Vec<DVec3>,
+) -> Result<()> {
     let (start, total) = (lengths.up_to(from)?, lengths.total());
     let mut whole = lengths.up_to(to)? - start;
-    if whole <= 0.0 && curve.is_closed() {
+    // Landmarks at one place have nothing between them.
+    if whole < 0.0 || only {
         whole += total;
     }
     nodes.push(curve.point(from)?);
     for i in 1..parts {
-        let at = start + whole * i as f64 / parts as f64;
+        let at = start + whole * (i as f64 / parts as f64);
         nodes.push(curve.point(lengths.place(if at >= total { at - total } else { at })?)?);
     }
     Ok(())

@@ -4,6 +4,7 @@ use super::super::request::{Options, Outlines, Points};
 use super::super::{CurveView, Fit, Place, fit};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::scale::common_unit;
 use crate::job::Job;
 use glam::DVec3;
 
@@ -72,10 +73,12 @@ impl Measure {
         let mut weighted = DVec3::ZERO;
         let mut weight = 0.0;
         let start = curve.points().first().copied().unwrap_or(DVec3::ZERO);
+        let unit = common_unit(curve.points());
         for k in 0..curve.len() {
             let mut before = DVec3::ZERO;
             for i in 0..=STEPS {
-                let p = curve.point(Place { segment: k as u32, t: f64::from(i) / f64::from(STEPS) })? - start;
+                let p =
+                    curve.point(Place { segment: k as u32, t: f64::from(i) / f64::from(STEPS) })? / unit - start / unit;
                 if i > 0 {
                     let length = before.distance(p);
                     weighted += before.midpoint(p) * length;
@@ -84,7 +87,7 @@ impl Measure {
                 before = p;
             }
         }
-        let centre = if weight > 0.0 { start + weighted / weight } else { start };
+        let centre = if weight > 0.0 { start + weighted / weight * unit } else { start };
         Ok(Measure { girth, area: curve.area_vector().length(), centre })
     }
 }

@@ -88,7 +88,7 @@ impl CurveView<'_> {
             let fitted = least_squares(local, degree);
             let deviation = frame.length_back(deviation(local, fitted, degree));
             reduced.deviations.push(deviation);
-            if deviation > tolerance {
+            if deviation > tolerance || deviation == f64::INFINITY {
                 alloc::push(&mut reduced.kept, k as u32)?;
                 append(&mut reduced.curve, &controls[1..])?;
                 continue;
@@ -124,7 +124,10 @@ fn elevate(controls: &mut Room, from: usize, to: usize) {
 /// convex hull of the difference no points at equal parameters are farther apart.
 fn deviation(controls: &[DVec3], mut fitted: Room, degree: usize) -> f64 {
     elevate(&mut fitted, degree, controls.len() - 1);
-    controls.iter().zip(fitted).fold(0.0, |most, (p, q)| most.max(p.distance(q)))
+    let distance = |(&p, q): (&DVec3, DVec3)| p.distance(q);
+    // What is no number is no fit.
+    let farther = |most: f64, far: f64| if far.is_nan() { f64::INFINITY } else { most.max(far) };
+    controls.iter().zip(fitted).map(distance).fold(0.0, farther)
 }
 
 /// The segment of degree m with the ends of `controls` whose integral of the squared distance is least: the normal equations

@@ -142,10 +142,9 @@ impl Arc {
                 let polygon: f64 = self.velocity[..self.degree].iter().map(|v| v.length()).sum();
                 let error = 1e-13 * polygon / self.degree as f64;
                 let inner = self.turns.as_slice().iter().filter(|&&t| a < t && t < b);
-                let mut from = a;
-                let mut sum = 0.0;
+                let (mut from, mut sum, mut halvings) = (a, 0.0, MOST_HALVINGS);
                 for &to in inner.chain(&[b]) {
-                    sum += self.adaptive(from, to, self.gauss(from, to), error * (to - from), 48);
+                    sum += self.adaptive(from, to, self.gauss(from, to), error * (to - from), &mut halvings);
                     from = to;
                 }
                 sum
@@ -153,14 +152,16 @@ impl Arc {
         }
     }
 
-    /// Halves until the halves agree with the whole.
-    fn adaptive(&self, a: f64, b: f64, whole: f64, error: f64, depth: u32) -> f64 {
+    /// Halves until the halves agree with the whole, or there have been enough halvings: where control points are so far apart that the
+    /// speed is noise, they never agree.
+    fn adaptive(&self, a: f64, b: f64, whole: f64, error: f64, halvings: &mut u32) -> f64 {
         let middle = 0.5 * (a + b);
         let (left, right) = (self.gauss(a, middle), self.gauss(middle, b));
-        if (left + right - whole).abs() <= error || depth == 0 {
+        if (left + right - whole).abs() <= error || *halvings == 0 || !(a < middle && middle < b) {
             return left + right;
         }
-        self.adaptive(a, middle, left, 0.5 * error, depth - 1) + self.adaptive(middle, b, right, 0.5 * error, depth - 1)
+        *halvings -= 1;
+        self.adaptive(a, middle, left, 0.5 * error, halvings) + self.adaptive(middle, b, right, 0.5 * error, halvings)
     }
 
     fn gauss(&self, a: f64, b: f64) -> f64 {
@@ -169,6 +170,9 @@ impl Arc {
         half * GAUSS.iter().map(pair).sum::<f64>()
     }
 }
+
+/// The most halvings of the intervals of one segment.
+const MOST_HALVINGS: u32 = 2000;
 
 /// The roots of C' . C'', half the derivative of the squared speed.
 fn turns(velocity: &[DVec3]) -> Roots {
