@@ -100,7 +100,8 @@ pub(super) fn solve(
     Ok(sound)
 }
 
-/// Sweeps until nothing moves. The control points before the last sweep remain known.
+/// Sweeps until nothing moves, nor would on and on: moves that shrink by a ratio r sum up to r / (1 - r) of the last one. The control
+/// points before the last sweep remain known.
 fn rest(
     run: &Run<'_>,
     options: &Options,
@@ -109,6 +110,8 @@ fn rest(
     report: &mut Report,
 ) -> bool {
     let tolerance = options.tolerance.max(f64::EPSILON) * run.size;
+    let rounding = 16.0 * f64::EPSILON * run.size;
+    let mut last = f64::INFINITY;
     for sweep in 0..options.max_sweeps {
         report.iterations += 1;
         iteration.before.clear();
@@ -119,8 +122,11 @@ fn rest(
             arrives &= place(run, options, solution, iteration, sweep, i, report);
             farthest = farthest.max(solution.controls[i].distance_squared(before));
         }
-        report.last_move = farthest.sqrt() / run.size;
-        if arrives && farthest.sqrt() <= tolerance {
+        let farthest = farthest.sqrt();
+        report.last_move = farthest / run.size;
+        let ratio = farthest / last;
+        last = farthest;
+        if arrives && farthest <= tolerance && (farthest <= rounding || farthest * ratio <= tolerance * (1.0 - ratio)) {
             return true;
         }
     }
