@@ -1,11 +1,12 @@
 //! What outlines are written as, read back by another library (kurbo): every point is on the path.
 
+mod plane;
+
 use gusset::Job;
 use gusset::outline::{Fit, Mode, Options, Outlines, Points, fit};
 use kurbo::{BezPath, ParamCurve, PathEl, Point};
-use std::path::PathBuf;
 
-/// The outlines of the data folder in x and y, and a blob by formula.
+/// A blob by formula, and the outlines of the data folder.
 fn outlines() -> Vec<(String, Vec<[f64; 2]>, bool)> {
     let blob = |i: u32| {
         let t = std::f64::consts::TAU * f64::from(i) / 23.0;
@@ -13,24 +14,7 @@ fn outlines() -> Vec<(String, Vec<[f64; 2]>, bool)> {
         [r * t.cos() + 1000.0, r * t.sin() - 1.0 / 3.0]
     };
     let mut all = vec![("blob".to_owned(), (0..23).map(blob).collect::<Vec<_>>(), true)];
-    let data = std::env::var_os("GUSSET_DATA").map_or_else(|| PathBuf::from("../shared/data"), PathBuf::from);
-    let Ok(entries) = std::fs::read_dir(data.join("outlines")) else {
-        println!("SKIPPED: no outlines in {}; set GUSSET_DATA", data.display());
-        return all;
-    };
-    for path in entries.map(|entry| entry.unwrap().path()) {
-        let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        let whole = ["country", "foot", "bottle", "silhouette", "border"].iter().any(|kind| name.starts_with(kind));
-        if !whole || !name.ends_with(".csv") {
-            continue;
-        }
-        let text = std::fs::read_to_string(&path).unwrap();
-        let point = |line: &str| -> Option<[f64; 2]> {
-            let (x, y) = line.split_once(',')?;
-            Some([x.parse().ok()?, y.parse().ok()?])
-        };
-        all.push((name.clone(), text.lines().filter_map(point).collect(), !name.contains("open")));
-    }
+    all.extend(plane::data());
     all
 }
 

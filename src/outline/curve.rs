@@ -16,6 +16,15 @@ pub struct CurveView<'a> {
     closed: bool,
 }
 
+/// # Errors
+/// [`Error::OutlineNotFinite`].
+pub(super) fn check_finite(point: usize, p: DVec3) -> Result<()> {
+    match p.to_array().into_iter().find(|x| !x.is_finite()) {
+        Some(value) => Err(Error::OutlineNotFinite { point: point as u32, value }),
+        None => Ok(()),
+    }
+}
+
 /// A place on a curve: a segment, and the parameter there, 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
@@ -49,10 +58,7 @@ impl<'a> CurveView<'a> {
         if ends.len() > 1 && ends[ends.len() - 1] as usize != points.len() - 1 {
             return Err(bad(ends.len() - 1));
         }
-        if let Some(point) = points.iter().position(|p| !p.is_finite()) {
-            let value = points[point].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::OutlineNotFinite { point: point as u32, value });
-        }
+        points.iter().enumerate().try_for_each(|(point, &p)| check_finite(point, p))?;
         if closed && points.first() != points.last() {
             return Err(Error::CurveNotClosed);
         }

@@ -1,6 +1,6 @@
 //! Identification: outlines one after another, each prepared, cut into runs, solved and judged.
 
-use super::curve::{CurveView, Place};
+use super::curve::{CurveView, Place, check_finite};
 use super::request::{Demand, Options, Outlines, PointStatus, Report};
 use super::worker::Worker;
 use crate::alloc;
@@ -202,10 +202,8 @@ pub(super) fn check(outlines: &Outlines<'_>) -> Result<usize> {
         if constraint.point as usize >= count || !follows {
             return Err(Error::NoSuchPoint { constraint: k as u32, point: constraint.point });
         }
-        if let Demand::Tangent(tangent) = constraint.demand
-            && let Some(&value) = tangent.to_array().iter().find(|x| !x.is_finite())
-        {
-            return Err(Error::OutlineNotFinite { point: constraint.point, value });
+        if let Demand::Tangent(tangent) = constraint.demand {
+            check_finite(constraint.point as usize, tangent)?;
         }
     }
     Ok(outlines.offsets.map_or(1, |offsets| offsets.len() - 1))

@@ -1,5 +1,6 @@
 //! The sections of all points by themselves: what the paper's methods are about, before anything is joined.
 
+use super::curve::check_finite;
 use super::fit::{check, span};
 use super::method::{
     Method, Section, power, section_by_end_tangent, section_by_start_tangent, section_by_tangent, through,
@@ -7,6 +8,7 @@ use super::method::{
 use super::request::{Constraint, Demand, Outlines, PointStatus, Points};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::scale::power_of_two;
 use crate::job::Job;
 use glam::DVec3;
 use std::ops::Range;
@@ -141,17 +143,13 @@ fn scale(outlines: &Outlines<'_>) -> Result<f64> {
     let mut largest = 0.0f64;
     for i in 0..outlines.points.len() {
         let p = outlines.points.get(i);
-        if !p.is_finite() {
-            let value = p.to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::OutlineNotFinite { point: i as u32, value });
-        }
+        check_finite(i, p)?;
         largest = largest.max(p.abs().max_element());
     }
     if (1e-60..1e100).contains(&largest) || largest == 0.0 {
         return Ok(1.0);
     }
-    let exponent = ((largest.to_bits() >> 52) & 0x7ff).clamp(1023 - 900, 1023 + 900);
-    Ok(1.0 / f64::from_bits(exponent << 52))
+    Ok(1.0 / power_of_two(largest))
 }
 
 /// The tangent demanded at a point.

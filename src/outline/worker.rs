@@ -1,12 +1,13 @@
 //! One outline after another: brought near the origin, freed of repeats, cut into runs, solved, judged, and brought back.
 
-use super::curve::Place;
+use super::curve::{Place, check_finite};
 use super::fit::{Fit, span};
 use super::request::{Constraint, Demand, Ends, FitStatus, Mode, Options, Outlines, PointStatus, Report};
 use super::run::{Room, Run, Sketch, Solved};
 use super::{blend, composite, cubic, judge, single};
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::geom::scale::power_of_two;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -126,7 +127,7 @@ impl<'a> Worker<'a> {
             nothing += p * 0.0;
         }
         if nothing != DVec3::ZERO {
-            return Err(not_finite(points.start, &self.nodes));
+            (points.start..).zip(&self.nodes).try_for_each(|(point, &p)| check_finite(point, p))?;
         }
         let half = (high * 0.5 - low * 0.5).max_element();
         if self.nodes.is_empty() || half == 0.0 {
@@ -137,8 +138,7 @@ impl<'a> Worker<'a> {
             return Ok(Frame { origin, unit: 1.0, size: 0.0 });
         }
         // Exact: a power of two, far from the ends of the range.
-        let exponent = ((half.to_bits() >> 52) & 0x7ff).clamp(1023 - 900, 1023 + 900);
-        let unit = f64::from_bits(exponent << 52);
+        let unit = power_of_two(half);
         let (origin, scale) = (self.nodes[0], 1.0 / unit);
         let size = half * scale * 2.0;
         let near = (self.options.repeat_tolerance * size).powi(2);
@@ -428,11 +428,4 @@ fn perpendicular_ends(run: &mut Run<'_>, solved: &mut [Solved]) {
             None => solved[place].status = PointStatus::Collinear,
         }
     }
-}
-
-/// The first coordinate that is not a finite number.
-fn not_finite(first: usize, points: &[DVec3]) -> Error {
-    let at = points.iter().position(|p| !p.is_finite()).unwrap_or(0);
-    let value = points[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-    Error::OutlineNotFinite { point: (first + at) as u32, value }
 }

@@ -137,8 +137,7 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         max_gap: 0.0,
         min_sine: 1.0,
     };
-    let order = |point: usize| point;
-    let (on_across, directions) = at_nodes(&across, columns, rows, order)?;
+    let (on_across, directions) = at_nodes(&across, columns, rows, |point| point)?;
     grid.across = directions;
     let (on_along, directions) = at_nodes(&along, rows, columns, |point| (point % rows) * columns + point / rows)?;
     grid.along = directions;
@@ -177,9 +176,11 @@ fn at_nodes(fit: &Fit, width: usize, count: usize, place: impl Fn(usize) -> usiz
             (k * width..(k + 1) * width).for_each(|i| points[place(i)] = curve.points()[0]);
             continue;
         }
-        for i in k * width..(k + 1) * width {
-            points[place(i)] = curve.point(fit.place(i))?;
-            directions[place(i)] = curve.tangents_at(&[fit.place(i)])?[0];
+        let own = k * width..(k + 1) * width;
+        let places = alloc::collect(own.clone().map(|i| fit.place(i)))?;
+        let (on_curve, along) = (curve.points_at(&places)?, curve.tangents_at(&places)?);
+        for ((i, p), direction) in own.zip(on_curve).zip(along) {
+            (points[place(i)], directions[place(i)]) = (p, direction);
         }
     }
     Ok((points, directions))

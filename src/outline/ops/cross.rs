@@ -1,6 +1,6 @@
 //! Where a curve crosses a plane, or a plane curve a line.
 
-use super::super::curve::{CurveView, MAX_DEGREE, Place};
+use super::super::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use super::frame::Frame;
 use super::roots::roots;
 use crate::alloc;
@@ -29,7 +29,8 @@ impl CurveView<'_> {
     /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::OutlineNotFinite`] (point 0 is `point`, 1 is `normal`),
     /// [`Error::OutOfMemory`].
     pub fn crossings_with_plane(&self, point: DVec3, normal: DVec3) -> Result<Crossings> {
-        check_finite([point, normal])?;
+        check_finite(0, point)?;
+        check_finite(1, normal)?;
         let largest = normal.abs().max_element();
         if largest == 0.0 {
             return Err(Error::OptionOutOfRange { option: "normal", value: 0.0 });
@@ -67,21 +68,13 @@ impl CurveView<'_> {
     /// 0), and those of the plane.
     pub fn crossings_with_line(&self, point: DVec3, direction: DVec3) -> Result<Crossings> {
         self.check_plane()?;
-        check_finite([point, direction])?;
+        check_finite(0, point)?;
+        check_finite(1, direction)?;
         if point.z != 0.0 || direction.z != 0.0 {
             return Err(Error::CurveNotPlane { point: u32::from(point.z == 0.0) });
         }
         self.crossings_with_plane(point, DVec3::new(-direction.y, direction.x, 0.0))
     }
-}
-
-fn check_finite(given: [DVec3; 2]) -> Result<()> {
-    for (point, p) in given.into_iter().enumerate() {
-        if let Some(value) = p.to_array().into_iter().find(|x| !x.is_finite()) {
-            return Err(Error::OutlineNotFinite { point: point as u32, value });
-        }
-    }
-    Ok(())
 }
 
 impl Crossings {

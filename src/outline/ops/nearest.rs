@@ -4,7 +4,7 @@
 //! a closed form. Segments whose boxes are farther than the best so far are passed over, so the result is the nearest point
 //! of all.
 
-use super::super::curve::{CurveView, MAX_DEGREE, Place};
+use super::super::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use super::super::segment;
 use super::bernstein::{ROOM, add_product};
 use super::cubic;
@@ -45,10 +45,7 @@ impl CurveView<'_> {
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        if let Some(point) = queries.iter().position(|q| !q.is_finite()) {
-            let value = queries[point].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::OutlineNotFinite { point: point as u32, value });
-        }
+        queries.iter().enumerate().try_for_each(|(point, &q)| check_finite(point, q))?;
         let finder = Finder::new(self)?;
         let mut found = alloc::with_capacity(queries.len())?;
         for (round, some) in queries.chunks(BATCH * 64).enumerate() {
