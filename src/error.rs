@@ -207,6 +207,90 @@ pub enum Error {
         /// The vertex of the first loop where the rule's meridian starts, if one is to blame.
         vertex: u32,
     },
+    /// A net of fewer than two rows or columns.
+    NetTooSmall {
+        /// The rows given.
+        rows: u64,
+        /// The columns given.
+        columns: u64,
+    },
+    /// A gluing makes both pairs of opposite corners of a cell one each: no surface does that.
+    CrossingCell {
+        /// The first such cell.
+        cell: u32,
+    },
+    /// A seam without nodes, or with nodes outside the net.
+    BadSeam {
+        /// The seam.
+        seam: u32,
+    },
+    /// There is no such node.
+    NoSuchNode {
+        /// Its index.
+        node: u64,
+    },
+    /// There is no such link.
+    NoSuchLink {
+        /// Its index.
+        link: u64,
+    },
+    /// There is no such cell.
+    NoSuchCell {
+        /// Its index.
+        cell: u64,
+    },
+    /// There is no such bridge.
+    NoSuchBridge {
+        /// Its index.
+        bridge: u64,
+    },
+    /// A node has a coordinate that is NaN or infinite, where all must be finite.
+    NodeNotFinite {
+        /// The node.
+        node: u32,
+        /// The coordinate.
+        value: f64,
+    },
+    /// Sides of nets that are to be joined have different numbers of nodes, and the options refuse to equalise them.
+    SidesDiffer {
+        /// Nodes of the first net's side.
+        a: u32,
+        /// Nodes of the second net's.
+        b: u32,
+    },
+    /// Sides of nets that are to be welded do not lie on each other.
+    SidesApart {
+        /// The place along the side.
+        place: u32,
+        /// How far the two nodes there are apart.
+        distance: f64,
+    },
+    /// Two nets cannot be joined, as faces of the one are to be taken the other way round.
+    NetsOpposed,
+    /// Faces of a mesh are no rectangular grid of quads.
+    NoGrid {
+        /// The first face that shows it.
+        face: u32,
+    },
+    /// A stream is damaged, cut off, or none of ours.
+    BadStream {
+        /// What is wrong.
+        what: &'static str,
+        /// Where: the byte.
+        byte: u64,
+    },
+    /// A group of a scene would contain itself.
+    SceneCycle {
+        /// The entry.
+        entry: u32,
+    },
+    /// There is no such entry in the scene, or it is of the other kind.
+    NoSuchEntry {
+        /// Its index.
+        entry: u64,
+    },
+    /// A scene without nets, where one is needed.
+    EmptyScene,
     /// An option is outside its range.
     OptionOutOfRange {
         /// The option's name.
@@ -307,6 +391,30 @@ impl fmt::Display for Error {
             Error::NoStrip { vertex } => {
                 write!(f, "no strip between the loops avoids the edges that the mesh already has (vertex {vertex})")
             }
+            Error::NetTooSmall { rows, columns } => {
+                write!(f, "{rows} rows and {columns} columns of nodes: a net has two of each at least")
+            }
+            Error::CrossingCell { cell } => {
+                write!(f, "cell {cell}: both pairs of opposite corners would be glued, which no surface allows")
+            }
+            Error::BadSeam { seam } => write!(f, "seam {seam} is empty or leaves the net"),
+            Error::NoSuchNode { node } => write!(f, "there is no node {node}"),
+            Error::NoSuchLink { link } => write!(f, "there is no link {link}"),
+            Error::NoSuchCell { cell } => write!(f, "there is no cell {cell}"),
+            Error::NoSuchBridge { bridge } => write!(f, "there is no bridge {bridge}"),
+            Error::NodeNotFinite { node, value } => write!(f, "node {node} has a coordinate that is {value}"),
+            Error::SidesDiffer { a, b } => write!(f, "the sides to be joined have {a} and {b} nodes"),
+            Error::SidesApart { place, distance } => {
+                write!(f, "the sides to be welded are {distance} apart at place {place}")
+            }
+            Error::NetsOpposed => {
+                f.write_str("faces of the second net are taken the other way round than those of the first: flip it")
+            }
+            Error::NoGrid { face } => write!(f, "the faces are no rectangular grid of quads, face {face} among them"),
+            Error::BadStream { what, byte } => write!(f, "the stream is damaged at byte {byte}: {what}"),
+            Error::SceneCycle { entry } => write!(f, "entry {entry} of the scene would contain itself"),
+            Error::NoSuchEntry { entry } => write!(f, "the scene has no entry {entry} of this kind"),
+            Error::EmptyScene => f.write_str("the scene has no nets"),
             Error::OptionOutOfRange { option, value } => {
                 write!(f, "option {option} is out of range: {value}")
             }

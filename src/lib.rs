@@ -33,6 +33,7 @@
 //! | [`stitch`] | a strip of new faces between two loops, and many pieces in one mesh |
 //! | [`fill`] | holes closed by new faces |
 //! | [`outline`] | Bézier curves through given points |
+//! | [`net`] | regular networks of quads, closed to surfaces by gluing; scenes of them |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |
 //! | [`error`] | what can go wrong, each cause with the element it is about |
@@ -53,6 +54,7 @@ mod geom;
 mod intersect;
 pub mod job;
 pub mod mesh;
+pub mod net;
 pub mod outline;
 mod par;
 pub mod repair;

@@ -74,6 +74,22 @@ pub enum gusset_status {
     GUSSET_ERROR_SECTIONS_DIFFER = 1210,
     /// A section of a frame, or a plane, does not meet a column.
     GUSSET_ERROR_NO_NODE = 1211,
+    /// A net of fewer than two rows or columns.
+    GUSSET_ERROR_NET_TOO_SMALL = 1300,
+    /// A gluing makes both pairs of opposite corners of a cell one each, which no surface allows.
+    GUSSET_ERROR_CROSSING_CELL = 1301,
+    /// A seam is empty or leaves the net.
+    GUSSET_ERROR_BAD_SEAM = 1302,
+    /// Sides of nets to be joined have different numbers of nodes, or do not lie on each other.
+    GUSSET_ERROR_SIDES_DIFFER = 1303,
+    /// Faces of a mesh are no rectangular grid of quads.
+    GUSSET_ERROR_NO_GRID = 1304,
+    /// A stream is damaged, cut off, or none of ours.
+    GUSSET_ERROR_BAD_STREAM = 1305,
+    /// A group of a scene would contain itself.
+    GUSSET_ERROR_SCENE_CYCLE = 1306,
+    /// A scene without nets.
+    GUSSET_ERROR_EMPTY_SCENE = 1307,
     /// Memory could not be had.
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
     /// The host cancelled.
@@ -108,6 +124,22 @@ pub const GUSSET_ELEMENT_CONSTRAINT: gusset_element = 8;
 pub const GUSSET_ELEMENT_PLACE: gusset_element = 9;
 /// A section of a frame, or a plane, counted from 0; the value is the column or the number of points.
 pub const GUSSET_ELEMENT_SECTION: gusset_element = 12;
+/// A node of a net, row after row.
+pub const GUSSET_ELEMENT_NODE: gusset_element = 13;
+/// A link of a net: twice its first node, and 1 if it is vertical.
+pub const GUSSET_ELEMENT_LINK: gusset_element = 14;
+/// A cell of a net, row after row.
+pub const GUSSET_ELEMENT_CELL: gusset_element = 15;
+/// One of the seams given.
+pub const GUSSET_ELEMENT_SEAM: gusset_element = 16;
+/// A bridge of a net.
+pub const GUSSET_ELEMENT_BRIDGE: gusset_element = 17;
+/// An entry of a scene.
+pub const GUSSET_ELEMENT_ENTRY: gusset_element = 18;
+/// A byte of a stream.
+pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
+/// A place along the side of a net; the value is a distance.
+pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;
 
 /// A failure on its way to the host.
 #[derive(Debug)]
@@ -206,12 +238,30 @@ impl From<Error> for Failure {
             Error::LoopNotOriented { face, .. } => at(GUSSET_ERROR_LOOP_NOT_ORIENTED, GUSSET_ELEMENT_FACE, face),
             Error::OrientationConflict { face } => at(GUSSET_ERROR_ORIENTATION_CONFLICT, GUSSET_ELEMENT_FACE, face),
             Error::NoStrip { vertex } => at(GUSSET_ERROR_NO_STRIP, GUSSET_ELEMENT_VERTEX, vertex),
+            Error::NetTooSmall { rows, columns } => count(GUSSET_ERROR_NET_TOO_SMALL, rows.min(columns)),
+            Error::CrossingCell { cell } => at(GUSSET_ERROR_CROSSING_CELL, GUSSET_ELEMENT_CELL, cell),
+            Error::BadSeam { seam } => at(GUSSET_ERROR_BAD_SEAM, GUSSET_ELEMENT_SEAM, seam),
+            Error::NoSuchNode { node } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_NODE, node, 0.0),
+            Error::NoSuchLink { link } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_LINK, link, 0.0),
+            Error::NoSuchCell { cell } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_CELL, cell, 0.0),
+            Error::NoSuchBridge { bridge } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_BRIDGE, bridge, 0.0),
+            Error::NoSuchEntry { entry } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_ENTRY, entry, 0.0),
+            Error::NodeNotFinite { node, value } => (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_NODE, node.into(), value),
+            Error::SidesDiffer { a, b } => (GUSSET_ERROR_SIDES_DIFFER, GUSSET_ELEMENT_COUNT, a.into(), f64::from(b)),
+            Error::SidesApart { place, distance } => {
+                (GUSSET_ERROR_SIDES_DIFFER, GUSSET_ELEMENT_SIDE_PLACE, place.into(), distance)
+            }
+            Error::NetsOpposed => none(GUSSET_ERROR_ORIENTATION_CONFLICT),
+            Error::NoGrid { face } => at(GUSSET_ERROR_NO_GRID, GUSSET_ELEMENT_FACE, face),
+            Error::BadStream { byte, .. } => (GUSSET_ERROR_BAD_STREAM, GUSSET_ELEMENT_BYTE, byte, 0.0),
+            Error::SceneCycle { entry } => at(GUSSET_ERROR_SCENE_CYCLE, GUSSET_ELEMENT_ENTRY, entry),
+            Error::EmptyScene => none(GUSSET_ERROR_EMPTY_SCENE),
             Error::OptionOutOfRange { value, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, value),
             Error::OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Error::Cancelled => none(GUSSET_ERROR_CANCELLED),
         };
         let input = match error {
-            Error::MixedScalars | Error::OrientationConflict { .. } => 1,
+            Error::MixedScalars | Error::OrientationConflict { .. } | Error::NetsOpposed => 1,
             Error::NoLoop { side: Side::B }
             | Error::LoopTooShort { side: Side::B, .. }
             | Error::LoopRepeatsVertex { side: Side::B, .. }
@@ -262,6 +312,14 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         1202 => c"the curve is empty",
         1210 => c"the sections have different numbers of points",
         1211 => c"a section does not meet a column",
+        1300 => c"a net has fewer than two rows or columns",
+        1301 => c"opposite corners of a cell are glued crosswise",
+        1302 => c"a seam is empty or leaves the net",
+        1303 => c"the sides of the nets do not fit",
+        1304 => c"the faces are no rectangular grid of quads",
+        1305 => c"the stream is damaged",
+        1306 => c"a group would contain itself",
+        1307 => c"the scene has no nets",
         2000 => c"out of memory",
         2001 => c"cancelled",
         9999 => c"internal error",

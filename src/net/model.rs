@@ -1,0 +1,192 @@
+//! A net: coordinates and topology.
+
+use super::{Bridge, Planes, Real, Shape, Topology};
+use crate::alloc;
+use crate::error::Result;
+use crate::mesh::Scalar;
+use glam::DVec3;
+
+/// The coordinate matrices of a net, in one of two types.
+#[derive(Debug)]
+pub enum Coordinates<'a> {
+    /// Single precision: 12 bytes a node.
+    F32(Planes<'a, f32>),
+    /// Double precision: 24 bytes a node.
+    F64(Planes<'a, f64>),
+}
+
+/// Does the same with coordinates of either type: `each!(&net.coordinates, planes => body)`.
+macro_rules! each {
+    ($coordinates:expr, $planes:ident => $body:expr) => {
+        match $coordinates {
+            $crate::net::Coordinates::F32($planes) => $body,
+            $crate::net::Coordinates::F64($planes) => $body,
+        }
+    };
+}
+pub(crate) use each;
+
+impl Coordinates<'_> {
+    /// Zeros, in memory of ours.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn zeroed(shape: Shape, scalar: Scalar) -> Result<Coordinates<'static>> {
+        Ok(match scalar {
+            Scalar::F32 => Coordinates::F32(Planes::zeroed(shape)?),
+            Scalar::F64 => Coordinates::F64(Planes::zeroed(shape)?),
+        })
+    }
+
+    /// The type.
+    pub fn scalar(&self) -> Scalar {
+        match self {
+            Coordinates::F32(_) => Scalar::F32,
+            Coordinates::F64(_) => Scalar::F64,
+        }
+    }
+
+    /// The size of the matrices.
+    pub fn shape(&self) -> Shape {
+        each!(self, planes => planes.shape())
+    }
+
+    /// Node (i, j) in double precision, which is exact.
+    pub fn get(&self, i: usize, j: usize) -> DVec3 {
+        each!(self, planes => planes.get(i, j))
+    }
+
+    /// Moves node (i, j), rounding to the type of the coordinates.
+    pub fn set(&mut self, i: usize, j: usize, position: DVec3) {
+        each!(self, planes => planes.set(i, j, position));
+    }
+
+    /// True for memory of the host's.
+    pub fn is_borrowed(&self) -> bool {
+        each!(self, planes => planes.is_borrowed())
+    }
+
+    /// A copy in memory of ours, bit for bit.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn copied(&self) -> Result<Coordinates<'static>> {
+        Ok(match self {
+            Coordinates::F32(planes) => Coordinates::F32(planes.copied()?),
+            Coordinates::F64(planes) => Coordinates::F64(planes.copied()?),
+        })
+    }
+}
+
+/// A tetragonal regular network: H x W nodes in space, what is glued to what, and the bridges that joined it from others.
+///
+/// A node may have any coordinates; one with a coordinate that is NaN or infinite is missing, and so are the cells that
+/// touch it: see [`Net::is_present`].
+#[derive(Debug)]
+pub struct Net<'a> {
+    coordinates: Coordinates<'a>,
+    topology: Topology,
+    bridges: Vec<Bridge>,
+}
+
+impl<'a> Net<'a> {
+    /// A net of coordinates and a topology of the same size.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn new(coordinates: Coordinates<'a>, topology: Topology) -> Self {
+        assert_eq!(coordinates.shape(), topology.shape(), "coordinates and topology of one size");
+        Net { coordinates, topology, bridges: Vec::new() }
+    }
+
+    /// A net from a function of row and column.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn from_fn(
+        topology: Topology,
+        scalar: Scalar,
+        mut position: impl FnMut(usize, usize) -> DVec3,
+    ) -> Result<Net<'static>> {
+        let shape = topology.shape();
+        let mut coordinates = Coordinates::zeroed(shape, scalar)?;
+        for i in 0..shape.rows() {
+            (0..shape.columns()).for_each(|j| coordinates.set(i, j, position(i, j)));
+        }
+        Ok(Net::new(coordinates, topology))
+    }
+
+    /// The size.
+    pub fn shape(&self) -> Shape {
+        self.topology.shape()
+    }
+
+    /// The coordinate matrices.
+    pub fn coordinates(&self) -> &Coordinates<'a> {
+        &self.coordinates
+    }
+
+    /// The same, to be written to.
+    pub fn coordinates_mut(&mut self) -> &mut Coordinates<'a> {
+        &mut self.coordinates
+    }
+
+    /// What is glued to what.
+    pub fn topology(&self) -> &Topology {
+        &self.topology
+    }
+
+    /// Glues otherwise. Positions stay what they are.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn set_topology(&mut self, topology: Topology) {
+        assert_eq!(self.shape(), topology.shape(), "coordinates and topology of one size");
+        self.topology = topology;
+    }
+
+    /// The bridges between the nets that this one was joined from.
+    pub fn bridges(&self) -> &[Bridge] {
+        &self.bridges
+    }
+
+    /// The same, to be changed.
+    pub fn bridges_mut(&mut self) -> &mut Vec<Bridge> {
+        &mut self.bridges
+    }
+
+    /// Node (i, j) in double precision.
+    pub fn get(&self, i: usize, j: usize) -> DVec3 {
+        self.coordinates.get(i, j)
+    }
+
+    /// True if the cell at (i, j) is there: its four nodes have finite coordinates, and no hidden bridge has it.
+    pub fn is_present(&self, i: usize, j: usize) -> bool {
+        let corners = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
+        corners.into_iter().all(|(i, j)| self.get(i, j).is_finite()) && !self.is_hidden(i, j)
+    }
+
+    /// True if the cell at (i, j) belongs to a hidden bridge.
+    pub fn is_hidden(&self, i: usize, j: usize) -> bool {
+        self.bridges.iter().any(|bridge| bridge.is_hidden() && bridge.has_cell(i, j))
+    }
+
+    /// A copy in memory of ours.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn copied(&self) -> Result<Net<'static>> {
+        Ok(Net {
+            coordinates: self.coordinates.copied()?,
+            topology: self.topology.clone(),
+            bridges: alloc::collect(self.bridges.iter().cloned())?,
+        })
+    }
+}
+
+impl<T: Real> Planes<'_, T> {
+    /// True if the three coordinates of node (i, j) are finite.
+    pub fn is_finite(&self, i: usize, j: usize) -> bool {
+        self.get(i, j).is_finite()
+    }
+}

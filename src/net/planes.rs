@@ -1,0 +1,151 @@
+//! The three coordinate matrices of a net, in memory of ours or of the host's.
+
+use super::{Real, Shape};
+use crate::alloc;
+use crate::error::{Error, Result};
+use glam::DVec3;
+
+/// A cache line, so that what we allocate begins on one.
+#[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C, align(64))]
+struct Line([u8; 64]);
+
+/// X, Y, Z: three matrices of `rows x columns` numbers, row after row, each row `stride` numbers after the one before.
+#[derive(Debug)]
+pub struct Planes<'a, T> {
+    shape: Shape,
+    stride: usize,
+    store: Store<'a, T>,
+}
+
+#[derive(Debug)]
+enum Store<'a, T> {
+    /// One allocation; each matrix begins on a line.
+    Own { lines: Vec<Line>, each: usize },
+    /// The host's.
+    Borrowed([&'a mut [T]; 3]),
+}
+
+impl<'a, T: Real> Planes<'a, T> {
+    /// Zeros, in memory of ours, without gaps between rows.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn zeroed(shape: Shape) -> Result<Self> {
+        let each = (shape.node_count() * size_of::<T>()).div_ceil(size_of::<Line>());
+        Ok(Planes { shape, stride: shape.columns(), store: Store::Own { lines: alloc::zeroed(3 * each)?, each } })
+    }
+
+    /// Matrices of the host's, read and written in place. `stride`: numbers from row to row, 0 for rows without gaps. The last
+    /// row needs its own numbers only.
+    ///
+    /// # Errors
+    /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`], [`Error::ArrayTooShort`].
+    pub fn borrowed(shape: Shape, stride: usize, matrices: [&'a mut [T]; 3]) -> Result<Self> {
+        let needed = Self::length(shape, stride)?;
+        if let Some(short) = matrices.iter().find(|matrix| matrix.len() < needed) {
+            let (needed, given) = ((needed * size_of::<T>()) as u64, size_of_val::<[T]>(short) as u64);
+            return Err(Error::ArrayTooShort { what: "coordinates", needed, given });
+        }
+        let stride = if stride == 0 { shape.columns() } else { stride };
+        let store = Store::Borrowed(matrices.map(|matrix| &mut matrix[..needed]));
+        Ok(Planes { shape, stride, store })
+    }
+
+    /// The numbers that one matrix spans.
+    ///
+    /// # Errors
+    /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
+    pub fn length(shape: Shape, stride: usize) -> Result<usize> {
+        let columns = shape.columns();
+        if stride != 0 && stride < columns {
+            return Err(Error::StrideTooSmall { stride: stride as u64, least: columns as u64 });
+        }
+        let stride = if stride == 0 { columns } else { stride };
+        let length = (shape.rows() - 1).checked_mul(stride).and_then(|n| n.checked_add(columns));
+        length
+            .filter(|&n| n <= isize::MAX as usize / size_of::<T>())
+            .ok_or(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 })
+    }
+
+    /// The size of the matrices.
+    pub fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    /// Numbers from row to row.
+    pub fn stride(&self) -> usize {
+        self.stride
+    }
+
+    /// True for memory of the host's.
+    pub fn is_borrowed(&self) -> bool {
+        matches!(self.store, Store::Borrowed(_))
+    }
+
+    /// The matrices X, Y, Z, with the gaps between their rows.
+    pub fn matrices(&self) -> [&[T]; 3] {
+        let length = (self.shape.rows() - 1) * self.stride + self.shape.columns();
+        match &self.store {
+            Store::Own { lines, each } => {
+                [0, 1, 2].map(|axis| &bytemuck::cast_slice(&lines[axis * each..(axis + 1) * each])[..length])
+            }
+            Store::Borrowed(matrices) => [0, 1, 2].map(|axis| &matrices[axis][..]),
+        }
+    }
+
+    /// The same, to be written to.
+    pub fn matrices_mut(&mut self) -> [&mut [T]; 3] {
+        let length = (self.shape.rows() - 1) * self.stride + self.shape.columns();
+        match &mut self.store {
+            Store::Own { lines, each } => {
+                let (x, rest) = lines.split_at_mut(*each);
+                let (y, z) = rest.split_at_mut(*each);
+                [x, y, z].map(|lines| &mut bytemuck::cast_slice_mut(lines)[..length])
+            }
+            Store::Borrowed([x, y, z]) => [x, y, z].map(|matrix| &mut matrix[..]),
+        }
+    }
+
+    /// Row i of X, Y and Z.
+    pub fn row(&self, i: usize) -> [&[T]; 3] {
+        let start = i * self.stride;
+        self.matrices().map(|matrix| &matrix[start..start + self.shape.columns()])
+    }
+
+    /// The same, to be written to.
+    pub fn row_mut(&mut self, i: usize) -> [&mut [T]; 3] {
+        let (start, columns) = (i * self.stride, self.shape.columns());
+        self.matrices_mut().map(|matrix| &mut matrix[start..start + columns])
+    }
+
+    /// Node (i, j) in double precision, which is exact.
+    #[inline]
+    pub fn get(&self, i: usize, j: usize) -> DVec3 {
+        let [x, y, z] = self.matrices().map(|matrix| matrix[i * self.stride + j].into());
+        DVec3::new(x, y, z)
+    }
+
+    /// Moves node (i, j), rounding to the type of the coordinates.
+    #[inline]
+    pub fn set(&mut self, i: usize, j: usize, position: DVec3) {
+        let at = i * self.stride + j;
+        for (matrix, value) in self.matrices_mut().into_iter().zip(position.to_array()) {
+            matrix[at] = T::of(value);
+        }
+    }
+
+    /// A copy in memory of ours, bit for bit.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn copied(&self) -> Result<Planes<'static, T>> {
+        let mut copy = Planes::zeroed(self.shape)?;
+        for i in 0..self.shape.rows() {
+            for (to, from) in copy.row_mut(i).into_iter().zip(self.row(i)) {
+                to.copy_from_slice(from);
+            }
+        }
+        Ok(copy)
+    }
+}

@@ -1,0 +1,112 @@
+//! The size of a net, and the numbering of its nodes, links and cells.
+
+use crate::error::{Error, Result};
+
+/// The largest number of nodes of a net: links, of which there are two a node, are counted in 32 bits.
+pub const MAX_NODES: u64 = (1 << 31) - 1;
+
+/// `rows` x `columns` nodes (the paper's H and W), joined by links to cells.
+///
+/// Everything counts from 0, row by row: node (i, j) is `i * columns + j`; cell (i, j), whose corners are the nodes (i, j),
+/// (i, j + 1), (i + 1, j + 1), (i + 1, j), is `i * (columns - 1) + j`. Every node has two links, one to the next node of its row and
+/// one to the next of its column, those of the last column and row to the first: link `2 * node` is horizontal,
+/// `2 * node + 1` vertical. The links that lead back close the net (paper, "characteristic matrix"); as long as they are not
+/// contracted they are not there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Shape {
+    rows: u32,
+    columns: u32,
+}
+
+impl Shape {
+    /// # Errors
+    /// [`Error::NetTooSmall`] below 2 x 2, [`Error::TooLarge`] above [`MAX_NODES`].
+    pub fn new(rows: usize, columns: usize) -> Result<Self> {
+        let (h, w) = (rows as u64, columns as u64);
+        if h < 2 || w < 2 {
+            return Err(Error::NetTooSmall { rows: h, columns: w });
+        }
+        let count = h.saturating_mul(w);
+        if count > MAX_NODES {
+            return Err(Error::TooLarge { what: "nodes", count, limit: MAX_NODES });
+        }
+        Ok(Shape { rows: h as u32, columns: w as u32 })
+    }
+
+    /// The number of rows, H.
+    pub fn rows(self) -> usize {
+        self.rows as usize
+    }
+
+    /// The number of columns, W.
+    pub fn columns(self) -> usize {
+        self.columns as usize
+    }
+
+    /// H x W.
+    pub fn node_count(self) -> usize {
+        self.rows() * self.columns()
+    }
+
+    /// (H - 1) x (W - 1).
+    pub fn cell_count(self) -> usize {
+        (self.rows() - 1) * (self.columns() - 1)
+    }
+
+    /// Node (i, j).
+    pub fn node(self, i: usize, j: usize) -> u32 {
+        (i * self.columns() + j) as u32
+    }
+
+    /// Row and column of a node.
+    pub fn place(self, node: u32) -> (usize, usize) {
+        ((node / self.columns) as usize, (node % self.columns) as usize)
+    }
+
+    /// Cell (i, j).
+    pub fn cell(self, i: usize, j: usize) -> u32 {
+        (i * (self.columns() - 1) + j) as u32
+    }
+
+    /// Row and column of the first corner of a cell.
+    pub fn cell_place(self, cell: u32) -> (usize, usize) {
+        let columns = self.columns - 1;
+        ((cell / columns) as usize, (cell % columns) as usize)
+    }
+
+    /// The corners of the cell at (i, j): the nodes (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j).
+    pub fn corners(self, i: usize, j: usize) -> [u32; 4] {
+        let a = self.node(i, j);
+        [a, a + 1, a + self.columns + 1, a + self.columns]
+    }
+
+    /// The two nodes of a link; those that lead back end in the first column or row.
+    pub fn ends(self, link: u32) -> [u32; 2] {
+        let node = link / 2;
+        let (i, j) = self.place(node);
+        let end = match (link & 1 == 0, j + 1 == self.columns(), i + 1 == self.rows()) {
+            (true, true, _) => self.node(i, 0),
+            (true, false, _) => node + 1,
+            (false, _, true) => j as u32,
+            (false, _, false) => node + self.columns,
+        };
+        [node, end]
+    }
+
+    /// True for a link between neighbours, false for one that leads back to the first column or row.
+    pub fn is_inner(self, link: u32) -> bool {
+        let (i, j) = self.place(link / 2);
+        if link & 1 == 0 { j + 1 < self.columns() } else { i + 1 < self.rows() }
+    }
+
+    /// Rows and columns exchanged.
+    #[must_use]
+    pub fn transposed(self) -> Self {
+        Shape { rows: self.columns, columns: self.rows }
+    }
+
+    /// [`Error::NoSuchNode`] unless there is such a node.
+    pub(crate) fn check_node(self, node: u32) -> Result<()> {
+        if (node as usize) < self.node_count() { Ok(()) } else { Err(Error::NoSuchNode { node: node.into() }) }
+    }
+}

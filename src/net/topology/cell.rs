@@ -1,0 +1,48 @@
+//! What is left of a cell when corners of it are glued.
+
+/// A cell whose glued corners are one. Corners are the representatives of their classes, in the cell's order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reduced {
+    /// Nothing is glued.
+    Quad([u32; 4]),
+    /// One side is contracted.
+    Triangle([u32; 3]),
+    /// Two sides are contracted, and the other two have become one.
+    Digon([u32; 2]),
+    /// All is one point.
+    Point(u32),
+    /// Opposite corners are one, the first of the three: the sides have become the two edges from it to the others (type c(1,2)).
+    Fold([u32; 3]),
+    /// Both pairs of opposite corners are one each: no surface does that, and no [`Topology`](super::Topology) has it.
+    Crossing([u32; 2]),
+}
+
+impl Reduced {
+    /// `corners`: the classes of the four corners in turn.
+    pub fn new(corners: [u32; 4]) -> Self {
+        let [a, b, c, d] = corners;
+        match ([a == b, b == c, c == d, d == a], a == c, b == d) {
+            ([false, false, false, false], false, false) => Reduced::Quad(corners),
+            ([false, false, false, false], true, false) => Reduced::Fold([a, b, d]),
+            ([false, false, false, false], false, true) => Reduced::Fold([b, c, a]),
+            ([false, false, false, false], true, true) => Reduced::Crossing([a, b]),
+            ([true, false, false, false], ..) | ([false, true, false, false], ..) => Reduced::Triangle([a, c, d]),
+            ([false, false, true, false], ..) => Reduced::Triangle([a, b, d]),
+            ([false, false, false, true], ..) => Reduced::Triangle([a, b, c]),
+            // At most two classes, each in one piece.
+            _ => match [b, c, d].into_iter().find(|&corner| corner != a) {
+                Some(other) => Reduced::Digon([a, other]),
+                None => Reduced::Point(a),
+            },
+        }
+    }
+
+    /// The corners of the polygon, if it has a surface.
+    pub fn polygon(&self) -> Option<&[u32]> {
+        match self {
+            Reduced::Quad(corners) => Some(corners),
+            Reduced::Triangle(corners) => Some(corners),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! Which nodes are one point: the classes that contracted links and seams make.
+
+use super::{Links, Topology};
+use crate::alloc;
+use crate::error::Result;
+use crate::net::{Shape, Sides};
+
+/// The classes of glued nodes. The representative of a class is its smallest node.
+#[derive(Debug, Clone)]
+pub struct Classes {
+    shape: Shape,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone)]
+enum Kind {
+    /// Computed when asked for.
+    Sides(SideClasses),
+    /// The representative of every node.
+    Table(Vec<u32>),
+}
+
+impl Classes {
+    /// O(1) for a net that is described by its sides alone; else O(nodes + contracted links), and 4 bytes a node.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn of(topology: &Topology) -> Result<Self> {
+        let shape = topology.shape();
+        if let (Links::Sides(sides), []) = (&topology.links, topology.seams()) {
+            return Ok(Classes { shape, kind: Kind::Sides(SideClasses::new(shape, *sides)) });
+        }
+        let mut forest = Forest::new(shape.node_count())?;
+        let mut join = |[a, b]: [u32; 2]| forest.join(a, b);
+        match &topology.links {
+            Links::Sides(sides) => sides.links(shape).for_each(|link| join(shape.ends(link))),
+            Links::Matrix(matrix) => matrix.links().for_each(|link| join(shape.ends(link))),
+        }
+        topology.seams().iter().for_each(|seam| seam.pairs(shape).for_each(&mut join));
+        Ok(Classes { shape, kind: Kind::Table(forest.flattened()) })
+    }
+
+    /// The size of the net.
+    pub fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    /// The smallest node of the class of a node.
+    #[inline]
+    pub fn representative(&self, node: u32) -> u32 {
+        match &self.kind {
+            Kind::Sides(sides) => {
+                let (i, j) = self.shape.place(node);
+                sides.representative(self.shape, i, j)
+            }
+            Kind::Table(table) => table[node as usize],
+        }
+    }
+
+    /// The representatives of the corners of the cell at (i, j).
+    #[inline]
+    pub fn corners(&self, i: usize, j: usize) -> [u32; 4] {
+        self.shape.corners(i, j).map(|node| self.representative(node))
+    }
+
+    /// True if the two ends of the link are one point.
+    pub fn contracts(&self, link: u32) -> bool {
+        let [a, b] = self.shape.ends(link);
+        self.representative(a) == self.representative(b)
+    }
+
+    /// True if only nodes on the four sides can be glued.
+    pub(crate) fn is_of_sides(&self) -> bool {
+        matches!(self.kind, Kind::Sides(_))
+    }
+
+    /// The representative of every node.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn table(&self) -> Result<Vec<u32>> {
+        match &self.kind {
+            Kind::Sides(_) => alloc::collect((0..self.shape.node_count()).map(|n| self.representative(n as u32))),
+            Kind::Table(table) => alloc::copied(table),
+        }
+    }
+
+    /// The classes of two nodes and more, in the order of their representatives.
+    ///
+    /// O(H + W) for sides alone, else O(nodes), and a sort of the glued nodes.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn groups(&self) -> Result<Groups> {
+        let mut glued = Vec::new();
+        let mut add = |node: u32| {
+            let representative = self.representative(node);
+            if representative == node { Ok(()) } else { alloc::push(&mut glued, (representative, node)) }
+        };
+        let (h, w) = (self.shape.rows(), self.shape.columns());
+        if self.is_of_sides() {
+            (0..w).flat_map(|j| [(0, j), (h - 1, j)]).try_for_each(|(i, j)| add(self.shape.node(i, j)))?;
+            (1..h - 1).flat_map(|i| [(i, 0), (i, w - 1)]).try_for_each(|(i, j)| add(self.shape.node(i, j)))?;
+        } else {
+            (0..h * w).try_for_each(|node| add(node as u32))?;
+        }
+        glued.sort_unstable();
+        let mut groups = Groups { offsets: alloc::filled(0, 1)?, members: alloc::with_capacity(2 * glued.len())? };
+        for class in glued.chunk_by(|a, b| a.0 == b.0) {
+            groups.members.push(class[0].0);
+            groups.members.extend(class.iter().map(|&(_, node)| node));
+            alloc::push(&mut groups.offsets, groups.members.len() as u32)?;
+        }
+        Ok(groups)
+    }
+}
+
+/// The classes of two nodes and more.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Groups {
+    offsets: Vec<u32>,
+    members: Vec<u32>,
+}
+
+impl Groups {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.offsets.len() - 1
+    }
+
+    /// True if no two nodes are glued.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Class k: its nodes in order, the representative first.
+    pub fn get(&self, k: usize) -> &[u32] {
+        &self.members[self.offsets[k] as usize..self.offsets[k + 1] as usize]
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        (0..self.len()).map(|k| self.get(k))
+    }
+
+    /// 0, then the end of each class among the members.
+    pub fn offsets(&self) -> &[u32] {
+        &self.offsets
+    }
+
+    /// The nodes of all classes, one class after the other.
+    pub fn members(&self) -> &[u32] {
+        &self.members
+    }
+}
+
+/// Classes that follow from the sides.
+#[derive(Debug, Clone, Copy)]
+struct SideClasses {
+    rows_closed: bool,
+    columns_closed: bool,
+    /// Of the poles at the top, the bottom, the left and the right, as they are once closed rows and columns are folded.
+    poles: [Option<u32>; 4],
+}
+
+impl SideClasses {
+    fn new(shape: Shape, sides: Sides) -> Self {
+        let (h, w) = (shape.rows(), shape.columns());
+        let Sides { rows_closed, columns_closed, .. } = sides;
+        // A closed column's last row is its first, so that a pole there is a pole at the top.
+        let top = (sides.pole_top || (columns_closed && sides.pole_bottom)).then_some(0);
+        let left = (sides.pole_left || (rows_closed && sides.pole_right)).then_some(0);
+        let bottom = (sides.pole_bottom && !columns_closed).then(|| shape.node(h - 1, 0));
+        let right = (sides.pole_right && !rows_closed).then(|| shape.node(0, w - 1));
+        let mut poles = [top, bottom, left, right];
+        // Poles on adjacent sides share a corner. The smallest number has reached everyone after two rounds.
+        for (a, b) in [(0, 2), (0, 3), (1, 2), (1, 3)].repeat(2) {
+            if let (Some(first), Some(second)) = (poles[a], poles[b]) {
+                poles[a] = Some(first.min(second));
+                poles[b] = poles[a];
+            }
+        }
+        SideClasses { rows_closed, columns_closed, poles }
+    }
+
+    #[inline]
+    fn representative(&self, shape: Shape, i: usize, j: usize) -> u32 {
+        let (h, w) = (shape.rows(), shape.columns());
+        let j = if self.rows_closed && j + 1 == w { 0 } else { j };
+        let i = if self.columns_closed && i + 1 == h { 0 } else { i };
+        let [top, bottom, left, right] = self.poles;
+        let on = |pole: Option<u32>, there: bool| pole.filter(|_| there);
+        on(top, i == 0)
+            .or(on(bottom, i + 1 == h))
+            .or(on(left, j == 0))
+            .or(on(right, j + 1 == w))
+            .unwrap_or(shape.node(i, j))
+    }
+}
+
+/// Disjoint sets of nodes whose roots are their smallest members.
+pub(crate) struct Forest {
+    parents: Vec<u32>,
+}
+
+impl Forest {
+    pub(crate) fn new(count: usize) -> Result<Self> {
+        Ok(Forest { parents: alloc::collect((0..count).map(|node| node as u32))? })
+    }
+
+    pub(crate) fn find(&mut self, mut node: u32) -> u32 {
+        while self.parents[node as usize] != node {
+            let parent = self.parents[node as usize];
+            self.parents[node as usize] = self.parents[parent as usize];
+            node = parent;
+        }
+        node
+    }
+
+    pub(crate) fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.find(a), self.find(b));
+        self.parents[a.max(b) as usize] = a.min(b);
+    }
+
+    /// The root of every node. Parents come before their children: one pass is enough.
+    pub(crate) fn flattened(mut self) -> Vec<u32> {
+        for node in 0..self.parents.len() {
+            self.parents[node] = self.parents[self.parents[node] as usize];
+        }
+        self.parents
+    }
+}

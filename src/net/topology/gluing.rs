@@ -1,0 +1,155 @@
+//! The 18 local gluings (paper, Fig. 4).
+//!
+//! Up to translation, the ways in which the star of a node (its four links) or the rim of a cell can be glued number 18: 13
+//! partitions come from contracting links of a star (15 sets, two of them translates), 11 from the partitions of the four corners
+//! of a cell that do not cross (14, without the identity and two translates), and 6 are both. The nineteenth, both pairs of
+//! opposite corners, crosses itself: no surface does that.
+
+use super::{Classes, Topology};
+use crate::error::Result;
+
+/// One of the 18 local gluings, by its number:
+///
+/// | number | type | what is contracted |
+/// |---|---|---|
+/// | 0, 1 | n(1) = c(1) | one link: horizontal, vertical |
+/// | 2 to 5 | n(2,1) = c(2,0) | two links at a corner: east and south of the node, south and west, west and north, north and east |
+/// | 6, 7 | n(2,2) | two opposite links of a node: east and west, north and south |
+/// | 8 to 11 | n(3) | three links of a node: all but north, east, south, west |
+/// | 12 | n(4) | all links of a node |
+/// | 13, 14 | c(2,1) | two opposite links of a cell: top and bottom, right and left |
+/// | 15 | c(3) | three links of a cell, and so the fourth |
+/// | 16, 17 | c(1,2) | a diagonal of a cell, which is no link: first to third corner, second to fourth |
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct GluingType(u8);
+
+/// The type of a star by its mask: east 1, south 2, west 4, north 8.
+const OF_STAR: [Option<u8>; 16] = [
+    None,
+    Some(0),
+    Some(1),
+    Some(2),
+    Some(0),
+    Some(6),
+    Some(3),
+    Some(8),
+    Some(1),
+    Some(5),
+    Some(7),
+    Some(11),
+    Some(4),
+    Some(10),
+    Some(9),
+    Some(12),
+];
+/// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a corner of the node between them.
+const OF_CELL: [Option<u8>; 16] = [
+    None,
+    Some(0),
+    Some(1),
+    Some(3),
+    Some(0),
+    Some(13),
+    Some(4),
+    Some(15),
+    Some(1),
+    Some(2),
+    Some(14),
+    Some(15),
+    Some(5),
+    Some(15),
+    Some(15),
+    Some(15),
+];
+
+impl GluingType {
+    /// How many there are.
+    pub const COUNT: usize = 18;
+
+    /// All of them.
+    pub fn all() -> impl ExactSizeIterator<Item = GluingType> {
+        (0..Self::COUNT as u8).map(GluingType)
+    }
+
+    /// The number, 0 to 17.
+    pub fn number(self) -> usize {
+        self.0.into()
+    }
+
+    /// The paper's name: of the node or of the cell, whichever it is first.
+    pub fn name(self) -> &'static str {
+        match self.0 {
+            0 | 1 => "n(1)",
+            2..=5 => "n(2,1)",
+            6 | 7 => "n(2,2)",
+            8..=11 => "n(3)",
+            12 => "n(4)",
+            13 | 14 => "c(2,1)",
+            15 => "c(3)",
+            _ => "c(1,2)",
+        }
+    }
+
+    /// The number of nodes that become one (the paper's order of the node); two classes of two for c(2,1).
+    pub fn node_order(self) -> usize {
+        match self.0 {
+            0 | 1 | 13 | 14 | 16 | 17 => 2,
+            2..=7 => 3,
+            8..=11 | 15 => 4,
+            _ => 5,
+        }
+    }
+}
+
+/// The star of node (i, j): which of its links have become a point. `cyclic`: links that lead back to the first row and column
+/// count too. `None`: no link has.
+pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
+    let shape = classes.shape();
+    let (h, w) = (shape.rows(), shape.columns());
+    let bit = |there: bool, link: u32, mask: usize| if there && classes.contracts(link) { mask } else { 0 };
+    let mask = bit(cyclic || j + 1 < w, 2 * shape.node(i, j), 1)
+        | bit(cyclic || i + 1 < h, 2 * shape.node(i, j) + 1, 2)
+        | bit(cyclic || j > 0, 2 * shape.node(i, (j + w - 1) % w), 4)
+        | bit(cyclic || i > 0, 2 * shape.node((i + h - 1) % h, j) + 1, 8);
+    OF_STAR[mask].map(GluingType)
+}
+
+/// What the cell at (i, j) has become; `None` if it is a quad.
+pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType> {
+    let [a, b, c, d] = classes.corners(i, j);
+    let mask = usize::from(a == b) | usize::from(b == c) << 1 | usize::from(c == d) << 2 | usize::from(d == a) << 3;
+    let diagonal = if a == c { Some(16) } else { (b == d).then_some(17) };
+    OF_CELL[mask].or(diagonal).map(GluingType)
+}
+
+/// How often each type occurs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Histogram {
+    /// Nodes whose star has the type (links that lead back not counted).
+    pub nodes: [u64; GluingType::COUNT],
+    /// Cells that have the type.
+    pub cells: [u64; GluingType::COUNT],
+}
+
+/// Counts the types of all nodes and cells. O(nodes).
+///
+/// # Errors
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+pub fn histogram(topology: &Topology) -> Result<Histogram> {
+    let (shape, classes) = (topology.shape(), Classes::of(topology)?);
+    let mut histogram = Histogram::default();
+    let count = |counts: &mut [u64; GluingType::COUNT], found: Option<GluingType>| {
+        if let Some(found) = found {
+            counts[found.number()] += 1;
+        }
+    };
+    for i in 0..shape.rows() {
+        for j in 0..shape.columns() {
+            count(&mut histogram.nodes, classify_node(&classes, i, j, false));
+            if i + 1 < shape.rows() && j + 1 < shape.columns() {
+                count(&mut histogram.cells, classify_cell(&classes, i, j));
+            }
+        }
+    }
+    Ok(histogram)
+}

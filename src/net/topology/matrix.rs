@@ -1,0 +1,101 @@
+//! The characteristic matrix: one bit for each link.
+
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::net::{Shape, Sides};
+
+const WORD: usize = u64::BITS as usize;
+
+/// The paper's matrix C, 2H x W bits, 1 for a contracted link: its element (2i, j) is link `2 * node(i, j)` here and (2i + 1, j)
+/// link `2 * node(i, j) + 1` (rows and columns from 0), so that the two bits of a node lie together.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Matrix {
+    words: Vec<u64>,
+}
+
+impl Matrix {
+    /// No link contracted.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn empty(shape: Shape) -> Result<Self> {
+        Ok(Matrix { words: alloc::zeroed((2 * shape.node_count()).div_ceil(WORD))? })
+    }
+
+    /// The links that [`Sides`] contract.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn of_sides(shape: Shape, sides: Sides) -> Result<Self> {
+        let mut matrix = Matrix::empty(shape)?;
+        sides.links(shape).for_each(|link| matrix.set(link, true));
+        Ok(matrix)
+    }
+
+    /// From the paper's layout: 2H rows of W bytes, 0 or 1, row after row.
+    ///
+    /// # Errors
+    /// [`Error::ArrayTooShort`], [`Error::OptionOutOfRange`] for a byte other than 0 and 1, [`Error::OutOfMemory`].
+    pub fn from_bytes(shape: Shape, bytes: &[u8]) -> Result<Self> {
+        let (w, needed) = (shape.columns(), 2 * shape.node_count());
+        let Some(bytes) = bytes.get(..needed) else {
+            let (needed, given) = (needed as u64, bytes.len() as u64);
+            return Err(Error::ArrayTooShort { what: "the characteristic matrix", needed, given });
+        };
+        let mut matrix = Matrix::empty(shape)?;
+        for (at, &byte) in bytes.iter().enumerate() {
+            let (row, j) = (at / w, at % w);
+            match byte {
+                0 => {}
+                1 => matrix.set(2 * shape.node(row / 2, j) + (row % 2) as u32, true),
+                _ => {
+                    return Err(Error::OptionOutOfRange { option: "characteristic matrix", value: f64::from(byte) });
+                }
+            }
+        }
+        Ok(matrix)
+    }
+
+    /// True if the link is contracted.
+    pub fn get(&self, link: u32) -> bool {
+        self.words[link as usize / WORD] >> (link as usize % WORD) & 1 != 0
+    }
+
+    /// Contracts a link, or frees it.
+    pub fn set(&mut self, link: u32, contracted: bool) {
+        let (word, bit) = (&mut self.words[link as usize / WORD], 1 << (link as usize % WORD));
+        if contracted { *word |= bit } else { *word &= !bit }
+    }
+
+    /// The contracted links, in order.
+    pub fn links(&self) -> impl Iterator<Item = u32> {
+        self.words.iter().enumerate().flat_map(|(at, &word)| {
+            std::iter::successors((word != 0).then_some(word), |&w| Some(w & (w - 1)).filter(|&rest| rest != 0))
+                .map(move |w| (at * WORD) as u32 + w.trailing_zeros())
+        })
+    }
+
+    /// The sides that say the same, if there are any.
+    pub(super) fn as_sides(&self, shape: Shape) -> Result<Option<Sides>> {
+        let (h, w) = (shape.rows(), shape.columns());
+        let sides = Sides {
+            rows_closed: self.get(2 * shape.node(0, w - 1)),
+            columns_closed: self.get(2 * shape.node(h - 1, 0) + 1),
+            pole_top: self.get(2 * shape.node(0, 0)),
+            pole_bottom: self.get(2 * shape.node(h - 1, 0)),
+            pole_left: self.get(2 * shape.node(0, 0) + 1),
+            pole_right: self.get(2 * shape.node(0, w - 1) + 1),
+        };
+        Ok((Matrix::of_sides(shape, sides)? == *self).then_some(sides))
+    }
+
+    /// The bytes of [`Matrix::from_bytes`].
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn to_bytes(&self, shape: Shape) -> Result<Vec<u8>> {
+        let (h, w) = (shape.rows(), shape.columns());
+        let element = |row: usize, j: usize| u8::from(self.get(2 * shape.node(row / 2, j) + (row % 2) as u32));
+        alloc::collect((0..2 * h * w).map(|at| element(at / w, at % w)))
+    }
+}

@@ -1,0 +1,196 @@
+//! What is glued to what in a net (paper, "Non-spatial operations").
+//!
+//! * [`Sides`]: closures that need no matrix. * [`Matrix`]: the paper's characteristic matrix. * [`Seam`]: what neither can say.
+//! * [`Classes`]: the nodes that are one point. * [`Reduced`]: what is left of a cell. * [`GluingType`]: the 18 local gluings.
+
+mod cell;
+mod classes;
+mod gluing;
+mod matrix;
+mod seam;
+mod sides;
+
+pub use cell::Reduced;
+pub(crate) use classes::Forest;
+pub use classes::{Classes, Groups};
+pub use gluing::{GluingType, Histogram, classify_cell, classify_node, histogram};
+pub use matrix::Matrix;
+pub use seam::{Run, Seam};
+pub use sides::Sides;
+
+use super::Shape;
+use crate::alloc;
+use crate::error::{Error, Result};
+
+/// How contracted links are kept.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Links {
+    /// The sides say it all: no memory.
+    Sides(Sides),
+    /// Two bits a node.
+    Matrix(Matrix),
+}
+
+/// The gluing of a net: its contracted links and its seams.
+///
+/// It is kept in one form: links that sides can describe are sides, seams that links can describe are links, seams are in
+/// order, and no cell is crossed (see [`Reduced::Crossing`]). Two topologies that contract the same links and list the same
+/// seams are equal; for those that glue the same nodes in different ways compare [`Topology::saturated`].
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Topology {
+    shape: Shape,
+    links: Links,
+    seams: Vec<Seam>,
+    reversed: bool,
+}
+
+impl Topology {
+    /// A net that its sides describe.
+    pub fn of_sides(shape: Shape, sides: Sides) -> Self {
+        Topology { shape, links: Links::Sides(sides), seams: Vec::new(), reversed: false }
+    }
+
+    /// From contracted links and seams. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::BadSeam`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
+    pub fn new(shape: Shape, links: Links, seams: &[Seam]) -> Result<Self> {
+        seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
+        let mut topology = Topology { shape, links, seams: Vec::new(), reversed: false };
+        for &seam in seams {
+            topology.add_seam(seam)?;
+        }
+        topology.seams.sort_unstable();
+        topology.seams.dedup();
+        if let Links::Matrix(matrix) = &topology.links
+            && let Some(sides) = matrix.as_sides(shape)?
+        {
+            topology.links = Links::Sides(sides);
+        }
+        topology.check_crossings()?;
+        Ok(topology)
+    }
+
+    /// The size of the net.
+    pub fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    /// The contracted links.
+    pub fn links(&self) -> &Links {
+        &self.links
+    }
+
+    /// The sides, if they say all about the links.
+    pub fn sides(&self) -> Option<Sides> {
+        match self.links {
+            Links::Sides(sides) => Some(sides),
+            Links::Matrix(_) => None,
+        }
+    }
+
+    /// The seams, in order.
+    pub fn seams(&self) -> &[Seam] {
+        &self.seams
+    }
+
+    /// True if faces are to be taken the other way round, for their normals to be what they were: nets that were flipped.
+    pub fn is_reversed(&self) -> bool {
+        self.reversed
+    }
+
+    /// The same, with faces taken the one way or the other.
+    #[must_use]
+    pub fn with_reversed(self, reversed: bool) -> Self {
+        Topology { reversed, ..self }
+    }
+
+    /// True if the link is contracted by name: see [`Classes::contracts`] for those whose ends are one in any way.
+    pub fn contracts(&self, link: u32) -> bool {
+        match &self.links {
+            Links::Sides(sides) => sides.contracts(self.shape, link),
+            Links::Matrix(matrix) => matrix.get(link),
+        }
+    }
+
+    /// The characteristic matrix.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn matrix(&self) -> Result<Matrix> {
+        match &self.links {
+            Links::Sides(sides) => Matrix::of_sides(self.shape, *sides),
+            Links::Matrix(matrix) => Ok(matrix.clone()),
+        }
+    }
+
+    /// The same gluing with every link contracted whose ends are one point: the canonical form. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn saturated(&self) -> Result<Self> {
+        let classes = Classes::of(self)?;
+        let mut matrix = Matrix::empty(self.shape)?;
+        for link in 0..2 * self.shape.node_count() as u32 {
+            if classes.contracts(link) {
+                matrix.set(link, true);
+            }
+        }
+        let mut saturated = Topology::new(self.shape, Links::Matrix(matrix), &[])?;
+        // Seams that the links now say are left out.
+        let mut forest = Forest::new(self.shape.node_count())?;
+        saturated.matrix()?.links().for_each(|link| {
+            let [a, b] = self.shape.ends(link);
+            forest.join(a, b);
+        });
+        for seam in &self.seams {
+            let mut news = false;
+            for [a, b] in seam.pairs(self.shape) {
+                news |= forest.find(a) != forest.find(b);
+                forest.join(a, b);
+            }
+            if news {
+                alloc::push(&mut saturated.seams, *seam)?;
+            }
+        }
+        Ok(saturated.with_reversed(self.reversed))
+    }
+
+    /// Adds a seam in its canonical form: as links, if each pair of nodes is joined by one.
+    fn add_seam(&mut self, seam: Seam) -> Result<()> {
+        let link = |[a, b]: [u32; 2]| {
+            [2 * a, 2 * a + 1, 2 * b, 2 * b + 1].into_iter().find(|&link| {
+                let ends = self.shape.ends(link);
+                ends == [a, b] || ends == [b, a]
+            })
+        };
+        if seam.pairs(self.shape).all(|[a, b]| a == b) {
+            return Ok(());
+        }
+        if seam.pairs(self.shape).all(|pair| link(pair).is_some()) {
+            let links: Vec<u32> = seam.pairs(self.shape).filter_map(link).collect();
+            let mut matrix = self.matrix()?;
+            links.into_iter().for_each(|link| matrix.set(link, true));
+            self.links = Links::Matrix(matrix);
+            return Ok(());
+        }
+        alloc::push(&mut self.seams, seam.canonical())
+    }
+
+    /// [`Error::CrossingCell`] for the first cell whose opposite corners are glued crosswise.
+    fn check_crossings(&self) -> Result<()> {
+        if matches!(self.links, Links::Sides(_)) && self.seams.is_empty() {
+            return Ok(());
+        }
+        let classes = Classes::of(self)?;
+        for i in 0..self.shape.rows() - 1 {
+            for j in 0..self.shape.columns() - 1 {
+                let [a, b, c, d] = classes.corners(i, j);
+                if a == c && b == d && a != b {
+                    return Err(Error::CrossingCell { cell: self.shape.cell(i, j) });
+                }
+            }
+        }
+        Ok(())
+    }
+}

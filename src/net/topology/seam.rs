@@ -1,0 +1,93 @@
+//! Seams: runs of nodes glued to runs of nodes, for what the characteristic matrix cannot say.
+
+use crate::error::{Error, Result};
+use crate::net::Shape;
+
+/// Nodes in a line: from (row, column) on, `row_step` and `column_step` further each time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Run {
+    /// Row of the first node.
+    pub row: u32,
+    /// Column of the first node.
+    pub column: u32,
+    /// Rows from each node to the next.
+    pub row_step: i32,
+    /// Columns from each node to the next.
+    pub column_step: i32,
+}
+
+impl Run {
+    /// A run along a row (step 1) or against it (step -1).
+    pub fn along_row(row: u32, column: u32, step: i32) -> Self {
+        Run { row, column, row_step: 0, column_step: step }
+    }
+
+    /// A run along a column (step 1) or against it (step -1).
+    pub fn along_column(row: u32, column: u32, step: i32) -> Self {
+        Run { row, column, row_step: step, column_step: 0 }
+    }
+
+    /// Row and column of node `k`, wherever that is.
+    pub(crate) fn place(&self, k: u32) -> (i64, i64) {
+        let k = i64::from(k);
+        (i64::from(self.row) + k * i64::from(self.row_step), i64::from(self.column) + k * i64::from(self.column_step))
+    }
+
+    fn is_in(&self, shape: Shape, count: u32) -> bool {
+        [0, count - 1].into_iter().all(|k| {
+            let (i, j) = self.place(k);
+            (0..shape.rows() as i64).contains(&i) && (0..shape.columns() as i64).contains(&j)
+        })
+    }
+
+    /// The same nodes, the last one first.
+    fn reversed(self, count: u32) -> Self {
+        let (row, column) = self.place(count - 1);
+        let (row_step, column_step) = (-self.row_step, -self.column_step);
+        Run { row: row as u32, column: column as u32, row_step, column_step }
+    }
+
+    fn node(&self, shape: Shape, k: u32) -> u32 {
+        let (i, j) = self.place(k);
+        shape.node(i as usize, j as usize)
+    }
+}
+
+/// Node k of run `a` is node k of run `b`, for all k below `count`.
+///
+/// Needed for closures that turn a side round (Möbius strip, Klein bottle, projective plane), for the crosswise unwrapped
+/// cube, for diagonals of cells (type c(1,2) of the paper's Fig. 4), and for closed nets within larger ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Seam {
+    /// The one run.
+    pub a: Run,
+    /// The other.
+    pub b: Run,
+    /// The number of nodes of each; at least 1.
+    pub count: u32,
+}
+
+impl Seam {
+    /// [`Error::BadSeam`] if a node is outside the net or there are none. `index`: which seam.
+    pub(crate) fn check(&self, shape: Shape, index: usize) -> Result<()> {
+        let good = self.count > 0 && self.a.is_in(shape, self.count) && self.b.is_in(shape, self.count);
+        if good { Ok(()) } else { Err(Error::BadSeam { seam: index as u32 }) }
+    }
+
+    /// The smallest of the ways to write this seam down.
+    pub(crate) fn canonical(self) -> Self {
+        let Seam { mut a, mut b, count } = self;
+        if count == 1 {
+            (a.row_step, a.column_step, b.row_step, b.column_step) = (0, 0, 0, 0);
+        }
+        let (last_a, last_b) = (a.reversed(count), b.reversed(count));
+        let ways = [(a, b), (b, a), (last_a, last_b), (last_b, last_a)];
+        let (a, b) = ways.into_iter().min().unwrap_or((a, b));
+        Seam { a, b, count }
+    }
+
+    /// The pairs of nodes.
+    pub fn pairs(self, shape: Shape) -> impl ExactSizeIterator<Item = [u32; 2]> {
+        (0..self.count).map(move |k| [self.a.node(shape, k), self.b.node(shape, k)])
+    }
+}
