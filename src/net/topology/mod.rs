@@ -158,20 +158,18 @@ impl Topology {
 
     /// Adds a seam in its canonical form: as links, if each pair of nodes is joined by one.
     fn add_seam(&mut self, seam: Seam) -> Result<()> {
-        let link = |[a, b]: [u32; 2]| {
-            [2 * a, 2 * a + 1, 2 * b, 2 * b + 1].into_iter().find(|&link| {
-                let ends = self.shape.ends(link);
-                ends == [a, b] || ends == [b, a]
-            })
-        };
-        if seam.pairs(self.shape).all(|[a, b]| a == b) {
+        let shape = self.shape;
+        if seam.pairs(shape).all(|[a, b]| a == b) {
             return Ok(());
         }
-        if seam.pairs(self.shape).all(|pair| link(pair).is_some()) {
-            let links: Vec<u32> = seam.pairs(self.shape).filter_map(link).collect();
-            let mut matrix = self.matrix()?;
-            links.into_iter().for_each(|link| matrix.set(link, true));
-            self.links = Links::Matrix(matrix);
+        let link = |pair: [u32; 2]| shape.links_between(pair).next();
+        if seam.pairs(shape).all(|pair| link(pair).is_some()) {
+            if let Links::Sides(sides) = self.links {
+                self.links = Links::Matrix(Matrix::of_sides(shape, sides)?);
+            }
+            if let Links::Matrix(matrix) = &mut self.links {
+                seam.pairs(shape).filter_map(link).for_each(|link| matrix.set(link, true));
+            }
             return Ok(());
         }
         alloc::push(&mut self.seams, seam.canonical())
