@@ -7,6 +7,7 @@
 
 use super::{Classes, Topology};
 use crate::error::Result;
+use crate::net::Shape;
 
 /// One of the 18 local gluings, by its number:
 ///
@@ -71,6 +72,21 @@ impl GluingType {
         (0..Self::COUNT as u8).map(GluingType)
     }
 
+    /// The type of a number; `None` above 17.
+    pub fn from_number(number: u32) -> Option<Self> {
+        u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::COUNT).map(GluingType)
+    }
+
+    /// The links of a star that make it: see [`Gluing::Star`](super::Gluing::Star). `None` above 12.
+    pub(super) fn star_mask(self) -> Option<u8> {
+        (0..16u8).find(|&mask| OF_STAR[usize::from(mask)] == Some(self.0))
+    }
+
+    /// The links of a cell that make it; `None` for diagonals.
+    pub(super) fn cell_mask(self) -> Option<u8> {
+        (0..16u8).find(|&mask| OF_CELL[usize::from(mask)] == Some(self.0))
+    }
+
     /// The number, 0 to 17.
     pub fn number(self) -> usize {
         self.0.into()
@@ -101,17 +117,27 @@ impl GluingType {
     }
 }
 
+/// The links of node (i, j): east, south, west, north, round the sides of the net.
+pub(super) fn star_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
+    let (h, w) = (shape.rows(), shape.columns());
+    let here = 2 * shape.node(i, j);
+    [here, here + 1, 2 * shape.node(i, (j + w - 1) % w), 2 * shape.node((i + h - 1) % h, j) + 1]
+}
+
+/// The links of the cell at (i, j): top, right, bottom, left.
+pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
+    let [a, b, _, d] = shape.corners(i, j);
+    [2 * a, 2 * b + 1, 2 * d, 2 * a + 1]
+}
+
 /// The star of node (i, j): which of its links have become a point. `cyclic`: links that lead back to the first row and column
 /// count too. `None`: no link has.
 pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
     let shape = classes.shape();
-    let (h, w) = (shape.rows(), shape.columns());
-    let bit = |there: bool, link: u32, mask: usize| if there && classes.contracts(link) { mask } else { 0 };
-    let mask = bit(cyclic || j + 1 < w, 2 * shape.node(i, j), 1)
-        | bit(cyclic || i + 1 < h, 2 * shape.node(i, j) + 1, 2)
-        | bit(cyclic || j > 0, 2 * shape.node(i, (j + w - 1) % w), 4)
-        | bit(cyclic || i > 0, 2 * shape.node((i + h - 1) % h, j) + 1, 8);
-    OF_STAR[mask].map(GluingType)
+    let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
+    let links = star_links(shape, i, j);
+    let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.contracts(links[k]));
+    OF_STAR[set.fold(0, |mask, k| mask | 1 << k)].map(GluingType)
 }
 
 /// What the cell at (i, j) has become; `None` if it is a quad.

@@ -5,6 +5,7 @@
 
 mod cell;
 mod classes;
+mod edit;
 mod gluing;
 mod matrix;
 mod seam;
@@ -13,6 +14,7 @@ mod sides;
 pub use cell::Reduced;
 pub(crate) use classes::Forest;
 pub use classes::{Classes, Groups};
+pub use edit::{Diagonal, Gluing};
 pub use gluing::{GluingType, Histogram, classify_cell, classify_node, histogram};
 pub use matrix::Matrix;
 pub use seam::{Run, Seam};
