@@ -8,6 +8,7 @@
 //! * [`Bridge`]: what lies between nets that were joined.
 
 mod bridge;
+pub mod complex;
 mod model;
 mod planes;
 mod real;

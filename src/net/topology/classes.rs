@@ -69,11 +69,6 @@ impl Classes {
         self.representative(a) == self.representative(b)
     }
 
-    /// True if only nodes on the four sides can be glued.
-    pub(crate) fn is_of_sides(&self) -> bool {
-        matches!(self.kind, Kind::Sides(_))
-    }
-
     /// The representative of every node.
     ///
     /// # Errors
@@ -85,6 +80,31 @@ impl Classes {
         }
     }
 
+    /// Gives each node that is not its own representative to `visit`, and its representative. O(H + W) for sides alone, else
+    /// O(nodes).
+    pub(crate) fn glued(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
+        let (h, w) = (self.shape.rows(), self.shape.columns());
+        match &self.kind {
+            Kind::Sides(sides) => {
+                let ends = |i: usize| if i == 0 || i + 1 == h { 1 } else { w - 1 };
+                for (i, j) in (0..h).flat_map(|i| (0..w).step_by(ends(i)).map(move |j| (i, j))) {
+                    let (node, representative) = (self.shape.node(i, j), sides.representative(self.shape, i, j));
+                    if representative != node {
+                        visit(node, representative)?;
+                    }
+                }
+            }
+            Kind::Table(table) => {
+                for (node, &representative) in (0..).zip(table) {
+                    if representative != node {
+                        visit(node, representative)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// The classes of two nodes and more, in the order of their representatives.
     ///
     /// O(H + W) for sides alone, else O(nodes), and a sort of the glued nodes.
@@ -93,17 +113,7 @@ impl Classes {
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn groups(&self) -> Result<Groups> {
         let mut glued = Vec::new();
-        let mut add = |node: u32| {
-            let representative = self.representative(node);
-            if representative == node { Ok(()) } else { alloc::push(&mut glued, (representative, node)) }
-        };
-        let (h, w) = (self.shape.rows(), self.shape.columns());
-        if self.is_of_sides() {
-            (0..w).flat_map(|j| [(0, j), (h - 1, j)]).try_for_each(|(i, j)| add(self.shape.node(i, j)))?;
-            (1..h - 1).flat_map(|i| [(i, 0), (i, w - 1)]).try_for_each(|(i, j)| add(self.shape.node(i, j)))?;
-        } else {
-            (0..h * w).try_for_each(|node| add(node as u32))?;
-        }
+        self.glued(|node, representative| alloc::push(&mut glued, (representative, node)))?;
         glued.sort_unstable();
         let mut groups = Groups { offsets: alloc::filled(0, 1)?, members: alloc::with_capacity(2 * glued.len())? };
         for class in glued.chunk_by(|a, b| a.0 == b.0) {
