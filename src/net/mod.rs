@@ -8,9 +8,11 @@
 //! * [`Bridge`]: what lies between nets that were joined.
 
 mod bridge;
+pub mod closure;
 pub mod complex;
 mod model;
 mod planes;
+pub mod primitive;
 mod real;
 mod shape;
 pub mod topology;

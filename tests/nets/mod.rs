@@ -205,3 +205,41 @@ impl Dice {
         (self.0 >> 11) % n
     }
 }
+
+/// How many edges meet at each vertex: links between different classes, those with the same ends once.
+pub fn degrees(topology: &Topology) -> BTreeMap<u32, usize> {
+    let shape = topology.shape();
+    let class = gusset::net::Classes::of(topology).unwrap().table().unwrap();
+    let links = (0..2 * shape.node_count() as u32).filter(|&link| shape.is_inner(link));
+    let edges: std::collections::HashSet<[u32; 2]> = links
+        .map(|link| shape.ends(link).map(|node| class[node as usize]))
+        .filter(|[a, b]| a != b)
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .collect();
+    let mut degrees = BTreeMap::new();
+    for vertex in edges.into_iter().flatten() {
+        *degrees.entry(vertex).or_insert(0) += 1;
+    }
+    degrees
+}
+
+/// Gauss and Bonnet for quads and triangles on a closed surface: the sum of 4 - degree is 4 chi less the triangles.
+pub fn check_gauss_bonnet(topology: &Topology, complex: &Complex) {
+    let sum: i64 = degrees(topology).values().map(|&degree| 4 - degree as i64).sum();
+    assert_eq!(sum, 4 * complex.euler_characteristic() - complex.triangles as i64);
+}
+
+/// Twice the area and six times the volume of what is left of the cells, cut into triangles; `place` of a node.
+pub fn area_and_volume(shape: Shape, place: impl Fn(usize, usize) -> glam::DVec3) -> (f64, f64) {
+    let (mut area, mut volume) = (0.0, 0.0);
+    for i in 0..shape.rows() - 1 {
+        for j in 0..shape.columns() - 1 {
+            let [a, b, c, d] = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| place(i, j));
+            for [p, q, r] in [[a, b, c], [a, c, d]] {
+                area += (q - p).cross(r - p).length();
+                volume += p.dot(q.cross(r));
+            }
+        }
+    }
+    (area, volume)
+}
