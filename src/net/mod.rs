@@ -9,18 +9,24 @@
 
 mod bridge;
 pub mod closure;
+mod coincide;
 pub mod complex;
+mod derive;
 mod model;
 mod planes;
 pub mod primitive;
 mod real;
+mod separate;
 mod shape;
 pub mod topology;
+mod validate;
 
 pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction};
+pub use derive::derive;
 pub(crate) use model::each;
 pub use model::{Coordinates, Net};
 pub use planes::Planes;
 pub use real::Real;
 pub use shape::{MAX_NODES, Shape};
 pub use topology::{Classes, Matrix, Seam, Sides, Topology};
+pub use validate::{Finding, FindingKind};

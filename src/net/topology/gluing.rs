@@ -118,7 +118,7 @@ impl GluingType {
 }
 
 /// The links of node (i, j): east, south, west, north, round the sides of the net.
-pub(super) fn star_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
+pub(crate) fn star_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
     let (h, w) = (shape.rows(), shape.columns());
     let here = 2 * shape.node(i, j);
     [here, here + 1, 2 * shape.node(i, (j + w - 1) % w), 2 * shape.node((i + h - 1) % h, j) + 1]

@@ -15,6 +15,7 @@ pub use cell::Reduced;
 pub(crate) use classes::Forest;
 pub use classes::{Classes, Groups};
 pub use edit::{Diagonal, Gluing};
+pub(crate) use gluing::star_links;
 pub use gluing::{GluingType, Histogram, classify_cell, classify_node, histogram};
 pub use matrix::Matrix;
 pub use seam::{Run, Seam};
