@@ -200,9 +200,15 @@ pub unsafe extern "C" fn gusset_net_topology(
         let count = input::optional_output(seam_count, 0, "seam_count")?;
         let turned = input::optional_output(reversed, 0, "reversed")?;
         let topology = read(net)?.topology();
-        out.map(|out| *out = topology.sides().map_or(u32::MAX, sides_bits));
-        count.map(|count| *count = topology.seams().len());
-        turned.map(|turned| *turned = topology.is_reversed().into());
+        if let Some(out) = out {
+            *out = topology.sides().map_or(u32::MAX, sides_bits);
+        }
+        if let Some(count) = count {
+            *count = topology.seams().len();
+        }
+        if let Some(turned) = turned {
+            *turned = topology.is_reversed().into();
+        }
         Ok(())
     })
 }
