@@ -123,7 +123,8 @@ impl Rim<'_> {
         Ok(seams)
     }
 
-    /// A run, and the pair before and after it if they are one vertex by links, cut where either side turns a corner.
+    /// A run, cut where either side turns a corner; with the pair before and after it, if it is one of vertices that links have glued
+    /// to others and that were not compared for that.
     fn add_run(
         &self,
         partners: Partners,
@@ -133,7 +134,10 @@ impl Rim<'_> {
         seams: &mut Vec<Seam>,
     ) -> Result<()> {
         let n = self.len();
-        let same = |k: usize| self.class(classes, k) == self.class(classes, partners.of(k));
+        let same = |k: usize| {
+            self.class(classes, k) == self.class(classes, partners.of(k))
+                || coincide(self.place(k), self.place(partners.of(k)), self.tolerance)
+        };
         let before = usize::from(count < n && same(start + n - 1));
         let after = usize::from(count < n && same(start + count));
         let (mut k, mut steps) = (start + n - before, before + count + after - 1);
