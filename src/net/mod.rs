@@ -7,12 +7,19 @@
 //! * [`topology`]: what is glued to what, the classes of glued nodes, the 18 local gluings.
 //! * [`Bridge`]: what lies between nets that were joined.
 
+pub mod analyse;
 mod bridge;
+pub mod field;
+pub mod measure;
 mod model;
+pub mod normals;
+mod pieces;
 mod planes;
 mod real;
+pub mod resample;
 mod shape;
 pub mod topology;
+pub mod transform;
 
 pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction};
 pub(crate) use model::each;
