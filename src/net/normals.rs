@@ -5,8 +5,9 @@
 //! whole cells that sum is the product of the central differences, (E - W) x (S - N), as the terms in between cancel; this is the
 //! fast way. Poles and seams need the sum itself: on the cells as they lie in the matrices, it is zero at a pole.
 
-use super::topology::Reduced;
+use super::topology::{Groups, Reduced};
 use super::{Bridge, Classes, Coordinates, Net, Planes, Real};
+use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
@@ -52,15 +53,19 @@ fn write<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, out: &mut Planes<'_, T>
     job.step(0.0, "normals")?;
     let corners = Corners::new(net, planes)?;
     let without: u64 = rows(&corners, out, job.threads()).into_iter().sum();
-    job.step(0.9, "normals")?;
-    glued(&corners, out, without)
+    job.step(0.8, "normals")?;
+    Ok(without + glued(&corners, out, job.threads())?)
 }
 
 /// What it takes to sum over the corners at a node.
 struct Corners<'a, T> {
     planes: &'a Planes<'a, T>,
+    matrices: [&'a [T]; 3],
     bridges: &'a [Bridge],
     classes: Classes,
+    groups: Groups,
+    /// A bit for each node that is glued to another.
+    is_glued: Vec<u64>,
     /// Every cell is there, as far as bridges go.
     all_there: bool,
     sign: f64,
@@ -68,13 +73,32 @@ struct Corners<'a, T> {
 
 impl<'a, T: Real> Corners<'a, T> {
     fn new(net: &'a Net<'_>, planes: &'a Planes<'_, T>) -> Result<Self> {
+        let classes = Classes::of(net.topology())?;
+        let groups = classes.groups()?;
+        let mut is_glued = alloc::zeroed(net.shape().node_count().div_ceil(64))?;
+        for &node in groups.members() {
+            is_glued[node as usize / 64] |= 1u64 << (node % 64);
+        }
         Ok(Corners {
             planes,
+            matrices: planes.matrices(),
             bridges: net.bridges(),
-            classes: Classes::of(net.topology())?,
+            classes,
+            groups,
+            is_glued,
             all_there: !net.bridges().iter().any(Bridge::is_hidden),
             sign: if net.topology().is_reversed() { -1.0 } else { 1.0 },
         })
+    }
+
+    fn is_glued(&self, i: usize, j: usize) -> bool {
+        let node = self.planes.shape().node(i, j);
+        self.is_glued[node as usize / 64] >> (node % 64) & 1 != 0
+    }
+
+    fn point(&self, i: usize, j: usize) -> DVec3 {
+        let at = i * self.planes.stride() + j;
+        DVec3::from_array(self.matrices.map(|matrix| matrix[at].into()))
     }
 
     fn is_hidden(&self, i: usize, j: usize) -> bool {
@@ -99,7 +123,7 @@ impl<'a, T: Real> Corners<'a, T> {
 
     /// The cross product of the sides at a corner of cell (i, j); zero if the cell is missing or has become a line or a point.
     fn corner(&self, i: usize, j: usize, corner: usize) -> DVec3 {
-        let points = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| self.planes.get(i, j));
+        let points = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| self.point(i, j));
         if !points.iter().all(|point| point.is_finite()) {
             return DVec3::ZERO;
         }
@@ -128,7 +152,7 @@ impl<'a, T: Real> Corners<'a, T> {
 
     /// True if a node near (i, j) is missing.
     fn is_near_missing(&self, i: usize, j: usize) -> bool {
-        (i - 1..=i + 1).any(|i| (j - 1..=j + 1).any(|j| !self.planes.is_finite(i, j)))
+        (i - 1..=i + 1).any(|i| (j - 1..=j + 1).any(|j| !self.point(i, j).is_finite()))
     }
 
     fn is_near_hidden(&self, i: usize, j: usize) -> bool {
@@ -153,8 +177,8 @@ impl Sum {
     }
 }
 
-/// The normals of all nodes, as if no node were glued to another but for the cells; those of one row and column inwards the
-/// fast way. Returns for each block the number of nodes without normal.
+/// The normals of all nodes that are not glued, those of one row and column inwards the fast way. Returns for each block the
+/// number of nodes without normal.
 fn rows<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, threads: usize) -> Vec<u64> {
     let (shape, stride) = (out.shape(), out.stride());
     let lines = (BLOCK / stride).max(1);
@@ -175,6 +199,9 @@ fn row<T: Real>(corners: &Corners<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u
     let (h, w) = (shape.rows(), shape.columns());
     let mut without = 0;
     let mut slowly = |j: usize, out: &mut [&mut [T]; 3]| {
+        if corners.is_glued(i, j) {
+            return;
+        }
         let normal = corners.unit(corners.sum(i, j)).to_array();
         (0..3).for_each(|axis| out[axis][j] = T::of(normal[axis]));
         without += u64::from(normal == [0.0; 3]);
@@ -202,17 +229,23 @@ fn row<T: Real>(corners: &Corners<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u
     without
 }
 
-/// Gives all nodes of a class the sum over all of them. `without`: how many nodes have no normal so far; returns how many have
-/// none in the end.
-fn glued<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, without: u64) -> Result<u64> {
-    let (shape, mut without) = (out.shape(), without);
-    for class in corners.classes.groups()?.iter() {
-        let places = || class.iter().map(|&node| shape.place(node));
-        let sum = places().fold(Sum::default(), |sum, (i, j)| sum.add(corners.sum(i, j)));
-        let normal = corners.unit(sum);
-        for (i, j) in places() {
-            without = without - u64::from(out.get(i, j) == DVec3::ZERO) + u64::from(normal == DVec3::ZERO);
-            out.set(i, j, normal);
+/// Gives all nodes of a class the sum over all of them, and returns how many have no normal.
+fn glued<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, threads: usize) -> Result<u64> {
+    let (shape, groups) = (out.shape(), &corners.groups);
+    let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
+    let mut normals = alloc::zeroed(groups.len())?;
+    par::map(threads, normals.chunks_mut(64).enumerate(), |(chunk, normals)| {
+        for (normal, k) in normals.iter_mut().zip(64 * chunk..) {
+            let sum = places(k).fold(Sum::default(), |sum, (i, j)| sum.add(corners.sum(i, j)));
+            *normal = corners.unit(sum).to_array();
+        }
+    });
+    let mut without = 0;
+    let (stride, mut matrices) = (out.stride(), out.matrices_mut());
+    for (k, normal) in normals.into_iter().enumerate() {
+        for (i, j) in places(k) {
+            (0..3).for_each(|axis| matrices[axis][i * stride + j] = T::of(normal[axis]));
+            without += u64::from(normal == [0.0; 3]);
         }
     }
     Ok(without)

@@ -174,10 +174,15 @@ impl<T: Real> Kernel for Strip<'_, T> {
 #[inline(always)]
 fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &mut [[f64; CHUNK]; 5]) {
     let [lengths, n_x, n_y, n_z, cones] = cells;
-    let count = above[0].len() - 1;
+    let count = CHUNK.min(above[0].len() - 1);
+    // All of one length, so that nothing in the loop is checked.
+    let [a_x, a_y, a_z] = above.map(|row| &row[..=count]);
+    let [d_x, d_y, d_z] = below.map(|row| &row[..=count]);
     for j in 0..count {
-        let [a, b] = [j, j + 1].map(|j| above.map(|row| row[j].into()));
-        let [d, c] = [j, j + 1].map(|j| below.map(|row| row[j].into()));
+        let a: [f64; 3] = [a_x[j].into(), a_y[j].into(), a_z[j].into()];
+        let b: [f64; 3] = [a_x[j + 1].into(), a_y[j + 1].into(), a_z[j + 1].into()];
+        let c: [f64; 3] = [d_x[j + 1].into(), d_y[j + 1].into(), d_z[j + 1].into()];
+        let d: [f64; 3] = [d_x[j].into(), d_y[j].into(), d_z[j].into()];
         let p: [f64; 3] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
         let q: [f64; 3] = [d[0] - b[0], d[1] - b[1], d[2] - b[2]];
         let sum = [(a[0] + c[0]) + (b[0] + d[0]), (a[1] + c[1]) + (b[1] + d[1]), (a[2] + c[2]) + (b[2] + d[2])];
@@ -229,20 +234,23 @@ impl<T: Real> Kernel for Extent<'_, T> {
 
 #[inline(always)]
 fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; LANES]; 3]) {
-    let [x, y, z] = rows;
+    let count = CHUNK.min(rows[0].len());
+    let [x, y, z] = rows.map(|row| &row[..count]);
     // 0, and NaN for missing nodes: NaN compares as neither smaller nor larger. The places behind the last node are missing too.
     let mut missing = [T::of(f64::NAN); CHUNK];
-    for (j, missing) in missing.iter_mut().enumerate().take(x.len()) {
-        *missing = (x[j] - x[j]) + (y[j] - y[j]) + (z[j] - z[j]);
+    for j in 0..count {
+        missing[j] = (x[j] - x[j]) + (y[j] - y[j]) + (z[j] - z[j]);
     }
-    for axis in 0..3 {
+    for (axis, row) in [x, y, z].into_iter().enumerate() {
+        let mut values = missing;
+        for j in 0..count {
+            values[j] = row[j] + values[j];
+        }
         let (mut least, mut most) = (low[axis], high[axis]);
-        for (part, missing) in rows[axis].chunks(LANES).zip(missing.as_chunks::<LANES>().0) {
-            let mut values = *missing;
-            values.iter_mut().zip(part).for_each(|(value, &x)| *value = x + *value);
+        for part in values.as_chunks::<LANES>().0 {
             for lane in 0..LANES {
-                least[lane] = if values[lane] < least[lane] { values[lane] } else { least[lane] };
-                most[lane] = if values[lane] > most[lane] { values[lane] } else { most[lane] };
+                least[lane] = if part[lane] < least[lane] { part[lane] } else { least[lane] };
+                most[lane] = if part[lane] > most[lane] { part[lane] } else { most[lane] };
             }
         }
         (low[axis], high[axis]) = (least, most);

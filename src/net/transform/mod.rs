@@ -60,8 +60,31 @@ impl<T: Real> Kernel for Apply<'_, T> {
 /// A function of its own, as only arguments are known not to overlap.
 #[inline(always)]
 fn apply_to<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
+    // Whole runs, and the rest elsewhere: a loop for the rest would keep the matrix in registers that the vectors need.
+    let ((x, x_rest), (y, y_rest), (z, z_rest)) = (x.as_chunks_mut(), y.as_chunks_mut(), z.as_chunks_mut());
+    for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+        apply_to_run(&rows, x, y, z);
+    }
+    rest(&rows, x_rest, y_rest, z_rest);
+}
+
+#[inline(always)]
+fn apply_to_run<T: Real>(rows: &[[T; 4]; 3], x: &mut [T; RUN], y: &mut [T; RUN], z: &mut [T; RUN]) {
+    for k in 0..RUN {
+        let [a, b, c] = rows.map(|[p, q, r, s]| p * x[k] + q * y[k] + r * z[k] + s);
+        x[k] = a;
+        y[k] = b;
+        z[k] = c;
+    }
+}
+
+#[inline(never)]
+fn rest<T: Real>(rows: &[[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         let [a, b, c] = rows.map(|[p, q, r, s]| p * *x + q * *y + r * *z + s);
         (*x, *y, *z) = (a, b, c);
     }
 }
+
+/// So many nodes are a run.
+const RUN: usize = 16;
