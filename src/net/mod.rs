@@ -7,12 +7,17 @@
 //! * [`topology`]: what is glued to what, the classes of glued nodes, the 18 local gluings.
 //! * [`Bridge`]: what lies between nets that were joined.
 
+pub mod analyse;
 mod bridge;
 pub mod closure;
 mod coincide;
 pub mod complex;
 mod derive;
+pub mod field;
+pub mod measure;
 mod model;
+pub mod normals;
+mod pieces;
 mod planes;
 pub mod primitive;
 mod real;
@@ -20,6 +25,10 @@ mod separate;
 mod shape;
 pub mod topology;
 mod validate;
+pub mod resample;
+mod shape;
+pub mod topology;
+pub mod transform;
 
 pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction};
 pub use derive::derive;
