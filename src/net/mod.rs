@@ -6,18 +6,24 @@
 //! * [`Shape`]: size and numbering. [`Planes`], [`Coordinates`]: the matrices. [`Net`]: all together.
 //! * [`topology`]: what is glued to what, the classes of glued nodes, the 18 local gluings.
 //! * [`Bridge`]: what lies between nets that were joined.
+//! * Parts, flips, quarter turns, reformatting: methods of [`Net`]. [`concatenate`], [`Net::split`]: joining, taking apart.
 
+mod arrange;
 mod bridge;
+mod join;
 mod model;
 mod planes;
 mod real;
+mod reformat;
 mod shape;
 pub mod topology;
 
 pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction};
+pub use join::{JoinOptions, concatenate, concatenate_all};
 pub(crate) use model::each;
 pub use model::{Coordinates, Net};
 pub use planes::Planes;
 pub use real::Real;
+pub use reformat::Replication;
 pub use shape::{MAX_NODES, Shape};
 pub use topology::{Classes, Matrix, Seam, Sides, Topology};
