@@ -10,11 +10,13 @@
 
 mod arrange;
 mod bridge;
+pub mod convert;
 mod join;
 mod model;
 mod planes;
 mod real;
 mod reformat;
+pub mod scene;
 mod shape;
 pub mod topology;
 

@@ -57,3 +57,15 @@ pub(crate) fn rearranged(
         Coordinates::F64(from) => Coordinates::F64(all(from, how, job)?),
     })
 }
+
+impl<'a> From<Planes<'a, f32>> for Coordinates<'a> {
+    fn from(planes: Planes<'a, f32>) -> Self {
+        Coordinates::F32(planes)
+    }
+}
+
+impl<'a> From<Planes<'a, f64>> for Coordinates<'a> {
+    fn from(planes: Planes<'a, f64>) -> Self {
+        Coordinates::F64(planes)
+    }
+}

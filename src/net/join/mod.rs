@@ -60,7 +60,7 @@ impl JoinOptions {
 /// for a twist of an open side, [`Error::SidesApart`] if nodes to be welded, or the ends of a side that is turned, do not lie on
 /// each other, [`Error::CrossingCell`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
-    join(&[a, b], options, job)
+    join_mirrored(&[a, b], &[false; 2], options, job)
 }
 
 /// Joins any number of nets in one pass; a twist turns each but the first. O(nodes).
@@ -68,10 +68,17 @@ pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_
 /// # Errors
 /// As [`concatenate`], and [`Error::EmptyScene`] for none; places of sides that are apart count along the side.
 pub fn concatenate_all(nets: &[&Net<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
-    join(nets, options, job)
+    let mirrored = alloc::filled(false, nets.len())?;
+    join_mirrored(nets, &mirrored, options, job)
 }
 
-pub(crate) fn join(nets: &[&Net<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
+/// Joins nets whose coordinates are to be changed afterwards; `mirrored` says which of them in a way that turns faces over.
+pub(crate) fn join_mirrored(
+    nets: &[&Net<'_>],
+    mirrored: &[bool],
+    options: &JoinOptions,
+    job: &Job<'_>,
+) -> Result<Net<'static>> {
     let Some(first) = nets.first() else { return Err(Error::EmptyScene) };
     if !(options.tolerance >= 0.0) {
         return Err(Error::OptionOutOfRange { option: "tolerance", value: options.tolerance });
@@ -81,16 +88,21 @@ pub(crate) fn join(nets: &[&Net<'_>], options: &JoinOptions, job: &Job<'_>) -> R
         if net.coordinates().scalar() != first.coordinates().scalar() {
             return Err(Error::MixedScalars);
         }
-        along = along.max(options.direction.extent(net.shape()).1);
+        let [a, b] = [first, net].map(|net| options.direction.extent(net.shape()).1);
+        if a != b && options.equalise.is_none() {
+            return Err(Error::SidesDiffer { a: a as u32, b: b as u32 });
+        }
+        along = along.max(b);
     }
     joined_shape(nets.iter().map(|net| net.shape()), options.direction, along)?;
     let mut prepared = alloc::with_capacity(nets.len())?;
-    for (k, net) in nets.iter().enumerate() {
+    let reversed = first.topology().is_reversed() != mirrored[0];
+    for (k, (net, &mirrored)) in nets.iter().zip(mirrored).enumerate() {
         if k % 256 == 0 {
             job.step(0.3 * k as f64 / nets.len() as f64, "fitting nets")?;
         }
-        let reversed = first.topology().is_reversed();
-        prepared.push(Prepared::new(net, reversed, along, if k == 0 { 0 } else { options.twist }, options)?);
+        let flip = (net.topology().is_reversed() != mirrored) != reversed;
+        prepared.push(Prepared::new(net, flip, along, if k == 0 { 0 } else { options.twist }, options)?);
     }
     if options.mode == BridgeMode::Weld {
         prepared.windows(2).try_for_each(|pair| {
@@ -100,7 +112,7 @@ pub(crate) fn join(nets: &[&Net<'_>], options: &JoinOptions, job: &Job<'_>) -> R
     let nets: Vec<&Net<'_>> = alloc::collect(prepared.iter().map(Prepared::net))?;
     let topology = gluing::joined(&nets, options.direction, options.mode == BridgeMode::Weld)?;
     let coordinates = nodes::joined(&nets, options.direction, topology.shape(), &job.part(0.3, 1.0))?;
-    let mut net = Net::new(coordinates, topology);
+    let mut net = Net::new(coordinates, topology.with_reversed(reversed));
     add_bridges(&mut net, &prepared, options)?;
     Ok(net)
 }

@@ -18,22 +18,18 @@ pub(super) enum Prepared<'n, 'a> {
 }
 
 impl<'n, 'a> Prepared<'n, 'a> {
-    /// `reversed`: how the faces of all nets are taken. `along`: the nodes of the side.
+    /// `flipped`: its faces would be taken the other way round than those of the others. `along`: the nodes of the side.
     pub(super) fn new(
         net: &'n Net<'a>,
-        reversed: bool,
+        flipped: bool,
         along: usize,
         twist: u32,
         options: &JoinOptions,
     ) -> Result<Self> {
         let (direction, job) = (options.direction, Job::default());
-        let flipped = net.topology().is_reversed() != reversed;
         let nodes = direction.extent(net.shape()).1;
         if flipped && !options.turn {
             return Err(Error::NetsOpposed);
-        }
-        if nodes != along && options.equalise.is_none() {
-            return Err(Error::SidesDiffer { a: along as u32, b: nodes as u32 });
         }
         if !flipped && nodes == along && twist == 0 {
             return Ok(Prepared::Given(net));
@@ -88,7 +84,9 @@ fn flipped_along(net: &Net<'_>, direction: Direction, job: &Job<'_>) -> Result<N
 pub(super) fn restored(net: Net<'static>, origin: Option<&Origin>, direction: Direction) -> Result<Net<'static>> {
     let Some(origin) = origin.filter(|origin| origin.joined == net.shape()) else { return Ok(net) };
     let (axis, job) = (direction.transposed(), Job::default());
-    let untouched = *net.topology() == origin.prepared(direction)?;
+    // A net that was mirrored since is the same gluing, seen from the other side.
+    let prepared = origin.prepared(direction)?;
+    let untouched = net.topology().clone().with_reversed(prepared.is_reversed()) == prepared;
     let mut bridges = alloc::collect(net.bridges().iter().cloned())?;
     let mut net = net;
     if origin.twist > 0 {
@@ -100,7 +98,8 @@ pub(super) fn restored(net: Net<'static>, origin: Option<&Origin>, direction: Di
         net = flipped_along(&net, direction, &job)?;
     }
     if untouched {
-        net.set_topology(origin.topology.clone());
+        let reversed = net.topology().is_reversed();
+        net.set_topology(origin.topology.clone().with_reversed(reversed));
     }
     if bridges.len() == origin.bridges.len() {
         for (bridge, old) in bridges.iter_mut().zip(&origin.bridges) {
