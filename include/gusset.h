@@ -884,6 +884,10 @@ enum gusset_status
      */
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
     /**
+     * Arrays that the library would write to overlap.
+     */
+    GUSSET_ERROR_OVERLAP = 11,
+    /**
      * More vertices, faces or half-edges than this version takes.
      */
     GUSSET_ERROR_TOO_LARGE = 1000,
@@ -972,6 +976,38 @@ enum gusset_status
      */
     GUSSET_ERROR_NO_NODE = 1211,
     /**
+     * A net of fewer than two rows or columns.
+     */
+    GUSSET_ERROR_NET_TOO_SMALL = 1300,
+    /**
+     * A gluing makes both pairs of opposite corners of a cell one each, which no surface allows.
+     */
+    GUSSET_ERROR_CROSSING_CELL = 1301,
+    /**
+     * A seam is empty or leaves the net.
+     */
+    GUSSET_ERROR_BAD_SEAM = 1302,
+    /**
+     * Sides of nets to be joined have different numbers of nodes, or do not lie on each other.
+     */
+    GUSSET_ERROR_SIDES_DIFFER = 1303,
+    /**
+     * Faces of a mesh are no rectangular grid of quads.
+     */
+    GUSSET_ERROR_NO_GRID = 1304,
+    /**
+     * A stream is damaged, cut off, or none of ours.
+     */
+    GUSSET_ERROR_BAD_STREAM = 1305,
+    /**
+     * A group of a scene would contain itself.
+     */
+    GUSSET_ERROR_SCENE_CYCLE = 1306,
+    /**
+     * A scene without nets.
+     */
+    GUSSET_ERROR_EMPTY_SCENE = 1307,
+    /**
      * Memory could not be had.
      */
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
@@ -1037,6 +1073,12 @@ typedef struct gusset_fill gusset_fill;
  * Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_frame gusset_frame;
+
+/**
+ * A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take it as const may run at the same
+ * time in many threads; those that change it need it for themselves.
+ */
+typedef struct gusset_net gusset_net;
 
 /**
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -2416,6 +2458,137 @@ typedef struct gusset_measure {
 } gusset_measure;
 
 /**
+ * Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
+ * x, y, z one after the other are matrices whose column_stride is three numbers.
+ */
+typedef struct gusset_net_arrays {
+    /**
+     * sizeof(gusset_net_arrays), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of rows of nodes, H; at least 2.
+     */
+    size_t rows;
+    /**
+     * The number of columns, W; at least 2. rows * columns is at most 2^31 - 1.
+     */
+    size_t columns;
+    /**
+     * X.
+     */
+    void *x;
+    /**
+     * Y.
+     */
+    void *y;
+    /**
+     * Z.
+     */
+    void *z;
+    /**
+     * Bytes from row to row; 0 for rows without gaps.
+     */
+    size_t row_stride;
+    /**
+     * Bytes from number to number in a row; 0 for numbers without gaps.
+     */
+    size_t column_stride;
+    /**
+     * GUSSET_F32 or GUSSET_F64.
+     */
+    uint32_t scalar;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_arrays;
+
+/**
+ * Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k * column_step_a) and
+ * node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to count - 1.
+ */
+typedef struct gusset_seam {
+    /**
+     * Row of the first node of run A.
+     */
+    uint32_t row_a;
+    /**
+     * Its column.
+     */
+    uint32_t column_a;
+    /**
+     * Rows from each node to the next.
+     */
+    int32_t row_step_a;
+    /**
+     * Columns from each node to the next.
+     */
+    int32_t column_step_a;
+    /**
+     * The same for run B.
+     */
+    uint32_t row_b;
+    /**
+     * The same for run B.
+     */
+    uint32_t column_b;
+    /**
+     * The same for run B.
+     */
+    int32_t row_step_b;
+    /**
+     * The same for run B.
+     */
+    int32_t column_step_b;
+    /**
+     * The number of nodes of each; at least 1.
+     */
+    uint32_t count;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_seam;
+
+/**
+ * What becomes of the sides of a net: a sum of these.
+ */
+typedef uint32_t gusset_sides;
+
+/**
+ * What is glued to what. All zeros: nothing.
+ */
+typedef struct gusset_net_gluing {
+    /**
+     * sizeof(gusset_net_gluing), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The characteristic matrix: 2 * rows rows of columns bytes, 1 for a contracted link and 0 for others. Row 2i has the horizontal
+     * links of the nodes of row i, each to the next node and the last one to the first; row 2i + 1 the vertical ones, those of the
+     * last row to the first row. NULL: sides says it all.
+     */
+    const uint8_t *matrix;
+    /**
+     * Runs of nodes glued to runs of nodes, besides.
+     */
+    const struct gusset_seam *seams;
+    /**
+     * How many.
+     */
+    size_t seam_count;
+    /**
+     * What becomes of the sides; 0 with a matrix.
+     */
+    gusset_sides sides;
+    /**
+     * 1: faces are to be taken the other way round.
+     */
+    uint32_t reversed;
+} gusset_net_gluing;
+
+/**
  * How to orient; all zero is the default.
  */
 typedef struct gusset_orient_options {
@@ -2877,6 +3050,61 @@ typedef struct gusset_winged_view {
 } gusset_winged_view;
 
 /**
+ * Every row is closed: its last node is its first one again.
+ */
+#define GUSSET_SIDES_ROWS_CLOSED 1
+
+/**
+ * Every column is closed.
+ */
+#define GUSSET_SIDES_COLUMNS_CLOSED 2
+
+/**
+ * The first row is one point.
+ */
+#define GUSSET_SIDES_POLE_TOP 4
+
+/**
+ * The last row is one point.
+ */
+#define GUSSET_SIDES_POLE_BOTTOM 8
+
+/**
+ * The first column is one point.
+ */
+#define GUSSET_SIDES_POLE_LEFT 16
+
+/**
+ * The last column is one point.
+ */
+#define GUSSET_SIDES_POLE_RIGHT 32
+
+/**
+ * Open on all sides.
+ */
+#define GUSSET_SIDES_SHEET 0
+
+/**
+ * Rows closed; the first and the last row are rims.
+ */
+#define GUSSET_SIDES_TUBE 1
+
+/**
+ * Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and pyramids with their caps.
+ */
+#define GUSSET_SIDES_TWO_POLES 13
+
+/**
+ * All four sides are one point: a disc whose rim is drawn together.
+ */
+#define GUSSET_SIDES_ONE_POLE 60
+
+/**
+ * Rows and columns closed.
+ */
+#define GUSSET_SIDES_TORUS 3
+
+/**
  * The report's index means nothing.
  */
 #define GUSSET_ELEMENT_NONE 0
@@ -2930,6 +3158,46 @@ typedef struct gusset_winged_view {
  * A section of a frame, or a plane, counted from 0; the value is the column or the number of points.
  */
 #define GUSSET_ELEMENT_SECTION 12
+
+/**
+ * A node of a net, row after row.
+ */
+#define GUSSET_ELEMENT_NODE 13
+
+/**
+ * A link of a net: twice its first node, and 1 if it is vertical.
+ */
+#define GUSSET_ELEMENT_LINK 14
+
+/**
+ * A cell of a net, row after row.
+ */
+#define GUSSET_ELEMENT_CELL 15
+
+/**
+ * One of the seams given.
+ */
+#define GUSSET_ELEMENT_SEAM 16
+
+/**
+ * A bridge of a net.
+ */
+#define GUSSET_ELEMENT_BRIDGE 17
+
+/**
+ * An entry of a scene.
+ */
+#define GUSSET_ELEMENT_ENTRY 18
+
+/**
+ * A byte of a stream.
+ */
+#define GUSSET_ELEMENT_BYTE 19
+
+/**
+ * A place along the side of a net; the value is a distance.
+ */
+#define GUSSET_ELEMENT_SIDE_PLACE 20
 
 #ifdef __cplusplus
 extern "C" {
@@ -3644,6 +3912,127 @@ GUSSET_MUST_USE
 gusset_status gusset_outline_measure(const struct gusset_outline *outline,
                                      size_t index,
                                      struct gusset_measure *measure);
+
+/**
+ * Makes a net of a copy of the caller's coordinates.
+ *
+ * arrays: the coordinates, rows x columns numbers each, at any alignment; any numbers: a node with one that is NaN or infinite is
+ * missing. gluing: NULL for a sheet. net: receives the net, for gusset_net_destroy; NULL on failure. Errors: NET_TOO_SMALL,
+ * TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
+ * with the cell, OUT_OF_MEMORY. O(nodes); 12 or 24 bytes a node, and 1/4 where sides do not say it all. Source: Deryagin, "Model of
+ * the tetragonal regular network".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_create(const struct gusset_context *context,
+                                const struct gusset_net_arrays *arrays,
+                                const struct gusset_net_gluing *gluing,
+                                struct gusset_net **net);
+
+/**
+ * Makes a net in the caller's own memory: operations that change coordinates change the caller's.
+ *
+ * arrays: as for gusset_net_create, but aligned to their scalar type, without gaps in rows, row_stride a multiple of the scalar's
+ * size; the three must not overlap, and must stay valid and unmoved until the net is destroyed. The rest is as there; also
+ * MISALIGNED_ARGUMENT, NULL_ARGUMENT, OVERLAP. O(nodes) if there are a matrix or seams, else
+ * O(1); no memory a node, or 1/4 byte.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_borrow(const struct gusset_context *context,
+                                const struct gusset_net_arrays *arrays,
+                                const struct gusset_net_gluing *gluing,
+                                struct gusset_net **net);
+
+/**
+ * Makes a copy of a net, with its bridges, in memory of the library's. net: unchanged. copy: receives it. O(nodes), or O(1) where nobody
+ * can tell the difference: memory is shared until one of the two is changed. Errors: OUT_OF_MEMORY.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_clone(const struct gusset_context *context,
+                               const struct gusset_net *net,
+                               struct gusset_net **copy);
+
+/**
+ * Destroys a net; NULL is allowed.
+ */
+GUSSET_API void gusset_net_destroy(struct gusset_net *net);
+
+/**
+ * Lends size and coordinates to be read, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_view(const struct gusset_net *net,
+                              struct gusset_net_arrays *arrays);
+
+/**
+ * Lends the coordinates to be written, valid until the next call with this net. Nodes that are glued must be kept equal: see
+ * gusset_net_snap. Memory shared with a copy or a scene is copied first: O(nodes) then, else O(1). Errors: as gusset_net_view,
+ * OUT_OF_MEMORY.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_edit(const struct gusset_context *context,
+                              struct gusset_net *net,
+                              struct gusset_net_arrays *arrays);
+
+/**
+ * Copies the coordinates of a net to the caller's matrices. arrays: where they go, of the net's rows and columns, in any layout and of either
+ * scalar type: double to float is rounded. Bytes between the numbers stay as they are. Errors: SIDES_DIFFER (other rows or columns),
+ * UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW. O(nodes). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_read(const struct gusset_context *context,
+                              const struct gusset_net *net,
+                              const struct gusset_net_arrays *arrays);
+
+/**
+ * Glues a net otherwise; positions stay what they are. gluing: NULL for a sheet; it replaces what was glued. On failure the net is as it was.
+ * Errors: as gusset_net_create. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_set_gluing(const struct gusset_context *context,
+                                    struct gusset_net *net,
+                                    const struct gusset_net_gluing *gluing);
+
+/**
+ * How a net is glued, in its one form. sides: receives the sides if they say all about its links, else UINT32_MAX: then see
+ * gusset_net_matrix. seam_count: receives the number of seams. reversed: receives 1 if faces are taken the other way round. NULL for what is
+ * not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_topology(const struct gusset_net *net,
+                                  gusset_sides *sides,
+                                  size_t *seam_count,
+                                  uint32_t *reversed);
+
+/**
+ * Writes the characteristic matrix of a net as gusset_net_gluing has it. matrix: room for capacity bytes, of which 2 * rows * columns are
+ * written; written: receives that number. NULL and 0 ask for it. Errors: BUFFER_TOO_SMALL (nothing is written but the number), OUT_OF_MEMORY. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_matrix(const struct gusset_net *net,
+                                uint8_t *matrix,
+                                size_t capacity,
+                                size_t *written);
+
+/**
+ * Writes the seams of a net. seams: room for capacity of them; written: receives their number. NULL and 0 ask for it. Errors:
+ * BUFFER_TOO_SMALL (nothing is written but the number). O(seams).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_seams(const struct gusset_net *net,
+                               struct gusset_seam *seams,
+                               size_t capacity,
+                               size_t *written);
 
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.

@@ -25,6 +25,13 @@ pub(super) fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<
     Ok(unsafe { &*pointer })
 }
 
+/// A handle that the call changes.
+pub(super) fn exclusive<'a, T>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
+    aligned(pointer, name)?;
+    // SAFETY: not NULL and aligned; that it points to a live T that nobody else uses now is the caller's promise.
+    Ok(unsafe { &mut *pointer })
+}
+
 /// Where a result goes; `cleared` is written at once, so that a failure leaves nothing old behind.
 pub(super) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> Result<&'a mut T, Failure> {
     aligned(pointer, name)?;

@@ -12,6 +12,7 @@
 //! | [`weld`], [`orient`], [`fill`], [`assembly`] | the same |
 //! | [`stitch_options`] | how to stitch |
 //! | [`outline`], [`outline_options`], [`frame`] | curves through points, and across and along a body |
+//! | [`net`], [`net_gluing`] | the handle of a net and its coordinates; what is glued to what |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -38,6 +39,8 @@ pub mod frame;
 mod guard;
 mod input;
 pub mod mesh;
+pub mod net;
+pub mod net_gluing;
 pub mod orient;
 pub mod outline;
 pub mod outline_options;

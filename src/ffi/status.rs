@@ -30,6 +30,8 @@ pub enum gusset_status {
     GUSSET_ERROR_BAD_STRIDE = 9,
     /// Exactly one of face_offsets and face_size must be given.
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
+    /// Arrays that the library would write to overlap.
+    GUSSET_ERROR_OVERLAP = 11,
     /// More vertices, faces or half-edges than this version takes.
     GUSSET_ERROR_TOO_LARGE = 1000,
     /// The bytes of an array exceed the address space.
@@ -290,6 +292,7 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         8 => c"there is no such element",
         9 => c"the position stride is too small",
         10 => c"exactly one of face_offsets and face_size must be given",
+        11 => c"arrays overlap",
         1000 => c"the mesh is too large",
         1001 => c"an array exceeds the address space",
         1002 => c"the mesh is empty",
