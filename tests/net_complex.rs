@@ -1,7 +1,8 @@
 //! The quotient complex of nets with holes, bridges and random gluings, against its definition.
 
-mod nets;
+mod complexes;
 
+use complexes::{Dice, Oracle, pairs};
 use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
@@ -10,7 +11,6 @@ use gusset::net::topology::{Gluing, Links, Matrix, Run};
 use gusset::net::{
     Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, Net, Seam, Shape, Sides, Topology, closure,
 };
-use nets::{Dice, Oracle, pairs};
 
 fn flat(topology: Topology) -> Net<'static> {
     Net::from_fn(topology, Scalar::F32, |i, j| DVec3::new(j as f64, i as f64, 0.0)).unwrap()

@@ -1,14 +1,14 @@
 //! All 2^18 characteristic matrices of a net of 3 x 3 nodes, and the 18 local gluings, against definitions.
 
-mod nets;
+mod complexes;
 
+use complexes::Oracle;
 use gusset::net::complex::Complex;
 use gusset::net::topology::{
     Diagonal, Gluing, GluingType, Links, Matrix, Reduced, classify_cell, classify_node, histogram,
 };
 use gusset::net::{Classes, Shape, Sides, Topology};
 use gusset::{Error, Job};
-use nets::Oracle;
 use std::collections::BTreeSet;
 
 /// The study's table: type, mask of the star, mask of the cell.
