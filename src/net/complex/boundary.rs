@@ -37,6 +37,11 @@ impl Boundary {
         self.open[k]
     }
 
+    /// 1 for each chain that does not end where it begins, 0 for the others.
+    pub(crate) fn open_flags(&self) -> Result<Vec<u32>> {
+        alloc::collect(self.open.iter().map(|&open| open.into()))
+    }
+
     /// The number of edges of chain k.
     pub fn edge_count(&self, k: usize) -> usize {
         self.get(k).len() - usize::from(self.open[k])

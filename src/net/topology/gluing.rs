@@ -5,6 +5,7 @@
 //! of a cell that do not cross (14, without the identity and two translates), and 6 are both. The nineteenth, both pairs of
 //! opposite corners, crosses itself: no surface does that.
 
+use super::edit::place_of_cell;
 use super::{Classes, Matrix, Topology};
 use crate::error::Result;
 use crate::net::Shape;
@@ -146,6 +147,27 @@ pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType
     let mask = usize::from(a == b) | usize::from(b == c) << 1 | usize::from(c == d) << 2 | usize::from(d == a) << 3;
     let diagonal = if a == c { Some(16) } else { (b == d).then_some(17) };
     OF_CELL[mask].or(diagonal).map(GluingType)
+}
+
+impl Topology {
+    /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the [`Classes`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuchNode`](crate::Error::NoSuchNode), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn node_type(&self, node: u32, cyclic: bool) -> Result<Option<GluingType>> {
+        self.shape().check_node(node)?;
+        let (i, j) = self.shape().place(node);
+        Ok(classify_node(&Classes::of(self)?, i, j, cyclic))
+    }
+
+    /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the [`Classes`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuchCell`](crate::Error::NoSuchCell), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn cell_type(&self, cell: u32) -> Result<Option<GluingType>> {
+        let (i, j) = place_of_cell(self.shape(), cell)?;
+        Ok(classify_cell(&Classes::of(self)?, i, j))
+    }
 }
 
 /// How often each type occurs.
