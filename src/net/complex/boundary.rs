@@ -83,7 +83,7 @@ impl Boundary {
                 alloc::push(&mut boundary.nodes, edges[at / 2][at % 2])?;
                 match partners[at ^ 1] as usize {
                     next if next == at ^ 1 => {
-                        alloc::push(&mut boundary.nodes, edges[at / 2][at % 2 ^ 1])?;
+                        alloc::push(&mut boundary.nodes, edges[at / 2][1 - at % 2])?;
                         break alloc::push(&mut boundary.open, true)?;
                     }
                     next if next == end => break alloc::push(&mut boundary.open, false)?,
