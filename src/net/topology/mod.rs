@@ -74,6 +74,18 @@ impl Topology {
         Ok(topology)
     }
 
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn copied(&self) -> Result<Self> {
+        let links = match &self.links {
+            Links::Sides(sides) => Links::Sides(*sides),
+            Links::Matrix(matrix) => Links::Matrix(matrix.copied()?),
+        };
+        Ok(Topology { shape: self.shape, links, seams: alloc::copied(&self.seams)?, reversed: self.reversed })
+    }
+
     /// The size of the net.
     pub fn shape(&self) -> Shape {
         self.shape
