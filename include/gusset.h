@@ -338,6 +338,26 @@
 #define GUSSET_U64 1
 
 /**
+ * No edge has one face only.
+ */
+#define GUSSET_NET_CLOSED 1
+
+/**
+ * A surface, with or without boundary: no wires, branches and pinches.
+ */
+#define GUSSET_NET_MANIFOLD 2
+
+/**
+ * No edge that two faces run along the same way.
+ */
+#define GUSSET_NET_ORIENTED 4
+
+/**
+ * Faces can be turned over so that there is none.
+ */
+#define GUSSET_NET_ORIENTABLE 8
+
+/**
  * Closed components face as most of their faces did.
  */
 #define GUSSET_OUTWARD_KEEP 0
@@ -1079,6 +1099,21 @@ typedef struct gusset_frame gusset_frame;
  * time in many threads; those that change it need it for themselves.
  */
 typedef struct gusset_net gusset_net;
+
+/**
+ * The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_complex gusset_net_complex;
+
+/**
+ * The points that are several nodes. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_groups gusset_net_groups;
+
+/**
+ * What a validation found. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_validation gusset_net_validation;
 
 /**
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -2589,6 +2624,264 @@ typedef struct gusset_net_gluing {
 } gusset_net_gluing;
 
 /**
+ * Which cells count.
+ */
+typedef uint32_t gusset_net_cells;
+
+/**
+ * Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are given by their smallest nodes, edges as pairs of
+ * them, one pair after the other, in order. Pointers are valid until the complex is destroyed.
+ */
+typedef struct gusset_net_complex_report {
+    /**
+     * sizeof(gusset_net_complex_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Vertices.
+     */
+    uint64_t vertex_count;
+    /**
+     * Edges: pairs of vertices that links join.
+     */
+    uint64_t edge_count;
+    /**
+     * Faces of four corners.
+     */
+    uint64_t quad_count;
+    /**
+     * Faces of three.
+     */
+    uint64_t triangle_count;
+    /**
+     * Cells that have become an edge.
+     */
+    uint64_t digon_count;
+    /**
+     * Cells that have become a point.
+     */
+    uint64_t point_count;
+    /**
+     * Cells that are folded along a diagonal to two edges.
+     */
+    uint64_t fold_count;
+    /**
+     * Edges of one face.
+     */
+    uint64_t boundary_edge_count;
+    /**
+     * Pieces that do not hang together.
+     */
+    uint64_t component_count;
+    /**
+     * Vertices - edges + faces.
+     */
+    int64_t euler;
+    /**
+     * Handles if it is orientable, else crosscaps, of all pieces together; -1 if it is no surface.
+     */
+    int64_t genus;
+    /**
+     * GUSSET_NET_CLOSED, ..._MANIFOLD, ..._ORIENTED, ..._ORIENTABLE.
+     */
+    uint32_t properties;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * 0, then the end of each chain of boundary edges in boundary_nodes: one more than there are chains.
+     */
+    struct gusset_indices boundary_offsets;
+    /**
+     * The vertices of all chains, with the faces on the left; the last of a chain is followed by its first.
+     */
+    struct gusset_indices boundary_nodes;
+    /**
+     * For each chain 0, or 1 if it is no loop: it ends at edges of three faces and more, and its last vertex is followed by none.
+     */
+    struct gusset_indices boundary_open;
+    /**
+     * Edges of no face.
+     */
+    struct gusset_indices wires;
+    /**
+     * Edges of three faces and more.
+     */
+    struct gusset_indices branches;
+    /**
+     * Vertices whose faces are several fans that meet nowhere else.
+     */
+    struct gusset_indices pinches;
+    /**
+     * Edges that two faces run along the same way.
+     */
+    struct gusset_indices conflicts;
+} gusset_net_complex_report;
+
+/**
+ * What a gusset_gluing glues.
+ */
+typedef uint32_t gusset_gluing_kind;
+
+/**
+ * Nodes to be glued, or no longer to be.
+ */
+typedef struct gusset_gluing {
+    /**
+     * One of GUSSET_GLUING_...
+     */
+    gusset_gluing_kind kind;
+    /**
+     * The link, node or cell; 0 for a seam.
+     */
+    uint32_t element;
+    /**
+     * See the kinds; 0 where none is said to have one.
+     */
+    uint32_t mask;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * Read for GUSSET_GLUING_SEAM only.
+     */
+    struct gusset_seam seam;
+} gusset_gluing;
+
+/**
+ * One of the 18 local gluings (the paper's Fig. 4), or GUSSET_TYPE_NONE.
+ */
+typedef uint32_t gusset_gluing_type;
+
+/**
+ * A shape.
+ */
+typedef uint32_t gusset_net_shape;
+
+/**
+ * How the two caps of a box are covered.
+ */
+typedef uint32_t gusset_net_box;
+
+/**
+ * A net that is wanted. Measures that the shape does not name are not read.
+ */
+typedef struct gusset_net_primitive {
+    /**
+     * sizeof(gusset_net_primitive), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One of GUSSET_NET_PLANE to GUSSET_NET_PILLOW.
+     */
+    gusset_net_shape shape;
+    /**
+     * GUSSET_F32 or GUSSET_F64.
+     */
+    uint32_t scalar;
+    /**
+     * Rows of nodes; 0 for 33. Not read for boxes and lathes.
+     */
+    size_t rows;
+    /**
+     * Columns of nodes; 0 for 65. Not read for boxes.
+     */
+    size_t columns;
+    /**
+     * See the shapes; above 0, in the unit of the coordinates.
+     */
+    double radius;
+    /**
+     * See the shapes; above 0.
+     */
+    double minor_radius;
+    /**
+     * See the shapes; above 0, along z.
+     */
+    double height;
+    /**
+     * See the shapes; above 0, along x, y and z.
+     */
+    double size[3];
+    /**
+     * Distance from the axis, at least 0, and height of each point, from below to above, at any alignment. A row on the axis is a pole; a
+     * profile that ends where it begins makes a ring.
+     */
+    const double *profile;
+    /**
+     * The number of points, twice as many numbers; at least 2.
+     */
+    size_t profile_count;
+    /**
+     * Lateral faces of a prism or pyramid, at least 3.
+     */
+    uint32_t sides;
+    /**
+     * GUSSET_NET_BOX_...
+     */
+    gusset_net_box box_kind;
+    /**
+     * Cells of a box along x, y and z, at least 1 each.
+     */
+    uint32_t cells[3];
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_primitive;
+
+/**
+ * What is found.
+ */
+typedef uint32_t gusset_net_finding_kind;
+
+/**
+ * One finding.
+ */
+typedef struct gusset_net_finding {
+    /**
+     * One of GUSSET_NET_FINDING_...
+     */
+    gusset_net_finding_kind kind;
+    /**
+     * The link, or the number of the seam.
+     */
+    uint32_t element;
+    /**
+     * The two nodes.
+     */
+    uint32_t nodes[2];
+    /**
+     * How far they are apart; NaN if one is missing.
+     */
+    double distance;
+} gusset_net_finding;
+
+/**
+ * All findings: violations first, then warnings, each kind in the order of its elements.
+ */
+typedef struct gusset_net_validation_report {
+    /**
+     * sizeof(gusset_net_validation_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The findings, valid until the validation is destroyed; NULL if there are none.
+     */
+    const struct gusset_net_finding *findings;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * How many of them are violations; they come first.
+     */
+    size_t violation_count;
+} gusset_net_validation_report;
+
+/**
  * How to orient; all zero is the default.
  */
 typedef struct gusset_orient_options {
@@ -3050,6 +3343,142 @@ typedef struct gusset_winged_view {
 } gusset_winged_view;
 
 /**
+ * All.
+ */
+#define GUSSET_NET_CELLS_ALL 0
+
+/**
+ * Those whose four nodes have finite coordinates and that no hidden bridge has.
+ */
+#define GUSSET_NET_CELLS_PRESENT 1
+
+/**
+ * The two ends of link `element`. Links are numbered by nodes: 2 * node is that to the next node of the row (of the last one to the first),
+ * 2 * node + 1 that to the next of the column; node (i, j) is i * columns + j.
+ */
+#define GUSSET_GLUING_LINK 0
+
+/**
+ * Node `element` and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8, round the sides of the net.
+ */
+#define GUSSET_GLUING_STAR 1
+
+/**
+ * The ends of the links of cell `element` that are in the mask: top 1, right 2, bottom 4, left 8. Cell (i, j) is i * (columns - 1) + j.
+ */
+#define GUSSET_GLUING_CELL 2
+
+/**
+ * Opposite corners of cell `element`: mask 1 for the first and the third, 2 for the second and the fourth.
+ */
+#define GUSSET_GLUING_DIAGONAL 3
+
+/**
+ * The two runs of nodes of the seam.
+ */
+#define GUSSET_GLUING_SEAM 4
+
+/**
+ * The local gluing of type `mask`, one of GUSSET_TYPE_..., at node `element`; at cell `element` from GUSSET_TYPE_TOP_BOTTOM on.
+ */
+#define GUSSET_GLUING_TYPE 5
+
+/**
+ * Nothing is glued here.
+ */
+#define GUSSET_TYPE_NONE 4294967295
+
+/**
+ * n(1): one horizontal link.
+ */
+#define GUSSET_TYPE_HORIZONTAL 0
+
+/**
+ * n(1): one vertical link.
+ */
+#define GUSSET_TYPE_VERTICAL 1
+
+/**
+ * n(2,1): the links of a node to the east and the south.
+ */
+#define GUSSET_TYPE_EAST_SOUTH 2
+
+/**
+ * n(2,1): south and west.
+ */
+#define GUSSET_TYPE_SOUTH_WEST 3
+
+/**
+ * n(2,1): west and north.
+ */
+#define GUSSET_TYPE_WEST_NORTH 4
+
+/**
+ * n(2,1): north and east.
+ */
+#define GUSSET_TYPE_NORTH_EAST 5
+
+/**
+ * n(2,2): east and west.
+ */
+#define GUSSET_TYPE_EAST_WEST 6
+
+/**
+ * n(2,2): north and south.
+ */
+#define GUSSET_TYPE_NORTH_SOUTH 7
+
+/**
+ * n(3): all but north.
+ */
+#define GUSSET_TYPE_BUT_NORTH 8
+
+/**
+ * n(3): all but east.
+ */
+#define GUSSET_TYPE_BUT_EAST 9
+
+/**
+ * n(3): all but south.
+ */
+#define GUSSET_TYPE_BUT_SOUTH 10
+
+/**
+ * n(3): all but west.
+ */
+#define GUSSET_TYPE_BUT_WEST 11
+
+/**
+ * n(4): all four links of a node.
+ */
+#define GUSSET_TYPE_ALL 12
+
+/**
+ * c(2,1): top and bottom of a cell.
+ */
+#define GUSSET_TYPE_TOP_BOTTOM 13
+
+/**
+ * c(2,1): right and left of a cell.
+ */
+#define GUSSET_TYPE_RIGHT_LEFT 14
+
+/**
+ * c(3): a cell is one point.
+ */
+#define GUSSET_TYPE_POINT 15
+
+/**
+ * c(1,2): the first and the third corner of a cell.
+ */
+#define GUSSET_TYPE_FALLING 16
+
+/**
+ * c(1,2): the second and the fourth corner of a cell.
+ */
+#define GUSSET_TYPE_RISING 17
+
+/**
  * Every row is closed: its last node is its first one again.
  */
 #define GUSSET_SIDES_ROWS_CLOSED 1
@@ -3103,6 +3532,122 @@ typedef struct gusset_winged_view {
  * Rows and columns closed.
  */
 #define GUSSET_SIDES_TORUS 3
+
+/**
+ * A rectangle in the plane z = 0: size[0], size[1].
+ */
+#define GUSSET_NET_PLANE 0
+
+/**
+ * A sphere with two poles: radius. At least 3 rows and 4 columns.
+ */
+#define GUSSET_NET_SPHERE 1
+
+/**
+ * A sphere that is a disc whose rim is drawn together: radius. At least 3 rows and columns.
+ */
+#define GUSSET_NET_ONE_POLE_SPHERE 2
+
+/**
+ * A cylinder without caps: radius, height. At least 4 columns.
+ */
+#define GUSSET_NET_TUBE 3
+
+/**
+ * A cylinder with caps: radius, height. At least 4 rows and columns.
+ */
+#define GUSSET_NET_CYLINDER 4
+
+/**
+ * A prism over a regular polygon: sides, radius (of the circle through its corners), height. At least 4 rows, and a column more than sides.
+ */
+#define GUSSET_NET_PRISM 5
+
+/**
+ * A cone with its base: radius, height. At least 3 rows and 4 columns.
+ */
+#define GUSSET_NET_CONE 6
+
+/**
+ * A pyramid over a regular polygon: sides, radius, height. At least 3 rows, and a column more than sides.
+ */
+#define GUSSET_NET_PYRAMID 7
+
+/**
+ * A profile turned round the z axis: profile, profile_count. At least 4 columns; each point is a row.
+ */
+#define GUSSET_NET_LATHE 8
+
+/**
+ * A torus: radius, minor_radius (of the tube, the smaller). At least 4 rows and columns.
+ */
+#define GUSSET_NET_TORUS 9
+
+/**
+ * A box: size, cells, box_kind. Rows and columns are as the cells say.
+ */
+#define GUSSET_NET_BOX 10
+
+/**
+ * A Moebius strip: radius (of its middle line), size[0] (its width). At least 4 columns.
+ */
+#define GUSSET_NET_MOEBIUS 11
+
+/**
+ * A Klein bottle, a tube with a figure-eight section that makes half a turn: radius, minor_radius. At least 4 rows and columns.
+ */
+#define GUSSET_NET_KLEIN 12
+
+/**
+ * A projective plane, Boy's surface: radius (a scale). At least 4 rows and columns.
+ */
+#define GUSSET_NET_PROJECTIVE_PLANE 13
+
+/**
+ * Two sheets joined along their rim: size[0], size[1], height (their distance in the middle). At least 3 rows, and 5, 7, ... columns.
+ */
+#define GUSSET_NET_PILLOW 14
+
+/**
+ * Two rims of the cap sweep over it to a slit, which is zipped up. All faces are unit quads, and no seams are needed.
+ */
+#define GUSSET_NET_BOX_SLIT 0
+
+/**
+ * The paper's crosswise unwrapping. All faces are unit quads; two seams.
+ */
+#define GUSSET_NET_BOX_CROSS 1
+
+/**
+ * Concentric rings: fewest nodes, and triangles along the diagonals of the caps.
+ */
+#define GUSSET_NET_BOX_CONCENTRIC 2
+
+/**
+ * A violation: the ends of contracted link `element` are apart, or one of them is missing.
+ */
+#define GUSSET_NET_FINDING_LINK_APART 0
+
+/**
+ * A violation: two nodes that seam `element` glues are apart, or one of them is missing.
+ */
+#define GUSSET_NET_FINDING_SEAM_APART 1
+
+/**
+ * A warning: the ends of link `element`, between neighbours, are one point by way of others, and it is not contracted itself: see
+ * gusset_net_saturate.
+ */
+#define GUSSET_NET_FINDING_LOOP 2
+
+/**
+ * A warning: the ends of link `element` lie on each other and are not glued.
+ */
+#define GUSSET_NET_FINDING_ZERO_LENGTH 3
+
+/**
+ * A warning: link `element` closes a row or column of fewer than four nodes, which has no inside then.
+ */
+#define GUSSET_NET_FINDING_FEW_NODES 4
 
 /**
  * The report's index means nothing.
@@ -3991,6 +4536,149 @@ gusset_status gusset_net_read(const struct gusset_context *context,
                               const struct gusset_net_arrays *arrays);
 
 /**
+ * Finds out what surface a net is once glued nodes are one. What it finds is no error.
+ *
+ * cells: GUSSET_NET_CELLS_... complex: receives the result, for gusset_net_complex_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of what belongs to each
+ * glued node; linear extra memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_complex_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        gusset_net_cells cells,
+                                        struct gusset_net_complex **complex);
+
+/**
+ * Lends what is known of a complex. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_complex_view(const struct gusset_net_complex *complex,
+                                      struct gusset_net_complex_report *report);
+
+/**
+ * Destroys a complex; NULL is allowed.
+ */
+GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *complex);
+
+/**
+ * Glues nodes of a net; positions stay what they are. gluings: count of them, done as a whole or not at all; at any alignment. On failure the net
+ * is as it was. Errors: UNKNOWN_VALUE (kind, mask, reserved), OUT_OF_RANGE (a mask above 15), NO_SUCH_ELEMENT (the link, node or
+ * cell), BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell (both pairs of opposite corners would be glued: the nineteenth
+ * local gluing, which no surface allows), OUT_OF_MEMORY. O(nodes + glued pairs). Source: Deryagin, "Local gluings of nodes".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_glue(const struct gusset_context *context,
+                              struct gusset_net *net,
+                              const struct gusset_gluing *gluings,
+                              size_t count);
+
+/**
+ * Unglues pairs of nodes: their links are free, and seams that have them are cut there. Nodes that are still glued by way of others stay
+ * one point; pairs that are not glued are left alone. gluings, count: as for gusset_net_glue.
+ *
+ * separation: 0, or how far apart what becomes separate is moved, in the unit of the coordinates: each piece of a point that falls
+ * apart moves by half of it towards the mean of its neighbours (of those that do not fall apart themselves, if there are any);
+ * one without neighbours, or in the middle of them, stays. moved: receives the number of pieces that moved; NULL if it is not wanted.
+ * On failure the net is as it was. Errors: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite number from 0 on). O(nodes), and a
+ * sort of the pairs.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_unglue(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const struct gusset_gluing *gluings,
+                                size_t count,
+                                double separation,
+                                size_t *moved);
+
+/**
+ * Contracts every link whose ends are one point already, by way of others, and drops seams that links then say: the canonical form, in which nets that
+ * glue the same neighbours have the same matrix. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_saturate(const struct gusset_context *context,
+                                  struct gusset_net *net);
+
+/**
+ * Writes for each node the smallest node that is the same point. classes: room for capacity numbers, of which rows * columns are written;
+ * written: receives that number. NULL and 0 ask for it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is written but
+ * the number), OUT_OF_MEMORY. O(nodes); 4 bytes a node. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_classes(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 uint32_t *classes,
+                                 size_t capacity,
+                                 size_t *written);
+
+/**
+ * Finds the points that are several nodes. groups: receives the result, for gusset_net_groups_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
+ * the glued nodes.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_groups_create(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       struct gusset_net_groups **groups);
+
+/**
+ * Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the latter; its nodes are in order, and groups are in the
+ * order of their first nodes. offsets.count is one more than the number of groups. Valid until the groups are destroyed. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_groups_view(const struct gusset_net_groups *groups,
+                                     struct gusset_indices *offsets,
+                                     struct gusset_indices *members);
+
+/**
+ * Destroys groups; NULL is allowed.
+ */
+GUSSET_API void gusset_net_groups_destroy(struct gusset_net_groups *groups);
+
+/**
+ * The local gluing at a node: which of its links have become a point. cyclic: 0, or 1 to count links that lead back to the first row or
+ * column too. found: receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * UNKNOWN_VALUE, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for all. Source: Deryagin, Fig. 4.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_classify_node(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       uint32_t node,
+                                       uint32_t cyclic,
+                                       gusset_gluing_type *found);
+
+/**
+ * What a cell has become. found: receives one of GUSSET_TYPE_..., or GUSSET_TYPE_NONE for a quad. Errors and complexity: as
+ * gusset_net_classify_node.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_classify_cell(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       uint32_t cell,
+                                       gusset_gluing_type *found);
+
+/**
+ * Counts the local gluings of a net by type. nodes, cells: receive 18 numbers each, how many nodes (without links that lead back) and how many
+ * cells have each type; NULL for what is not wanted. Errors: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes); 4 bytes a node.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_histogram(const struct gusset_context *context,
+                                   const struct gusset_net *net,
+                                   uint64_t *nodes,
+                                   uint64_t *cells);
+
+/**
  * Glues a net otherwise; positions stay what they are. gluing: NULL for a sheet; it replaces what was glued. On failure the net is as it was.
  * Errors: as gusset_net_create. O(nodes).
  */
@@ -4033,6 +4721,60 @@ gusset_status gusset_net_seams(const struct gusset_net *net,
                                struct gusset_seam *seams,
                                size_t capacity,
                                size_t *written);
+
+/**
+ * Makes a net of a standard shape, centred at the origin, its axis along z.
+ *
+ * Nodes that are one point have the same bits; closed surfaces have their faces counter-clockwise seen from outside. primitive: what is
+ * wanted. net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
+ * OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too few rows, columns, sides or cells), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
+ * CANCELLED. O(nodes); 12 or 24 bytes a node, and 1/4 for boxes. Source: Deryagin, "Closures of nets".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_primitive_create(const struct gusset_context *context,
+                                          const struct gusset_net_primitive *primitive,
+                                          struct gusset_net **net);
+
+/**
+ * Checks that glued nodes lie together, and looks for what is suspicious. What it finds is no error.
+ *
+ * tolerance: how far two nodes may be apart, at least 0; for 0 their coordinates must be equal (0 and -0 are). Two missing nodes are no
+ * violation. validation: receives the result, for gusset_net_validate_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the findings. Source: Deryagin, "Non-spatial operations".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_validate_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         double tolerance,
+                                         struct gusset_net_validation **validation);
+
+/**
+ * Lends the findings. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(log findings). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_validate_view(const struct gusset_net_validation *validation,
+                                       struct gusset_net_validation_report *report);
+
+/**
+ * Destroys a validation; NULL is allowed.
+ */
+GUSSET_API void gusset_net_validate_destroy(struct gusset_net_validation *validation);
+
+/**
+ * Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more nodes of its sides that do, forwards or backwards.
+ *
+ * It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are taken stays. tolerance: as for
+ * gusset_net_validate_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+ * CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the nodes of the sides.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_derive(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                double tolerance);
 
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.

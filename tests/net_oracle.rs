@@ -237,3 +237,43 @@ fn each_type_is_what_its_caption_says() {
     let both = [Diagonal::Falling, Diagonal::Rising].map(|diagonal| Gluing::Diagonal { cell: 5, diagonal });
     assert_eq!(sheet.glued(&both), Err(Error::CrossingCell { cell: 5 }));
 }
+
+/// Rows longer than the 32 nodes that are taken at a time: classes, the canonical form and the histogram are those of the definition.
+#[test]
+fn long_rows() {
+    let mut dice = nets::Dice(5);
+    for (h, w) in [(2, 31), (3, 32), (3, 33), (2, 63), (4, 64), (3, 65), (2, 100), (70, 2), (33, 3)] {
+        let shape = Shape::new(h, w).unwrap();
+        for share in [1, 3, 6, 9, 10] {
+            let mut matrix = Matrix::empty(shape).unwrap();
+            (0..2 * shape.node_count() as u32).for_each(|link| matrix.set(link, dice.below(10) < share));
+            let pairs: Vec<_> = (matrix.links()).map(|link| shape.ends(link).map(|node| node as usize)).collect();
+            let class = nets::classes(shape.node_count(), &pairs);
+            let crossing = Oracle::new(shape, &pairs, |_, _| true).crossing;
+            let topology = Topology::new(shape, Links::Matrix(matrix), &[]);
+            if let Some(cell) = crossing {
+                assert_eq!(topology, Err(Error::CrossingCell { cell: cell as u32 }));
+                continue;
+            }
+            let topology = topology.unwrap();
+            let classes = Classes::of(&topology).unwrap();
+            assert!(classes.table().unwrap().iter().zip(&class).all(|(&found, &class)| found as usize == class));
+            let saturated = topology.saturated().unwrap();
+            let (mut nodes, mut cells) = ([0; 18], [0; 18]);
+            for node in 0..shape.node_count() as u32 {
+                let (i, j) = shape.place(node);
+                for link in [2 * node, 2 * node + 1] {
+                    assert_eq!(saturated.contracts(link), classes.contracts(link));
+                }
+                let types = [
+                    classify_node(&classes, i, j, false),
+                    if i + 1 < h && j + 1 < w { classify_cell(&classes, i, j) } else { None },
+                ];
+                types[0].iter().for_each(|kind| nodes[kind.number()] += 1);
+                types[1].iter().for_each(|kind| cells[kind.number()] += 1);
+            }
+            let histogram = histogram(&topology).unwrap();
+            assert_eq!((histogram.nodes, histogram.cells), (nodes, cells));
+        }
+    }
+}

@@ -13,6 +13,7 @@
 //! | [`stitch_options`] | how to stitch |
 //! | [`outline`], [`outline_options`], [`frame`] | curves through points, and across and along a body |
 //! | [`net`], [`net_gluing`] | the handle of a net and its coordinates; what is glued to what |
+//! | [`net_glue`], [`net_complex`], [`net_validate`], [`net_primitive`] | gluing by hand and its types, surfaces, checks, shapes |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -40,7 +41,11 @@ mod guard;
 mod input;
 pub mod mesh;
 pub mod net;
+pub mod net_complex;
+pub mod net_glue;
 pub mod net_gluing;
+pub mod net_primitive;
+pub mod net_validate;
 pub mod orient;
 pub mod outline;
 pub mod outline_options;

@@ -91,8 +91,8 @@ impl Rim<'_> {
         keyed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut pairs = Vec::new();
         for (at, &(key, k)) in keyed.iter().enumerate() {
-            // Rounding moves keys by less than the second term.
-            let reach = key + self.tolerance * 1.01 + key.abs() * 1e-14;
+            // The direction is a little longer than 1, and rounding moves keys by less than the last term.
+            let reach = key + self.tolerance * 1.01 + self.place(k).abs().element_sum() * 1e-14;
             let close = keyed[at + 1..].iter().take_while(|other| other.0 <= reach);
             let partners = close.filter(|&&(_, l)| coincide(self.place(k), self.place(l), self.tolerance));
             for &(_, l) in partners.take(MOST_PARTNERS) {

@@ -5,6 +5,8 @@
 //!
 //! * [`Shape`]: size and numbering. [`Planes`], [`Coordinates`]: the matrices. [`Net`]: all together.
 //! * [`topology`]: what is glued to what, the classes of glued nodes, the 18 local gluings.
+//! * [`complex`]: what surface that makes. [`Net::validate`]: whether glued nodes lie together. [`derive()`]: what lies together.
+//! * [`closure`]: boxes, and surfaces with a side turned round. [`primitive`]: whole nets of standard shapes.
 //! * [`Bridge`]: what lies between nets that were joined.
 //! * Parts, flips, quarter turns, reformatting: methods of [`Net`]. [`concatenate`], [`Net::split`]: joining, taking apart.
 

@@ -1,9 +1,9 @@
 //! The boundary: edges of one face, in chains.
 
-use super::Edge;
 use super::scan::FanEnds;
+use super::{Edge, group};
 use crate::alloc;
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// The chains of edges that have one face each.
 ///
@@ -37,6 +37,11 @@ impl Boundary {
         self.open[k]
     }
 
+    /// 1 for each chain that does not end where it begins, 0 for the others.
+    pub(crate) fn open_flags(&self) -> Result<Vec<u32>> {
+        alloc::collect(self.open.iter().map(|&open| open.into()))
+    }
+
     /// The number of edges of chain k.
     pub fn edge_count(&self, k: usize) -> usize {
         self.get(k).len() - usize::from(self.open[k])
@@ -57,10 +62,14 @@ impl Boundary {
         &self.nodes
     }
 
-    /// Chains of `edges`, each once, in the direction of its face or (`reversed`) against it. `fan_ends`: the pairs of edges that belong
+    /// Chains of `edges` of a net of `count` nodes, each once, in the direction of its face or (`reversed`) against it. `fan_ends`: the pairs of edges that belong
     /// together at vertices that have more than two. A sort of the edges.
-    pub(super) fn of(edges: &[Edge], fan_ends: &mut [FanEnds], reversed: bool) -> Result<Self> {
-        let partners = partners(edges, fan_ends)?;
+    pub(super) fn of(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize, reversed: bool) -> Result<Self> {
+        let limit = u64::from(u32::MAX / 2);
+        if edges.len() as u64 > limit {
+            return Err(Error::TooLarge { what: "edges of one face", count: edges.len() as u64, limit });
+        }
+        let partners = partners(edges, fan_ends, count)?;
         let mut boundary = Boundary { offsets: alloc::filled(0, 1)?, ..Boundary::default() };
         let mut done: Vec<bool> = alloc::filled(false, edges.len())?;
         // First those that have an end, from there; then the loops.
@@ -74,7 +83,7 @@ impl Boundary {
                 alloc::push(&mut boundary.nodes, edges[at / 2][at % 2])?;
                 match partners[at ^ 1] as usize {
                     next if next == at ^ 1 => {
-                        alloc::push(&mut boundary.nodes, edges[at / 2][at % 2 ^ 1])?;
+                        alloc::push(&mut boundary.nodes, edges[at / 2][1 - at % 2])?;
                         break alloc::push(&mut boundary.open, true)?;
                     }
                     next if next == end => break alloc::push(&mut boundary.open, false)?,
@@ -94,15 +103,16 @@ impl Boundary {
 }
 
 /// For each end of each edge (number `2 * edge + side`) the end of the edge that the chain goes on with, or itself.
-fn partners(edges: &[Edge], fan_ends: &mut [FanEnds]) -> Result<Vec<u32>> {
-    fan_ends.sort_unstable();
+fn partners(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize) -> Result<Vec<u32>> {
+    group::sort(fan_ends, count, |fan| fan[0])?;
     let mut partners: Vec<u32> = alloc::collect((0..2 * edges.len()).map(|end| end as u32))?;
     // (vertex, the edge's other vertex, number)
     let mut ends: Vec<(u32, u32, u32)> = alloc::with_capacity(2 * edges.len())?;
     for (edge, &[a, b]) in (0..).zip(edges) {
         ends.extend([(a, b, 2 * edge), (b, a, 2 * edge + 1)]);
     }
-    ends.sort_unstable();
+    group::sort(&mut ends, count, |end| end.0)?;
+    let mut fans = fan_ends.iter().peekable();
     for group in ends.chunk_by(|a, b| a.0 == b.0) {
         let mut join = |a: u32, b: u32| {
             (partners[a as usize], partners[b as usize]) = (b, a);
@@ -112,8 +122,9 @@ fn partners(edges: &[Edge], fan_ends: &mut [FanEnds]) -> Result<Vec<u32>> {
             continue;
         }
         let find = |other: u32| group.binary_search_by_key(&other, |end| end.1).map(|at| group[at].2);
-        let start = fan_ends.partition_point(|fan| fan[0] < group[0].0);
-        for fan in fan_ends[start..].iter().take_while(|fan| fan[0] == group[0].0) {
+        // Both lists are in the order of the vertices.
+        while fans.next_if(|fan| fan[0] < group[0].0).is_some() {}
+        while let Some(fan) = fans.next_if(|fan| fan[0] == group[0].0) {
             if let (Ok(a), Ok(b)) = (find(fan[1]), find(fan[2])) {
                 join(a, b);
             }

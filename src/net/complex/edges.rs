@@ -1,13 +1,14 @@
 //! Edges and vertices where nodes are glued: what the pass over the rows has left to be brought together.
 
-use super::Complex;
 use super::scan::{Corner, FanEnds, Scan, Sense, Side};
+use super::{Complex, group};
 use crate::alloc;
 use crate::error::Result;
 
 /// Brings the sides of faces together to edges; their boundary is added to the scan's. A sort of the sides.
 pub(super) fn edges(scan: &mut Scan<'_>, complex: &mut Complex) -> Result<()> {
-    scan.sides.sort_unstable();
+    let count = scan.node_count();
+    group::sort(&mut scan.sides, count, |side| side.edge[0])?;
     for sides in scan.sides.chunk_by(|a, b| a.edge == b.edge) {
         complex.edges += 1;
         let [least, greatest] = sides[0].edge;
@@ -31,7 +32,8 @@ pub(super) fn faces(sides: &[Side]) -> &[Side] {
 /// Brings the corners at each vertex together to fans: faces one after the other round it. More than one of them is a pinch; the
 /// boundary edges of each are added to the scan's. A sort of the corners.
 pub(super) fn fans(scan: &mut Scan<'_>, complex: &mut Complex) -> Result<()> {
-    scan.corners.sort_unstable();
+    let count = scan.node_count();
+    group::sort(&mut scan.corners, count, |corner| corner[0])?;
     let mut link = Link::default();
     for corners in scan.corners.chunk_by(|a, b| a[0] == b[0]) {
         if link.fans(corners, &mut scan.fan_ends)? > 1 {

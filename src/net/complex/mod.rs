@@ -9,6 +9,7 @@
 mod boundary;
 mod connect;
 mod edges;
+mod group;
 mod presence;
 mod scan;
 
@@ -74,7 +75,8 @@ impl Complex {
     /// The complex of all cells of a topology.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face), [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn of_topology(topology: &Topology, job: &Job<'_>) -> Result<Self> {
         Complex::new(topology, &Presence::ALL, job)
     }
@@ -82,7 +84,8 @@ impl Complex {
     /// The complex of a net.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face), [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn of(net: &Net<'_>, cells: Cells, job: &Job<'_>) -> Result<Self> {
         let presence = match cells {
             Cells::All => Presence::ALL,
@@ -101,7 +104,8 @@ impl Complex {
         complex.components = connect::components(&classes, presence)?;
         complex.orientable = complex.conflicts.is_empty() || connect::is_orientable(&scan, &classes, presence)?;
         complex.boundary_edges = scan.rim.len() as u64;
-        complex.boundary = Boundary::of(&scan.rim, &mut scan.fan_ends, topology.is_reversed())?;
+        let (count, reversed) = (scan.node_count(), topology.is_reversed());
+        complex.boundary = Boundary::of(&scan.rim, &mut scan.fan_ends, count, reversed)?;
         job.step(1.0, "complex")?;
         Ok(complex)
     }

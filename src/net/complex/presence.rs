@@ -62,9 +62,10 @@ fn finite_cells<T: Real>(planes: &Planes<'_, T>, cells: &mut [u8]) -> Result<()>
     Ok(())
 }
 
-/// A number less itself is 0, unless it is NaN or infinite.
+/// Zero times a number is 0, unless the number is NaN or infinite.
 fn finite_nodes<T: Real>([x, y, z]: [&[T]; 3], finite: &mut [u8]) {
+    let zero = T::of(0.0);
     for (((finite, &x), &y), &z) in finite.iter_mut().zip(x).zip(y).zip(z) {
-        *finite = u8::from((x - x) + (y - y) + (z - z) == T::of(0.0));
+        *finite = u8::from(zero * x + zero * y + zero * z == zero);
     }
 }

@@ -209,6 +209,11 @@ impl<'a> Scan<'a> {
         alloc::push(&mut self.sides, Side { edge: [from.min(to), from.max(to)], sense, cell })
     }
 
+    /// The number of nodes.
+    pub(super) fn node_count(&self) -> usize {
+        self.marks.len()
+    }
+
     /// True if other nodes are the same vertex.
     pub(super) fn is_glued(&self, node: u32) -> bool {
         self.marks[node as usize] == GLUED

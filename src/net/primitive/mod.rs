@@ -1,7 +1,7 @@
 //! Whole nets of standard shapes: coordinates and topology.
 //!
-//! Solids of revolution, and prisms and pyramids, which are their angular kin, are a profile carried round the z axis
-//! ([`revolve`]); the others each have a formula ([`formula`]). All are centred at the origin. Nodes that are one point have the same
+//! Solids of revolution, and prisms and pyramids, which are their angular kin, are a profile carried round the z axis; the others
+//! each have a formula. All are centred at the origin. Nodes that are one point have the same
 //! bits: their coordinates are computed from indices that were reduced first. Closed surfaces have their faces
 //! counter-clockwise seen from outside, and so a positive volume.
 

@@ -174,7 +174,7 @@ fn ordered([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-fn place_of_cell(shape: Shape, cell: u32) -> Result<(usize, usize)> {
+pub(super) fn place_of_cell(shape: Shape, cell: u32) -> Result<(usize, usize)> {
     if (cell as usize) < shape.cell_count() {
         Ok(shape.cell_place(cell))
     } else {

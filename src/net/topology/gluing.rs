@@ -5,7 +5,8 @@
 //! of a cell that do not cross (14, without the identity and two translates), and 6 are both. The nineteenth, both pairs of
 //! opposite corners, crosses itself: no surface does that.
 
-use super::{Classes, Topology};
+use super::edit::place_of_cell;
+use super::{Classes, Matrix, Topology};
 use crate::error::Result;
 use crate::net::Shape;
 
@@ -148,6 +149,27 @@ pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType
     OF_CELL[mask].or(diagonal).map(GluingType)
 }
 
+impl Topology {
+    /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the [`Classes`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuchNode`](crate::Error::NoSuchNode), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn node_type(&self, node: u32, cyclic: bool) -> Result<Option<GluingType>> {
+        self.shape().check_node(node)?;
+        let (i, j) = self.shape().place(node);
+        Ok(classify_node(&Classes::of(self)?, i, j, cyclic))
+    }
+
+    /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the [`Classes`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuchCell`](crate::Error::NoSuchCell), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn cell_type(&self, cell: u32) -> Result<Option<GluingType>> {
+        let (i, j) = place_of_cell(self.shape(), cell)?;
+        Ok(classify_cell(&Classes::of(self)?, i, j))
+    }
+}
+
 /// How often each type occurs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Histogram {
@@ -162,19 +184,33 @@ pub struct Histogram {
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub fn histogram(topology: &Topology) -> Result<Histogram> {
-    let (shape, classes) = (topology.shape(), Classes::of(topology)?);
+    let shape = topology.shape();
+    let (h, w) = (shape.rows(), shape.columns());
+    let table = Classes::of(topology)?.table()?;
+    let links = Matrix::of_table(shape, &table)?;
     let mut histogram = Histogram::default();
-    let count = |counts: &mut [u64; GluingType::COUNT], found: Option<GluingType>| {
-        if let Some(found) = found {
-            counts[found.number()] += 1;
+    let count = |counts: &mut [u64; GluingType::COUNT], found: Option<u8>| {
+        if let Some(number) = found {
+            counts[usize::from(number)] += 1;
         }
     };
-    for i in 0..shape.rows() {
-        for j in 0..shape.columns() {
-            count(&mut histogram.nodes, classify_node(&classes, i, j, false));
-            if i + 1 < shape.rows() && j + 1 < shape.columns() {
-                count(&mut histogram.cells, classify_cell(&classes, i, j));
-            }
+    for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
+        let node = i * w + j;
+        // The pairs of bits of nodes: 1 for the link to the east, 2 for that to the south.
+        let pair = |there: bool, node: usize| if there { links.pair(node) } else { 0 };
+        let (right, down) = (j + 1 < w, i + 1 < h);
+        let here = links.pair(node) & (usize::from(right) | usize::from(down) << 1);
+        let (west, north) = (pair(j > 0, node.wrapping_sub(1)), pair(i > 0, node.wrapping_sub(w)));
+        count(&mut histogram.nodes, OF_STAR[here | (west & 1) << 2 | (north & 2) << 2]);
+        if right && down {
+            let (east, south) = (links.pair(node + 1), links.pair(node + w));
+            let mask = (here & 1) | (east & 2) | (south & 1) << 2 | (here & 2) << 2;
+            let diagonal = match mask {
+                0 if table[node] == table[node + w + 1] => Some(16),
+                0 if table[node + 1] == table[node + w] => Some(17),
+                _ => None,
+            };
+            count(&mut histogram.cells, OF_CELL[mask].or(diagonal));
         }
     }
     Ok(histogram)
