@@ -13,6 +13,8 @@
 //! | [`stitch_options`] | how to stitch |
 //! | [`outline`], [`outline_options`], [`frame`] | curves through points, and across and along a body |
 //! | [`net`], [`net_gluing`] | the handle of a net and its coordinates; what is glued to what |
+//! | [`net_transform`], [`net_field`], [`net_analyse`] | how nets are moved and deformed, and what that does to them |
+//! | [`net_normals`], [`net_measure`], [`net_resample`] | normals, areas and volumes, other sizes |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -40,7 +42,13 @@ mod guard;
 mod input;
 pub mod mesh;
 pub mod net;
+pub mod net_analyse;
+pub mod net_field;
 pub mod net_gluing;
+pub mod net_measure;
+pub mod net_normals;
+pub mod net_resample;
+pub mod net_transform;
 pub mod orient;
 pub mod outline;
 pub mod outline_options;
