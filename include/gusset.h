@@ -338,6 +338,11 @@
 #define GUSSET_U64 1
 
 /**
+ * No pyramid has more levels.
+ */
+#define GUSSET_PYRAMID_LEVELS 32
+
+/**
  * Closed components face as most of their faces did.
  */
 #define GUSSET_OUTWARD_KEEP 0
@@ -1008,6 +1013,14 @@ enum gusset_status
      */
     GUSSET_ERROR_EMPTY_SCENE = 1307,
     /**
+     * A field of deformation is not defined at a node.
+     */
+    GUSSET_ERROR_FIELD_UNDEFINED = 1320,
+    /**
+     * A net is glued elsewhere than along whole sides, or has bridges.
+     */
+    GUSSET_ERROR_GLUED_INSIDE = 1321,
+    /**
      * Memory could not be had.
      */
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
@@ -1079,6 +1092,11 @@ typedef struct gusset_frame gusset_frame;
  * time in many threads; those that change it need it for themselves.
  */
 typedef struct gusset_net gusset_net;
+
+/**
+ * What a deformation does to a net. Immutable; may be read from many threads.
+ */
+typedef struct gusset_net_analysis gusset_net_analysis;
 
 /**
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -2589,6 +2607,257 @@ typedef struct gusset_net_gluing {
 } gusset_net_gluing;
 
 /**
+ * What a field does, and what its values are. An axis and those that follow it: y and z after x, z and x after y, x and y after z.
+ */
+typedef uint32_t gusset_field_kind;
+
+/**
+ * An axis of coordinates: 0 is x, 1 is y, 2 is z.
+ */
+typedef uint32_t gusset_axis;
+
+/**
+ * How a strength goes from one key to the next.
+ */
+typedef uint32_t gusset_easing;
+
+/**
+ * A field of deformation: a map of space, of which a part is done.
+ */
+typedef struct gusset_field {
+    /**
+     * sizeof(gusset_field), set by the caller; in an array the same for all.
+     */
+    size_t struct_size;
+    /**
+     * One of GUSSET_FIELD_...
+     */
+    gusset_field_kind kind;
+    /**
+     * For kinds that have one; else 0.
+     */
+    gusset_axis axis;
+    /**
+     * For GUSSET_FIELD_SHEAR; else 0.
+     */
+    gusset_axis other_axis;
+    /**
+     * Between keys; one of GUSSET_EASING_...
+     */
+    gusset_easing easing;
+    /**
+     * How much of the map is done: 0 nothing at all, 1 all of it. With keys, it multiplies what they say.
+     */
+    double strength;
+    /**
+     * What the kind says; the rest is not read.
+     */
+    double values[16];
+    /**
+     * Pairs of time and strength, times increasing; before the first and after the last time the strength is that there. NULL: the
+     * strength does not depend on the time.
+     */
+    const double *keys;
+    /**
+     * The number of pairs.
+     */
+    size_t key_count;
+    /**
+     * For GUSSET_FIELD_LATTICE, three numbers for each control point; else NULL.
+     */
+    const double *offsets;
+    /**
+     * For GUSSET_FIELD_LATTICE; else 0.
+     */
+    uint32_t counts[3];
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_field;
+
+/**
+ * An analysis, lent: valid until gusset_net_analysis_destroy.
+ */
+typedef struct gusset_net_analysis_parts {
+    /**
+     * sizeof(gusset_net_analysis_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its new length
+     * divided by its old one; NaN if it had none, or an end is missing.
+     */
+    const double *links;
+    /**
+     * 2 * rows * columns.
+     */
+    size_t link_count;
+    /**
+     * Of each cell, its new area divided by its old one; negative where the surface is folded over or, after
+     * gusset_net_analyse_fields_create, space is mirrored; NaN if it had none, or is not there.
+     */
+    const double *cells;
+    /**
+     * Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analyse_create.
+     */
+    const double *determinants;
+    /**
+     * (rows - 1) * (columns - 1).
+     */
+    size_t cell_count;
+    /**
+     * The links that have become a point and are not glued: see gusset_net_absorb.
+     */
+    const uint32_t *contracted;
+    /**
+     * Of each of them, what the star of its first node has become with all of them contracted: the number of the local gluing, 0 to 17.
+     */
+    const uint32_t *stars;
+    /**
+     * How many.
+     */
+    size_t contracted_count;
+    /**
+     * The glued links whose ends have come apart.
+     */
+    const uint32_t *torn;
+    /**
+     * How many.
+     */
+    size_t torn_count;
+    /**
+     * The cells that are turned the other way than most.
+     */
+    const uint32_t *folded;
+    /**
+     * How many.
+     */
+    size_t folded_count;
+    /**
+     * 1 if nothing is newly glued, torn or folded: the paper's soft deformation; else it is hard.
+     */
+    uint32_t soft;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_analysis_parts;
+
+/**
+ * Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z: their coordinates, float or double as
+ * the net's are, to be changed in place. Return nonzero to stop. It must neither use the net or the context nor throw nor longjmp.
+ */
+typedef int (*gusset_rows_fn)(void *user, size_t first, size_t count, void *x, void *y, void *z);
+
+/**
+ * What gusset_net_measure finds.
+ */
+typedef struct gusset_measures {
+    /**
+     * sizeof(gusset_measures), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
+     */
+    double area;
+    /**
+     * What the net encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the first node.
+     */
+    double volume;
+    /**
+     * The sum of the cells' area vectors; 0 for closed nets.
+     */
+    double area_vector[3];
+    /**
+     * The smallest coordinates of the nodes that are there; infinite if there are none.
+     */
+    double low[3];
+    /**
+     * The largest.
+     */
+    double high[3];
+} gusset_measures;
+
+/**
+ * The body, of density 1, that a closed net encloses.
+ */
+typedef struct gusset_moments {
+    /**
+     * sizeof(gusset_moments), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The volume; negative if the normals look inwards.
+     */
+    double volume;
+    /**
+     * The centre of mass; NaN if the volume is 0.
+     */
+    double centroid[3];
+    /**
+     * The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it those of -x y and
+     * so on.
+     */
+    double inertia[9];
+} gusset_moments;
+
+/**
+ * How plane the cells of a net are.
+ */
+typedef struct gusset_planarity {
+    /**
+     * sizeof(gusset_planarity), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no cells.
+     */
+    double worst;
+    /**
+     * Its cell; 2^64 - 1 if there are no cells.
+     */
+    uint64_t worst_cell;
+    /**
+     * The mean; NaN if there are no cells.
+     */
+    double mean;
+    /**
+     * How many cells are above the tolerance.
+     */
+    uint64_t above;
+} gusset_planarity;
+
+/**
+ * How positions between nodes are found.
+ */
+typedef uint32_t gusset_interpolation;
+
+/**
+ * What an operation does.
+ */
+typedef uint32_t gusset_operation_kind;
+
+/**
+ * A spatial operation.
+ */
+typedef struct gusset_operation {
+    /**
+     * One of GUSSET_OPERATION_...
+     */
+    gusset_operation_kind kind;
+    /**
+     * For GUSSET_OPERATION_COMPRESS; else 0.
+     */
+    gusset_axis axis;
+    /**
+     * What the kind says; the rest is not read.
+     */
+    double values[12];
+} gusset_operation;
+
+/**
  * How to orient; all zero is the default.
  */
 typedef struct gusset_orient_options {
@@ -3050,6 +3319,92 @@ typedef struct gusset_winged_view {
 } gusset_winged_view;
 
 /**
+ * An affine map: values[0] to values[11], three rows of four. In part: that part of the straight way.
+ */
+#define GUSSET_FIELD_AFFINE 1
+
+/**
+ * Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the coordinate values[1] on. In
+ * part: by that part of the angle.
+ */
+#define GUSSET_FIELD_TWIST 2
+
+/**
+ * Distances from `axis` grow by values[0] times themselves for each unit along it from the coordinate values[1] on. In part: at that
+ * part of the rate.
+ */
+#define GUSSET_FIELD_TAPER 3
+
+/**
+ * Bends `axis` from its coordinate values[1] to values[2], which may be infinite, to an arc of the curvature values[0], towards the axis
+ * that follows; what lies beyond goes on straight. In part: with that part of the curvature.
+ */
+#define GUSSET_FIELD_BEND 4
+
+/**
+ * The coordinate on `axis` grows by values[0] times that on `other_axis`. In part: at that part of the rate.
+ */
+#define GUSSET_FIELD_SHEAR 5
+
+/**
+ * Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] > 0, straight from its centre, where
+ * it is not defined. In part: that part of the way.
+ */
+#define GUSSET_FIELD_SPHERIFY 6
+
+/**
+ * Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the second the height above a cylinder of
+ * the radius values[0] > 0. In part: that part of the straight way.
+ */
+#define GUSSET_FIELD_CYLINDER_WRAP 7
+
+/**
+ * Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube) and values[1] > 0 (of the tube): of
+ * the two axes that follow, the first goes round the axis and the second round the tube; the axis itself becomes the height above
+ * the torus. In part: that part of the straight way.
+ */
+#define GUSSET_FIELD_TORUS_WRAP 8
+
+/**
+ * Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x counts[2] control points, 2 to 32
+ * each way; offsets: how far each is moved, x, y, z, from its place in the even grid, x running first, then y. Outside the
+ * box nothing moves. In part: that part of the way.
+ */
+#define GUSSET_FIELD_LATTICE 9
+
+/**
+ * A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate becomes 0. In part: that part of
+ * the straight way, as for the other projections.
+ */
+#define GUSSET_FIELD_PROJECTION 10
+
+/**
+ * Onto the plane through values[0..2] with the normal values[3..5], along the direction values[6..8].
+ */
+#define GUSSET_FIELD_PARALLEL 11
+
+/**
+ * Onto the plane through values[3..5] with the normal values[6..8], along the lines through the eye values[0..2]. Not defined
+ * level with the eye.
+ */
+#define GUSSET_FIELD_PERSPECTIVE 12
+
+/**
+ * Evenly.
+ */
+#define GUSSET_EASING_LINEAR 0
+
+/**
+ * Starting and ending at rest.
+ */
+#define GUSSET_EASING_SMOOTH 1
+
+/**
+ * Stays until it jumps.
+ */
+#define GUSSET_EASING_HOLD 2
+
+/**
  * Every row is closed: its last node is its first one again.
  */
 #define GUSSET_SIDES_ROWS_CLOSED 1
@@ -3103,6 +3458,67 @@ typedef struct gusset_winged_view {
  * Rows and columns closed.
  */
 #define GUSSET_SIDES_TORUS 3
+
+/**
+ * On cubic splines after Catmull and Rom, which pass through all nodes with one tangent, across seams too.
+ */
+#define GUSSET_INTERPOLATION_BICUBIC 0
+
+/**
+ * On the bilinear patches of the cells.
+ */
+#define GUSSET_INTERPOLATION_BILINEAR 1
+
+/**
+ * The abscissa.
+ */
+#define GUSSET_AXIS_X 0
+
+/**
+ * The ordinate.
+ */
+#define GUSSET_AXIS_Y 1
+
+/**
+ * The applicate.
+ */
+#define GUSSET_AXIS_Z 2
+
+/**
+ * Moves by the vector values[0] to values[2].
+ */
+#define GUSSET_OPERATION_TRANSLATE 1
+
+/**
+ * Turns about the axis with the direction values[0] to values[2], of any length but 0, by values[3] radians, by the right
+ * hand; the axis passes through the point values[4] to values[6].
+ */
+#define GUSSET_OPERATION_ROTATE 2
+
+/**
+ * The same by the left hand, as Deryagin's formula is printed.
+ */
+#define GUSSET_OPERATION_ROTATE_AS_PRINTED 3
+
+/**
+ * Scales about the origin: values[0] is the ratio of new distance to old.
+ */
+#define GUSSET_OPERATION_SCALE 4
+
+/**
+ * Scales about the axis of coordinates `axis`, which stays: values[0] is the ratio of new distance to old.
+ */
+#define GUSSET_OPERATION_COMPRESS 5
+
+/**
+ * Scales x, y and z by values[0], values[1] and values[2].
+ */
+#define GUSSET_OPERATION_STRETCH 6
+
+/**
+ * Any affine map: three rows of four numbers, the fourth of each the displacement.
+ */
+#define GUSSET_OPERATION_MATRIX 7
 
 /**
  * The report's index means nothing.
@@ -3991,6 +4407,117 @@ gusset_status gusset_net_read(const struct gusset_context *context,
                               const struct gusset_net_arrays *arrays);
 
 /**
+ * Compares a net after a deformation with what it was before: what is newly glued, torn, folded over, stretched.
+ *
+ * before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are none.
+ * analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other
+ * sizes), CROSSING_CELL with the cell (what is newly glued is no surface), OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From
+ * any thread. Source: Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian neither follows from gluing nor
+ * implies it.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_analyse_create(const struct gusset_context *context,
+                                        const struct gusset_net *before,
+                                        const struct gusset_net *after,
+                                        double tolerance,
+                                        struct gusset_net_analysis **analysis);
+
+/**
+ * The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields, count, time: as for
+ * gusset_net_deform, and its errors too. Also 8 bytes a cell, and a copy of the net.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_analyse_fields_create(const struct gusset_context *context,
+                                               const struct gusset_net *net,
+                                               const struct gusset_field *fields,
+                                               size_t count,
+                                               double time,
+                                               double tolerance,
+                                               struct gusset_net_analysis **analysis);
+
+/**
+ * Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_analysis_view(const struct gusset_net_analysis *analysis,
+                                       struct gusset_net_analysis_parts *parts);
+
+/**
+ * Destroys an analysis; NULL is allowed.
+ */
+GUSSET_API void gusset_net_analysis_destroy(struct gusset_net_analysis *analysis);
+
+/**
+ * Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what they are: follow
+ * it with gusset_net_snap.
+ *
+ * links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT, SIZE_OVERFLOW,
+ * NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_absorb(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const uint32_t *links,
+                                size_t count);
+
+/**
+ * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping, animation and projection.
+ *
+ * fields: `count` of them. time: for fields with keys; a net is deformed from what it is now, so that animations deform a copy of
+ * the net at rest. The fields work in double; the result is rounded once. Fields of strength 0 do nothing at all, to the bit. Nodes
+ * that are glued and have equal bits keep them equal; missing nodes stay missing. Whatever the error, no node is moved. Errors:
+ * NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis, easing), OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the
+ * node, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes x fields), twice that if a field is not defined everywhere. The same bits for any
+ * number of threads. Sources: Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_deform(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const struct gusset_field *fields,
+                                size_t count,
+                                double time);
+
+/**
+ * Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as gusset_net_snap does.
+ *
+ * map: called on this thread, from the first node to the last, each time for consecutive nodes: as many as a row or a few thousand.
+ * user: passed on. If it stops, the status is CANCELLED and what was done stays done. Errors: NULL_ARGUMENT (map),
+ * OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_deform_rows(const struct gusset_context *context,
+                                     struct gusset_net *net,
+                                     gusset_rows_fn map,
+                                     void *user);
+
+/**
+ * Moves every node of a net along its normal by `distance`, which may be negative; glued nodes stay together, nodes without a normal stay.
+ * Errors: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY, CANCELLED. O(nodes), and as much memory as the coordinates take.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_displace(const struct gusset_context *context,
+                                  struct gusset_net *net,
+                                  double distance);
+
+/**
+ * Gives all nodes that are glued to each other the position of the first of them, bit for bit. moved: receives how many nodes got other
+ * bits; may be NULL. Errors: NULL_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) if the net is glued along its sides alone, else
+ * O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_snap(const struct gusset_context *context,
+                              struct gusset_net *net,
+                              uint64_t *moved);
+
+/**
  * Glues a net otherwise; positions stay what they are. gluing: NULL for a sheet; it replaces what was glued. On failure the net is as it was.
  * Errors: as gusset_net_create. O(nodes).
  */
@@ -4033,6 +4560,141 @@ gusset_status gusset_net_seams(const struct gusset_net *net,
                                struct gusset_seam *seams,
                                size_t capacity,
                                size_t *written);
+
+/**
+ * Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there. measures: its struct_size
+ * set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY, CANCELLED. O(nodes), no memory. From any thread;
+ * the same bits for any number of threads. Volumes are exact for the bilinear patches of the cells (divergence theorem).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_measure(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 struct gusset_measures *measures);
+
+/**
+ * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for the bilinear
+ * patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten times the work.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_moments(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 struct gusset_moments *moments);
+
+/**
+ * Tells how plane the cells of a net are: whether it can be clad with plane quads.
+ *
+ * tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its
+ * corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for triangles and less, NaN for cells that
+ * are not there. capacity: its size; NULL and 0 if it is not wanted. written: receives the number of cells. summary: its struct_size
+ * set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY,
+ * CANCELLED. O(nodes), 8 bytes a cell. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_planarity(const struct gusset_context *context,
+                                   const struct gusset_net *net,
+                                   double tolerance,
+                                   double *cells,
+                                   size_t capacity,
+                                   size_t *written,
+                                   struct gusset_planarity *summary);
+
+/**
+ * Computes the unit normal of every node of a net.
+ *
+ * x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row after row without
+ * gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each has room for. without: receives the number
+ * of nodes that have no normal and get zeros: missing ones, and those whose cells have no area or cancel out; may be NULL. Columns go with the
+ * fingers of the right hand towards rows, and the normal with the thumb; the other way for nets that are reversed. Nodes that are glued get
+ * the same bits, poles and seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there
+ * decide. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are filled in
+ * part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any number of threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_normals(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 void *x,
+                                 void *y,
+                                 void *z,
+                                 size_t capacity,
+                                 uint64_t *without);
+
+/**
+ * Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last ones stay, and new
+ * nodes that fall on old ones have their bits.
+ *
+ * net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal bits.
+ * interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. O(nodes of both). From any thread;
+ * the same bits for any number of threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_resample_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         size_t rows,
+                                         size_t columns,
+                                         gusset_interpolation interpolation,
+                                         struct gusset_net **resampled);
+
+/**
+ * Makes a net of the rows and columns of another that matter most: rows, and then columns, are left out, always the one whose loss costs
+ * least, as long as the tolerance allows.
+ *
+ * net: glued along whole sides only, without bridges. tolerance: at least 0, may be infinite; nodes are at most half of it away from
+ * the segments that replace their columns, and as much from those that replace their rows. rows, columns: receive the indices of what was
+ * kept, as many as the new net has; each has room for as many as the old net has; NULL if not wanted. deviation: receives what was
+ * reached; may be NULL. decimated: receives the net; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE,
+ * GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. About O(nodes x log rows). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_decimate_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         double tolerance,
+                                         uint32_t *rows,
+                                         uint32_t *columns,
+                                         double *deviation,
+                                         struct gusset_net **decimated);
+
+/**
+ * Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the others every second row and column of the one
+ * before, bit for bit.
+ *
+ * net: glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the first level is a copy, else it is
+ * resampled to the next sizes. interpolation: as for gusset_net_resample_create. levels: receives the nets, each for gusset_net_destroy;
+ * all NULL on failure. capacity: how many it has room for; GUSSET_PYRAMID_LEVELS is always enough. count: receives how many there are, also
+ * with BUFFER_TOO_SMALL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE,
+ * OUT_OF_MEMORY, CANCELLED. O(nodes), memory for 4/3 of the first. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_pyramid_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        gusset_interpolation interpolation,
+                                        struct gusset_net **levels,
+                                        size_t capacity,
+                                        size_t *count);
+
+/**
+ * Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in place.
+ *
+ * operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes that are glued
+ * and have equal bits keep them equal; missing nodes stay missing. If the operations together mirror (odd numbers of reflections) the
+ * surface would be turned inside out: the net's flag `reversed` changes then, so that faces look outwards as before. A cancel is
+ * heard before the first node is moved; whatever the error, none is moved. Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis),
+ * OUT_OF_RANGE (a number that is not finite, an axis of length 0, a product that overflows), SIZE_OVERFLOW, OUT_OF_MEMORY (a net
+ * that shares its memory), CANCELLED. O(nodes), no memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_transform(const struct gusset_context *context,
+                                   struct gusset_net *net,
+                                   const struct gusset_operation *operations,
+                                   size_t count);
 
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.

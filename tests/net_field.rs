@@ -134,7 +134,11 @@ fn a_twist_turns_and_a_bend_keeps_the_length_of_its_axis() {
     let twist = Twist::new(Axis::Z, PI / 2.0, 1.0).unwrap();
     assert!(at(&twist, 1.0, DVec3::new(1.0, 0.0, 2.0)).distance(DVec3::new(0.0, 1.0, 2.0)) < 1e-15);
     assert!(at(&twist, 0.5, DVec3::new(1.0, 0.0, 3.0)).distance(DVec3::new(0.0, 1.0, 3.0)) < 1e-15);
-    assert!(at(&Twist::new(Axis::X, PI / 2.0, 0.0).unwrap(), 1.0, DVec3::new(1.0, 1.0, 0.0)).distance(DVec3::new(1.0, 0.0, 1.0)) < 1e-15);
+    assert!(
+        at(&Twist::new(Axis::X, PI / 2.0, 0.0).unwrap(), 1.0, DVec3::new(1.0, 1.0, 0.0))
+            .distance(DVec3::new(1.0, 0.0, 1.0))
+            < 1e-15
+    );
     // A bend to a half turn, from z = 1 to z = 1 + pi.
     let bend = Bend::new(Axis::Z, 1.0, 1.0, 1.0 + PI).unwrap();
     let axis = |w: f64| at(&bend, 1.0, DVec3::new(0.0, 0.0, w));
@@ -164,7 +168,10 @@ fn a_lattice_moves_what_its_control_points_say() {
         assert!(at(&lattice, 0.5, p).distance(p + 0.5 * map(p)) < 1e-14);
     }
     assert_eq!(at(&lattice, 1.0, high + 0.1), high + 0.1, "outside nothing moves");
-    assert!(matches!(Lattice::new(low, high, [1, 2, 2], &zeros), Err(Error::OptionOutOfRange { option: "counts", .. })));
+    assert!(matches!(
+        Lattice::new(low, high, [1, 2, 2], &zeros),
+        Err(Error::OptionOutOfRange { option: "counts", .. })
+    ));
     assert!(matches!(Lattice::new(low, high, [9, 2, 2], &zeros), Err(Error::ArrayTooShort { .. })));
     assert!(Lattice::new(high, low, counts, &zeros).is_err());
 }
@@ -173,7 +180,8 @@ fn a_lattice_moves_what_its_control_points_say() {
 fn projections_put_points_on_the_plane_along_the_lines_they_should() {
     let mut random = Random(9);
     for _ in 0..200 {
-        let (q, n, d, eye, p) = (random.vector(), random.vector(), random.vector(), 5.0 * random.vector(), random.vector());
+        let (q, n, d, eye, p) =
+            (random.vector(), random.vector(), random.vector(), 5.0 * random.vector(), random.vector());
         let parallel = at(&Projection::parallel(q, n, d).unwrap(), 1.0, p);
         let scale = 1.0 / n.dot(d).abs();
         assert!((parallel - q).dot(n).abs() < 1e-13 * scale && (parallel - p).cross(d).length() < 1e-13 * scale);
@@ -198,7 +206,10 @@ fn where_a_field_is_undefined_the_node_is_named_and_nothing_changes() {
     assert_eq!(deform(&mut net, &steps, &Job::default()), Err(Error::FieldUndefined { node: 3 * 70 }));
     assert_eq!(bits(&net), before);
     let spherify = Spherify::new(DVec3::new(5.0, 80.0, 0.0), 1.0).unwrap();
-    assert_eq!(deform(&mut net, &[whole(&spherify)], &Job::default()), Err(Error::FieldUndefined { node: 80 * 70 + 5 }));
+    assert_eq!(
+        deform(&mut net, &[whole(&spherify)], &Job::default()),
+        Err(Error::FieldUndefined { node: 80 * 70 + 5 })
+    );
     assert_eq!(bits(&net), before);
     let nan = [Step { field: &shift, strength: f64::NAN }];
     assert!(matches!(deform(&mut net, &nan, &Job::default()), Err(Error::OptionOutOfRange { option: "strength", .. })));

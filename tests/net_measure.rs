@@ -64,7 +64,10 @@ fn spheres_and_tori_converge_with_the_square_of_the_size_of_their_cells() {
         [found.area / area - 1.0, found.volume / volume - 1.0].map(f64::abs)
     };
     for (coarse, fine) in [
-        (error(sphere(33, 65, Scalar::F64), 4.0 * PI, 4.0 / 3.0 * PI), error(sphere(65, 129, Scalar::F64), 4.0 * PI, 4.0 / 3.0 * PI)),
+        (
+            error(sphere(33, 65, Scalar::F64), 4.0 * PI, 4.0 / 3.0 * PI),
+            error(sphere(65, 129, Scalar::F64), 4.0 * PI, 4.0 / 3.0 * PI),
+        ),
         (
             error(torus(33, 65, Scalar::F64), 12.0 * PI * PI, 6.0 * PI * PI),
             error(torus(65, 129, Scalar::F64), 12.0 * PI * PI, 6.0 * PI * PI),
@@ -125,7 +128,11 @@ fn moments_of_a_box_are_those_of_mechanics() {
         let expected = r * DMat3::from_diagonal(diagonal) * r.transpose();
         assert!((found.volume - volume).abs() < 1e-11 * volume);
         assert!(found.centroid.distance(place.apply(size / 2.0)) < 1e-11);
-        assert!((found.inertia - expected).abs().to_cols_array().iter().all(|&e| e < 1e-10), "{} {expected}", found.inertia);
+        assert!(
+            (found.inertia - expected).abs().to_cols_array().iter().all(|&e| e < 1e-10),
+            "{} {expected}",
+            found.inertia
+        );
     }
     // A reversed net encloses the same body.
     let mut net = cube(3, DVec3::ONE, Scalar::F64);
@@ -192,7 +199,8 @@ fn planarity_is_the_distance_of_the_corners_from_their_plane() {
     // Spheres by latitude and longitude have plane cells; twisted ones have not.
     let mut ball = sphere(17, 33, Scalar::F64);
     assert!(planarity(&ball, 1e-12, &Job::default()).unwrap().above == 0);
-    deform(&mut ball, &[Step { field: &Twist::new(Axis::Z, 1.0, 0.0).unwrap(), strength: 1.0 }], &Job::default()).unwrap();
+    deform(&mut ball, &[Step { field: &Twist::new(Axis::Z, 1.0, 0.0).unwrap(), strength: 1.0 }], &Job::default())
+        .unwrap();
     assert!(planarity(&ball, 1e-3, &Job::default()).unwrap().above > 200);
     assert!(matches!(planarity(&ball, -1.0, &Job::default()), Err(Error::OptionOutOfRange { .. })));
 }

@@ -142,14 +142,21 @@ fn they_are_the_sums_over_the_polygons_whatever_is_glued() {
 fn missing_nodes_and_hidden_bridges_leave_the_rest() {
     let mut random = Random(4);
     for _ in 0..30 {
-        let mut net = rough(Topology::of_sides(Shape::new(20, 31).unwrap(), Sides::TWO_POLES), Scalar::F64, &mut random);
+        let mut net =
+            rough(Topology::of_sides(Shape::new(20, 31).unwrap(), Sides::TWO_POLES), Scalar::F64, &mut random);
         for _ in 0..12 {
             let (i, j) = ((10.0 + 10.0 * random.next()) as usize, (15.0 + 15.0 * random.next()) as usize);
             net.coordinates_mut().set(i.min(19), j.min(30), DVec3::new(0.0, f64::NAN, 1.0));
         }
         for (direction, at) in [(Direction::Right, 9), (Direction::Down, 4), (Direction::Right, 30)] {
             let properties = BridgeProperties { tension: 0.0, elasticity: 0.0, stiffness: 0.0, user: 0 };
-            net.bridges_mut().push(Bridge { direction, at, kind: BridgeKind::Ribbon, mode: BridgeMode::Hide, properties });
+            net.bridges_mut().push(Bridge {
+                direction,
+                at,
+                kind: BridgeKind::Ribbon,
+                mode: BridgeMode::Hide,
+                properties,
+            });
         }
         agree(&net);
     }
@@ -165,7 +172,9 @@ fn missing_nodes_and_hidden_bridges_leave_the_rest() {
 
 #[test]
 fn tiny_and_huge_nets_have_normals_too() {
-    for (scalar, scales) in [(Scalar::F32, vec![1e-18, 1e-12, 1e12, 1e18]), (Scalar::F64, vec![1e-140, 1e-80, 1e80, 1e140])] {
+    for (scalar, scales) in
+        [(Scalar::F32, vec![1e-18, 1e-12, 1e12, 1e18]), (Scalar::F64, vec![1e-140, 1e-80, 1e80, 1e140])]
+    {
         for scale in scales {
             let unit = sphere(17, 33, Scalar::F64);
             let net = Net::from_fn(unit.topology().clone(), scalar, |i, j| scale * unit.get(i, j)).unwrap();

@@ -205,5 +205,7 @@ fn decimation_keeps_corners_and_the_tolerance() {
     let mut holed = sheet(9, 9, Scalar::F64);
     holed.coordinates_mut().set(4, 4, DVec3::NAN);
     let kept = decimate(&holed, f64::INFINITY, &Job::default()).unwrap();
-    assert!(kept.rows.contains(&4) && kept.columns.contains(&4) && !kept.net.get(1, 1).is_finite() || kept.rows.len() > 3);
+    assert!(
+        kept.rows.contains(&4) && kept.columns.contains(&4) && !kept.net.get(1, 1).is_finite() || kept.rows.len() > 3
+    );
 }

@@ -29,9 +29,15 @@ fn turned(p: DVec3, axis: DVec3, angle: f64) -> DVec3 {
 fn printed(p: DVec3, v: DVec3, alpha: f64) -> DVec3 {
     let (s, c) = alpha.sin_cos();
     DVec3::new(
-        p.x * (c + (1.0 - c) * v.x * v.x) + p.y * ((1.0 - c) * v.y * v.x + s * v.z) + p.z * ((1.0 - c) * v.z * v.x - s * v.y),
-        p.x * ((1.0 - c) * v.x * v.y - s * v.z) + p.y * (c + (1.0 - c) * v.y * v.y) + p.z * ((1.0 - c) * v.z * v.y + s * v.x),
-        p.x * ((1.0 - c) * v.x * v.z + s * v.y) + p.y * ((1.0 - c) * v.y * v.z - s * v.x) + p.z * (c + (1.0 - c) * v.z * v.z),
+        p.x * (c + (1.0 - c) * v.x * v.x)
+            + p.y * ((1.0 - c) * v.y * v.x + s * v.z)
+            + p.z * ((1.0 - c) * v.z * v.x - s * v.y),
+        p.x * ((1.0 - c) * v.x * v.y - s * v.z)
+            + p.y * (c + (1.0 - c) * v.y * v.y)
+            + p.z * ((1.0 - c) * v.z * v.y + s * v.x),
+        p.x * ((1.0 - c) * v.x * v.z + s * v.y)
+            + p.y * ((1.0 - c) * v.y * v.z - s * v.x)
+            + p.z * (c + (1.0 - c) * v.z * v.z),
     )
 }
 
@@ -171,7 +177,9 @@ impl Progress for Never {
 #[test]
 fn missing_nodes_stay_missing_and_a_cancel_changes_nothing() {
     let mut net = torus(9, 13, Scalar::F32);
-    for (k, missing) in [DVec3::NAN, DVec3::new(f64::NAN, 0.0, 0.0), DVec3::new(0.0, f64::INFINITY, 0.0)].into_iter().enumerate() {
+    for (k, missing) in
+        [DVec3::NAN, DVec3::new(f64::NAN, 0.0, 0.0), DVec3::new(0.0, f64::INFINITY, 0.0)].into_iter().enumerate()
+    {
         net.coordinates_mut().set(2 + k, 3, missing);
     }
     let before = bits(&net);

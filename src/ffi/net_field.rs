@@ -155,7 +155,9 @@ impl gusset_field {
             GUSSET_FIELD_CYLINDER_WRAP => Box::new(CylinderWrap::new(about()?, v[0])?),
             GUSSET_FIELD_TORUS_WRAP => Box::new(TorusWrap::new(about()?, v[0], v[1])?),
             GUSSET_FIELD_LATTICE => Box::new(self.lattice()?),
-            GUSSET_FIELD_PROJECTION => Box::new(Projection::new([0, 4, 8, 12].map(|k| [v[k], v[k + 1], v[k + 2], v[k + 3]]))?),
+            GUSSET_FIELD_PROJECTION => {
+                Box::new(Projection::new([0, 4, 8, 12].map(|k| [v[k], v[k + 1], v[k + 2], v[k + 3]]))?)
+            }
             GUSSET_FIELD_PARALLEL => Box::new(Projection::parallel(vector(v), vector(&v[3..]), vector(&v[6..]))?),
             GUSSET_FIELD_PERSPECTIVE => Box::new(Projection::perspective(vector(v), vector(&v[3..]), vector(&v[6..]))?),
             other => return Err(Failure::unknown("kind", other.into())),

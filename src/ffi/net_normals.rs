@@ -28,8 +28,7 @@ impl Buffers {
         }
         self.check_overlap(net, count * size_of::<T>())?;
         let [x, y, z] = self.starts.map(|start| start.cast::<T>());
-        let matrices =
-            [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
+        let matrices = [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
         Ok(Planes::borrowed(net.shape(), 0, matrices)?)
     }
 

@@ -78,9 +78,7 @@ impl gusset_operation {
         Ok(match self.kind {
             GUSSET_OPERATION_TRANSLATE => Affine::translation(vector(v))?,
             GUSSET_OPERATION_ROTATE => Affine::rotation(vector(v), v[3], vector(&v[4..]), Sense::RightHanded)?,
-            GUSSET_OPERATION_ROTATE_AS_PRINTED => {
-                Affine::rotation(vector(v), v[3], vector(&v[4..]), Sense::AsPrinted)?
-            }
+            GUSSET_OPERATION_ROTATE_AS_PRINTED => Affine::rotation(vector(v), v[3], vector(&v[4..]), Sense::AsPrinted)?,
             GUSSET_OPERATION_SCALE => Affine::scaling(v[0])?,
             GUSSET_OPERATION_COMPRESS => Affine::compression(axis(self.axis)?, v[0])?,
             GUSSET_OPERATION_STRETCH => Affine::stretching(vector(v))?,

@@ -206,7 +206,8 @@ fn turned<A: Real, B: Real>(old: &Planes<'_, A>, new: &Planes<'_, B>) -> Result<
 
 /// Gives the ratios of cells their signs, and finds those that differ from most.
 fn sign(found: &mut Analysis, signs: &[i8]) {
-    let balance: i64 = found.cells.iter().zip(signs).filter(|(ratio, _)| !ratio.is_nan()).map(|(_, &sign)| i64::from(sign)).sum();
+    let balance: i64 =
+        found.cells.iter().zip(signs).filter(|(ratio, _)| !ratio.is_nan()).map(|(_, &sign)| i64::from(sign)).sum();
     let most = if balance < 0 { -1 } else { 1 };
     // Without a field, which way is over is for the majority to say.
     let over = if found.determinants.is_empty() { most } else { 1 };

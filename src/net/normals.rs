@@ -215,7 +215,8 @@ fn row<T: Real>(corners: &Corners<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u
     let rows = [i - 1, i, i + 1].map(|i| corners.planes.row(i));
     let [x, y, z] = &mut out;
     let all_good = simd::run(Differences { rows, sign: T::of(corners.sign), x, y, z });
-    let ends = [i - 1, i, i + 1].into_iter().all(|i| corners.planes.is_finite(i, 0) && corners.planes.is_finite(i, w - 1));
+    let ends =
+        [i - 1, i, i + 1].into_iter().all(|i| corners.planes.is_finite(i, 0) && corners.planes.is_finite(i, w - 1));
     if !all_good || !ends || !corners.all_there {
         for j in 1..w - 1 {
             // Where the square of the length was out of range, the length is not 1.

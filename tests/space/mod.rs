@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use gusset::mesh::Scalar;
-use gusset::net::{Net, Planes, Shape, Sides, Topology, Coordinates};
+use gusset::net::{Coordinates, Net, Planes, Shape, Sides, Topology};
 use std::f64::consts::{PI, TAU};
 
 /// The sine and cosine of k of n parts of a full turn, with equal bits for k = 0 and k = n.
@@ -74,7 +74,8 @@ impl Gapped {
     /// True if nothing was written between the rows.
     pub fn gaps_are_whole(&self) -> bool {
         let columns = self.shape.columns();
-        let gaps = |matrix: &Vec<f64>| matrix.chunks(self.stride).all(|row| row[columns..].iter().all(|&x| x == Self::GAP));
+        let gaps =
+            |matrix: &Vec<f64>| matrix.chunks(self.stride).all(|row| row[columns..].iter().all(|&x| x == Self::GAP));
         self.matrices.iter().all(gaps)
     }
 }

@@ -81,7 +81,11 @@ impl Bend {
     /// [`Error::OptionOutOfRange`], also if `to` is less than `from`; `to` may be infinite.
     pub fn new(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<Self> {
         finite(&[("curvature", curvature), ("from", from)])?;
-        if to >= from { Ok(Bend { axis, curvature, from, to }) } else { Err(Error::OptionOutOfRange { option: "to", value: to }) }
+        if to >= from {
+            Ok(Bend { axis, curvature, from, to })
+        } else {
+            Err(Error::OptionOutOfRange { option: "to", value: to })
+        }
     }
 }
 

@@ -98,12 +98,12 @@ pub fn deform_rows(
         job.step(first as f64 / count, "deform")
     };
     match net.coordinates_mut() {
-        Coordinates::F32(planes) => pieces::change_in_order(planes, |first, rows| {
-            step(first).and_then(|()| map(first, RowsMut::F32(rows)))
-        })?,
-        Coordinates::F64(planes) => pieces::change_in_order(planes, |first, rows| {
-            step(first).and_then(|()| map(first, RowsMut::F64(rows)))
-        })?,
+        Coordinates::F32(planes) => {
+            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F32(rows))))?
+        }
+        Coordinates::F64(planes) => {
+            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F64(rows))))?
+        }
     }
     snap(net).map(|_| ())
 }

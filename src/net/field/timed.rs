@@ -34,7 +34,11 @@ impl<'a> Timed<'a> {
         if let Some(pair) = keys.windows(2).find(|pair| pair[0][0] >= pair[1][0]) {
             return Err(Error::OptionOutOfRange { option: "time", value: pair[1][0] });
         }
-        if keys.is_empty() { Err(Error::OptionOutOfRange { option: "keys", value: 0.0 }) } else { Ok(Timed { keys, easing }) }
+        if keys.is_empty() {
+            Err(Error::OptionOutOfRange { option: "keys", value: 0.0 })
+        } else {
+            Ok(Timed { keys, easing })
+        }
     }
 
     /// The strength at a time. At a key's own time it is exactly the key's. O(log keys).

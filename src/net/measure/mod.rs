@@ -98,7 +98,8 @@ impl<'a> Cells<'a> {
     /// The runs of cells of row i that are there.
     fn of_row(&self, i: usize) -> impl Iterator<Item = Range<usize>> {
         let hidden = || self.bridges.iter().filter(|bridge| bridge.is_hidden());
-        let mut next = if hidden().any(|b| b.direction == Direction::Down && b.has_cell(i, 0)) { self.columns } else { 0 };
+        let mut next =
+            if hidden().any(|b| b.direction == Direction::Down && b.has_cell(i, 0)) { self.columns } else { 0 };
         let columns = self.columns;
         let gap_after = move |from: usize| {
             let gaps = hidden().filter(|b| b.direction == Direction::Right).map(|b| b.at as usize - 1);

@@ -101,11 +101,15 @@ fn kept(
     let mut before = alloc::collect((0..count).map(|k| k.wrapping_sub(1)))?;
     let mut after = alloc::collect(1..count + 1)?;
     let mut queue = BinaryHeap::new();
-    queue.try_reserve(3 * count).map_err(|_| Error::OutOfMemory { bytes: (3 * count * size_of::<Candidate>()) as u64 })?;
+    queue
+        .try_reserve(3 * count)
+        .map_err(|_| Error::OutOfMemory { bytes: (3 * count * size_of::<Candidate>()) as u64 })?;
     let costs = par::chunks(job.threads(), count - 2, 64, |lines| {
         lines.map(|k| cost(Gap { from: k, to: k + 2 })).collect::<Vec<_>>()
     });
-    queue.extend(costs.into_iter().flatten().enumerate().map(|(k, cost)| candidate(cost, Gap { from: k, to: k + 2 }, k + 1)));
+    queue.extend(
+        costs.into_iter().flatten().enumerate().map(|(k, cost)| candidate(cost, Gap { from: k, to: k + 2 }, k + 1)),
+    );
     let (mut left, mut most) = (count, 0.0f64);
     while let Some(Reverse((bits, _, line, from, to))) = queue.pop() {
         if f64::from_bits(bits) > limit || bits == f64::INFINITY.to_bits() || left <= least {

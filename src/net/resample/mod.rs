@@ -119,12 +119,8 @@ impl Tap {
     /// missing node is twice the last less the one before.
     fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
         let (s, square) = (1.0 - t, t * t);
-        let mut weights = [
-            -0.5 * t * s * s,
-            1.0 + square * (1.5 * t - 2.5),
-            1.0 + s * s * (1.5 * s - 2.5),
-            -0.5 * s * square,
-        ];
+        let mut weights =
+            [-0.5 * t * s * s, 1.0 + square * (1.5 * t - 2.5), 1.0 + s * s * (1.5 * s - 2.5), -0.5 * s * square];
         // The last node of a closed row is its first again.
         let (mut before, mut after) = (k.wrapping_sub(1), k + 2);
         if k == 0 {
@@ -146,7 +142,8 @@ impl Tap {
 
     /// The number of the node that this is, if its weight is all.
     fn single(&self) -> Option<usize> {
-        (0..4).find(|&k| self.weights[k] == 1.0 && self.weights.iter().filter(|&&w| w != 0.0).count() == 1)
+        (0..4)
+            .find(|&k| self.weights[k] == 1.0 && self.weights.iter().filter(|&&w| w != 0.0).count() == 1)
             .map(|k| self.nodes[k] as usize)
     }
 

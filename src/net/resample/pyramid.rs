@@ -20,7 +20,8 @@ pub fn pyramid(net: &Net<'_>, interpolation: Interpolation, job: &Job<'_>) -> Re
     let (h, w) = (net.shape().rows(), net.shape().columns());
     let [rows, columns] = [h, w].map(|n| (n - 1).next_power_of_two() + 1);
     let mut levels = Vec::new();
-    let first = if (rows, columns) == (h, w) { net.copied()? } else { resample(net, rows, columns, interpolation, job)? };
+    let first =
+        if (rows, columns) == (h, w) { net.copied()? } else { resample(net, rows, columns, interpolation, job)? };
     alloc::push(&mut levels, first)?;
     while let Some(fine) = levels.last() {
         let halved = |n: usize, closed: bool| if n > if closed { 5 } else { 2 } { 2 } else { 1 };
