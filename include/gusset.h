@@ -1081,6 +1081,16 @@ typedef struct gusset_frame gusset_frame;
 typedef struct gusset_net gusset_net;
 
 /**
+ * A net that was found in a mesh. Opaque and immutable; it keeps nothing of the mesh.
+ */
+typedef struct gusset_net_grid gusset_net_grid;
+
+/**
+ * The mesh of a net. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_mesh gusset_net_mesh;
+
+/**
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
  */
 typedef struct gusset_orient gusset_orient;
@@ -1094,6 +1104,12 @@ typedef struct gusset_outline gusset_outline;
  * Crossings, intersections or samples. Opaque and immutable; it keeps nothing of the curves.
  */
 typedef struct gusset_places gusset_places;
+
+/**
+ * Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by indices, which are never given
+ * twice. Functions that take it as const may run at the same time in many threads; those that change it need it for themselves.
+ */
+typedef struct gusset_scene gusset_scene;
 
 /**
  * The sections of outlines. Opaque and immutable.
@@ -2589,6 +2605,404 @@ typedef struct gusset_net_gluing {
 } gusset_net_gluing;
 
 /**
+ * A direction within a net.
+ */
+typedef uint32_t gusset_direction;
+
+/**
+ * Which rows, or columns, are replicated.
+ */
+typedef uint32_t gusset_replication;
+
+/**
+ * How a net is reformatted.
+ */
+typedef struct gusset_reformat_options {
+    /**
+     * sizeof(gusset_reformat_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The rows of nodes wanted, no fewer than there are; 0 for as many as there are.
+     */
+    size_t rows;
+    /**
+     * The columns, likewise.
+     */
+    size_t columns;
+    /**
+     * GUSSET_REPLICATE_... for rows.
+     */
+    gusset_replication row_replication;
+    /**
+     * GUSSET_REPLICATE_... for columns.
+     */
+    gusset_replication column_replication;
+    /**
+     * Read for GUSSET_REPLICATE_AT: the row.
+     */
+    uint32_t row_index;
+    /**
+     * Read for GUSSET_REPLICATE_AT: the column.
+     */
+    uint32_t column_index;
+} gusset_reformat_options;
+
+/**
+ * The physical properties of a bridge: kept for the host, and not used.
+ */
+typedef struct gusset_bridge_properties {
+    /**
+     * Tension.
+     */
+    double tension;
+    /**
+     * Elasticity.
+     */
+    double elasticity;
+    /**
+     * Stiffness.
+     */
+    double stiffness;
+    /**
+     * The host's own.
+     */
+    uint64_t user;
+} gusset_bridge_properties;
+
+/**
+ * What is done with the cells between two nets that were joined.
+ */
+typedef uint32_t gusset_bridge_mode;
+
+/**
+ * How nets are joined. All zeros: each right of the one before, the smaller ones enlarged uniformly, bridges kept.
+ */
+typedef struct gusset_join_options {
+    /**
+     * sizeof(gusset_join_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How far nodes that are welded may be apart, at least 0, in the unit of the coordinates.
+     */
+    double tolerance;
+    /**
+     * Given to every new bridge.
+     */
+    struct gusset_bridge_properties properties;
+    /**
+     * GUSSET_DIRECTION_...: where each net lies from the one before.
+     */
+    gusset_direction direction;
+    /**
+     * GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+     */
+    gusset_bridge_mode mode;
+    /**
+     * GUSSET_REPLICATE_...: how nets with fewer nodes along the side are enlarged.
+     */
+    gusset_replication equalise;
+    /**
+     * Read for GUSSET_REPLICATE_AT: the row or column.
+     */
+    uint32_t equalise_index;
+    /**
+     * Each net but the first is turned by so many places along its side, which is closed then.
+     */
+    uint32_t twist;
+    /**
+     * 1: nets whose faces are taken the other way round than those of the first are flipped along the side; 0: refused.
+     */
+    uint32_t turn;
+} gusset_join_options;
+
+/**
+ * What a bridge looks like.
+ */
+typedef uint32_t gusset_bridge_kind;
+
+/**
+ * A bridge of a net.
+ */
+typedef struct gusset_bridge {
+    /**
+     * sizeof(gusset_bridge), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * What the host gave it.
+     */
+    struct gusset_bridge_properties properties;
+    /**
+     * GUSSET_DIRECTION_...: where the second net lies.
+     */
+    gusset_direction direction;
+    /**
+     * The first column (RIGHT) or row (DOWN) of the second net.
+     */
+    uint32_t at;
+    /**
+     * The first node along the side: a row (RIGHT) or column (DOWN).
+     */
+    uint32_t start;
+    /**
+     * One past the last one.
+     */
+    uint32_t end;
+    /**
+     * GUSSET_BRIDGE_RIBBON, GUSSET_BRIDGE_TUBE or GUSSET_BRIDGE_THREAD.
+     */
+    gusset_bridge_kind kind;
+    /**
+     * GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+     */
+    gusset_bridge_mode mode;
+} gusset_bridge;
+
+/**
+ * What the faces of the mesh of a net are.
+ */
+typedef uint32_t gusset_net_faces;
+
+/**
+ * How a net becomes a mesh. All zeros: quads, one vertex for each class of glued nodes, only vertices that something uses.
+ */
+typedef struct gusset_net_mesh_options {
+    /**
+     * sizeof(gusset_net_mesh_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_NET_QUADS, GUSSET_NET_TRIANGLES_SHORTER or GUSSET_NET_TRIANGLES_FIXED.
+     */
+    gusset_net_faces faces;
+    /**
+     * 1: a vertex for each node, and nothing is glued. 0 or 1.
+     */
+    uint32_t no_weld;
+    /**
+     * 1: finite vertices that nothing uses are kept. 0 or 1.
+     */
+    uint32_t keep_unused;
+    /**
+     * 1: a cell of which just one corner is missing becomes a triangle. 0 or 1.
+     */
+    uint32_t fill_corners;
+    /**
+     * 1: texture coordinates are wanted. 0 or 1.
+     */
+    uint32_t texture;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_mesh_options;
+
+/**
+ * What became what when a net became a mesh. Pointers are valid until the mesh is destroyed; NULL where the count is 0.
+ */
+typedef struct gusset_net_mesh_maps {
+    /**
+     * sizeof(gusset_net_mesh_maps), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * For each node its vertex, or UINT32_MAX.
+     */
+    struct gusset_indices vertex_of_node;
+    /**
+     * For each vertex the first of its nodes.
+     */
+    struct gusset_indices node_of_vertex;
+    /**
+     * For each face its cell: cell (i, j) is i * (columns - 1) + j.
+     */
+    struct gusset_indices cell_of_face;
+    /**
+     * Edges without faces, two vertices each: threads, and whatever else is left of cells whose opposite sides are glued.
+     */
+    struct gusset_indices wires;
+    /**
+     * For each corner of the mesh its pair of texture coordinates; empty unless they were asked for.
+     */
+    struct gusset_indices texture_corners;
+    /**
+     * Pairs u, v from 0 to 1: column and row. A vertex on a seam has one on each side of it.
+     */
+    const double *texture_coordinates;
+    /**
+     * The number of pairs.
+     */
+    size_t texture_count;
+} gusset_net_mesh_maps;
+
+/**
+ * Heights over a grid, at any alignment.
+ */
+typedef struct gusset_heights {
+    /**
+     * sizeof(gusset_heights), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of rows, at least 2.
+     */
+    size_t rows;
+    /**
+     * The number of columns, at least 2.
+     */
+    size_t columns;
+    /**
+     * Number (i, j) is at values + i * row_stride + j times the scalar's size. Any numbers: NaN and infinities are missing.
+     */
+    const void *values;
+    /**
+     * Bytes from row to row; 0 for rows without gaps.
+     */
+    size_t row_stride;
+    /**
+     * x from column to column and y from row to row; finite and not 0, negative where rows run against y.
+     */
+    double spacing[2];
+    /**
+     * Where the first node is if its height is 0.
+     */
+    double origin[3];
+    /**
+     * Read if has_no_data is 1: the number that stands for a missing height.
+     */
+    double no_data;
+    /**
+     * 0 or 1.
+     */
+    uint32_t has_no_data;
+    /**
+     * GUSSET_F32 or GUSSET_F64: of the values, and of the net.
+     */
+    uint32_t scalar;
+} gusset_heights;
+
+/**
+ * Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
+ */
+typedef struct gusset_net_grid_parts {
+    /**
+     * sizeof(gusset_net_grid_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * For each node its vertex.
+     */
+    struct gusset_indices vertex_of_node;
+    /**
+     * For each cell its face.
+     */
+    struct gusset_indices face_of_cell;
+} gusset_net_grid_parts;
+
+/**
+ * An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
+ */
+typedef struct gusset_transform {
+    /**
+     * x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
+     */
+    double rows[12];
+} gusset_transform;
+
+/**
+ * What an entry of a scene is.
+ */
+typedef uint32_t gusset_scene_kind;
+
+/**
+ * An entry of a scene.
+ */
+typedef struct gusset_scene_entry {
+    /**
+     * sizeof(gusset_scene_entry), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Into the space of the groups that it is in.
+     */
+    struct gusset_transform transform;
+    /**
+     * The number of entries in a group; 0 for a net.
+     */
+    size_t child_count;
+    /**
+     * GUSSET_SCENE_NET or GUSSET_SCENE_GROUP.
+     */
+    gusset_scene_kind kind;
+    /**
+     * 1 if it is shown; a group that it is in may hide it all the same.
+     */
+    uint32_t visible;
+} gusset_scene_entry;
+
+/**
+ * How much is in a scene.
+ */
+typedef struct gusset_scene_counts {
+    /**
+     * sizeof(gusset_scene_counts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Instances of nets and groups: ways from entries in no group; UINT64_MAX if there are more.
+     */
+    uint64_t instances;
+    /**
+     * Instances of nets alone.
+     */
+    uint64_t net_instances;
+    /**
+     * Entries that are nets.
+     */
+    uint32_t nets;
+    /**
+     * Entries that are groups.
+     */
+    uint32_t groups;
+    /**
+     * The longest way from an entry in no group: 1 if no group has entries, 0 for an empty scene.
+     */
+    uint32_t levels;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_scene_counts;
+
+/**
+ * One way to an entry from an entry in no group.
+ */
+typedef struct gusset_scene_instance {
+    /**
+     * Into the space of the scene.
+     */
+    struct gusset_transform world;
+    /**
+     * The entry.
+     */
+    uint32_t entry;
+    /**
+     * The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in none.
+     */
+    uint32_t parent;
+    /**
+     * 1 unless it or a group on the way is hidden.
+     */
+    uint32_t visible;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_scene_instance;
+
+/**
  * How to orient; all zero is the default.
  */
 typedef struct gusset_orient_options {
@@ -3050,6 +3464,46 @@ typedef struct gusset_winged_view {
 } gusset_winged_view;
 
 /**
+ * Along rows, from column to column.
+ */
+#define GUSSET_DIRECTION_RIGHT 0
+
+/**
+ * Along columns, from row to row.
+ */
+#define GUSSET_DIRECTION_DOWN 1
+
+/**
+ * All of them, as equally as it goes.
+ */
+#define GUSSET_REPLICATE_UNIFORM 0
+
+/**
+ * The first one.
+ */
+#define GUSSET_REPLICATE_FIRST 1
+
+/**
+ * The last one.
+ */
+#define GUSSET_REPLICATE_LAST 2
+
+/**
+ * The one whose index is given.
+ */
+#define GUSSET_REPLICATE_AT 3
+
+/**
+ * The first and the last one, if they are a point each, in equal shares; if one of them is, that one; else as UNIFORM.
+ */
+#define GUSSET_REPLICATE_AT_POLES 4
+
+/**
+ * None: sizes that differ are refused. For gusset_join_options only.
+ */
+#define GUSSET_REPLICATE_REFUSE 5
+
+/**
  * Every row is closed: its last node is its first one again.
  */
 #define GUSSET_SIDES_ROWS_CLOSED 1
@@ -3103,6 +3557,61 @@ typedef struct gusset_winged_view {
  * Rows and columns closed.
  */
 #define GUSSET_SIDES_TORUS 3
+
+/**
+ * They are cells like others.
+ */
+#define GUSSET_BRIDGE_KEEP 0
+
+/**
+ * They are not there.
+ */
+#define GUSSET_BRIDGE_HIDE 1
+
+/**
+ * The two sides coincide and are one: the links between them are contracted.
+ */
+#define GUSSET_BRIDGE_WELD 2
+
+/**
+ * A band between open sides.
+ */
+#define GUSSET_BRIDGE_RIBBON 0
+
+/**
+ * A band between closed sides, which is closed itself.
+ */
+#define GUSSET_BRIDGE_TUBE 1
+
+/**
+ * One edge between sides that are a point each.
+ */
+#define GUSSET_BRIDGE_THREAD 2
+
+/**
+ * Quads, and triangles where a side of a cell is one point.
+ */
+#define GUSSET_NET_QUADS 0
+
+/**
+ * Triangles: quads are cut along the shorter diagonal.
+ */
+#define GUSSET_NET_TRIANGLES_SHORTER 1
+
+/**
+ * Triangles: quads are cut from (i, j) to (i + 1, j + 1).
+ */
+#define GUSSET_NET_TRIANGLES_FIXED 2
+
+/**
+ * A net.
+ */
+#define GUSSET_SCENE_NET 0
+
+/**
+ * A group of entries.
+ */
+#define GUSSET_SCENE_GROUP 1
 
 /**
  * The report's index means nothing.
@@ -3991,6 +4500,88 @@ gusset_status gusset_net_read(const struct gusset_context *context,
                               const struct gusset_net_arrays *arrays);
 
 /**
+ * The net within row_count rows from row_first on and column_count columns from column_first on: coordinates bit for bit, the links
+ * and runs of seams within it, the bridges that cross it. Links that lead back are within it if all rows, or all columns, are.
+ * part: receives it, for gusset_net_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, NET_TOO_SMALL (a count below 2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made
+ * opposite corners one), OUT_OF_MEMORY, CANCELLED. O(nodes of the part), and O(contracted links).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_part_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     size_t row_first,
+                                     size_t row_count,
+                                     size_t column_first,
+                                     size_t column_count,
+                                     struct gusset_net **part);
+
+/**
+ * The net with rows and columns exchanged. The surface stays as it is in space, and so do its normals: faces are taken the other
+ * way round from then on. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_transpose_create(const struct gusset_context *context,
+                                          const struct gusset_net *net,
+                                          struct gusset_net **transposed);
+
+/**
+ * The net with the last column first (GUSSET_DIRECTION_RIGHT), or the last row (GUSSET_DIRECTION_DOWN). Normals stay, as for
+ * gusset_net_transpose_create. Errors: as there, UNKNOWN_VALUE. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_flip_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     gusset_direction direction,
+                                     struct gusset_net **flipped);
+
+/**
+ * The net turned by quarters: after one, the last column is the first row; any number, negative ones turn back. Errors: as
+ * gusset_net_transpose_create. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_turn_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     int32_t quarters,
+                                     struct gusset_net **turned);
+
+/**
+ * A larger net that is the same surface: rows and columns are replicated, and the links between copies contracted. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (fewer rows or columns than there are, an index
+ * beyond the net), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(nodes). Source: Deryagin, "Reformatting".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_reformat_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         const struct gusset_reformat_options *options,
+                                         struct gusset_net **reformatted);
+
+/**
+ * The net without the rows and columns that are the one before them again: links between the two all contracted, coordinates and
+ * links along them the same. The inverse of gusset_net_reformat_create for nets that had none. Two of each are left, and those that
+ * a bridge ends on. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_compact_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        struct gusset_net **compacted);
+
+/**
+ * Makes missing every node of which a coordinate is `value`, the number that stands for what a scanner did not see. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_clear_no_data(const struct gusset_context *context,
+                                       struct gusset_net *net,
+                                       double value);
+
+/**
  * Glues a net otherwise; positions stay what they are. gluing: NULL for a sheet; it replaces what was glued. On failure the net is as it was.
  * Errors: as gusset_net_create. O(nodes).
  */
@@ -4033,6 +4624,338 @@ gusset_status gusset_net_seams(const struct gusset_net *net,
                                struct gusset_seam *seams,
                                size_t capacity,
                                size_t *written);
+
+/**
+ * Joins nets side by side to one, in one pass. Each net keeps what it is glued to: links that led back across the direction become
+ * seams. Its bridges are kept; each net but the first gets a new one, between it and the one before, behind its own. All can be undone:
+ * see gusset_net_split.
+ *
+ * nets: net_count handles, at least one, of one scalar type; the same one may come several times. options: NULL for the defaults.
+ * joined: receives the result, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no
+ * nets), BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER (sizes that are not to be
+ * equalised; or sides to be welded that are apart: the report has the place and the distance), OUT_OF_RANGE (tolerance; a twist of an
+ * open side), CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(nodes of the result); memory for it, and once more for nets that
+ * are enlarged, turned or flipped. Source: Deryagin, "Concatenation".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_concatenate_create(const struct gusset_context *context,
+                                            const struct gusset_net *const *nets,
+                                            size_t net_count,
+                                            const struct gusset_join_options *options,
+                                            struct gusset_net **joined);
+
+/**
+ * Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as they were joined, unless they were
+ * changed since; copies that were made to equalise sizes are removed. Of a net that was joined of joined ones, the last bridge is
+ * such a one; take nets apart in the reverse order of joining. What is glued across the bridge is cut. first, second: receive the
+ * nets, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such bridge, or it
+ * is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_split(const struct gusset_context *context,
+                               const struct gusset_net *net,
+                               size_t bridge,
+                               struct gusset_net **first,
+                               struct gusset_net **second);
+
+/**
+ * The number of bridges of a net. count: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_bridge_count(const struct gusset_net *net,
+                                      size_t *count);
+
+/**
+ * A bridge of a net. bridge: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT.
+ * O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_bridge(const struct gusset_net *net,
+                                size_t index,
+                                struct gusset_bridge *bridge);
+
+/**
+ * Does something else with the cells of a bridge, and gives it other properties.
+ *
+ * mode: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD. tolerance: how far nodes that are welded may be apart, at least 0.
+ * properties: NULL leaves them. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER
+ * with the place and the distance, CROSSING_CELL, OUT_OF_MEMORY; the net is then as it was. O(nodes) if welding begins or ends, or if
+ * the net is shared with a copy or a scene; else O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_set_bridge(const struct gusset_context *context,
+                                    struct gusset_net *net,
+                                    size_t index,
+                                    gusset_bridge_mode mode,
+                                    double tolerance,
+                                    const struct gusset_bridge_properties *properties);
+
+/**
+ * Makes the mesh of a net. Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so that
+ * closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh without faces is no failure.
+ *
+ * options: NULL for the defaults. mesh: receives the result, for gusset_net_mesh_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED. O(nodes), and
+ * O(w log w) for w cells whose opposite sides are glued.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_mesh_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     const struct gusset_net_mesh_options *options,
+                                     struct gusset_net_mesh **mesh);
+
+/**
+ * Destroys the mesh of a net; NULL is allowed.
+ */
+GUSSET_API void gusset_net_mesh_destroy(struct gusset_net_mesh *mesh);
+
+/**
+ * Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_mesh_view(const struct gusset_net_mesh *mesh,
+                                   struct gusset_mesh_view *view);
+
+/**
+ * Lends what became what. Errors and validity as for gusset_net_mesh_view.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_mesh_parts(const struct gusset_net_mesh *mesh,
+                                    struct gusset_net_mesh_maps *maps);
+
+/**
+ * Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin + height. Missing heights become
+ * missing nodes; faces are counter-clockwise from above, whichever way rows and columns run.
+ *
+ * net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ * NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (spacing, origin), OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_from_heights_create(const struct gusset_context *context,
+                                             const struct gusset_heights *heights,
+                                             struct gusset_net **net);
+
+/**
+ * Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of triangles round a pole at its first
+ * and last row, or either. Rows run as the first quad says, and round if only one direction is closed.
+ *
+ * mesh: see gusset_mesh_view. face: a face of the component that is meant; UINT32_MAX: the mesh must be one grid. grid: receives the
+ * result, for gusset_net_grid_destroy; NULL on failure. Errors: those of the view, NO_GRID with a face that shows it,
+ * OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and vertices of degree d.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_grid_create(const struct gusset_context *context,
+                                     const struct gusset_mesh_view *mesh,
+                                     uint32_t face,
+                                     struct gusset_net_grid **grid);
+
+/**
+ * Destroys a grid; NULL is allowed.
+ */
+GUSSET_API void gusset_net_grid_destroy(struct gusset_net_grid *grid);
+
+/**
+ * The net that was found. net: receives it, for gusset_net_destroy; it outlives the grid. NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_grid_net(const struct gusset_context *context,
+                                  const struct gusset_net_grid *grid,
+                                  struct gusset_net **net);
+
+/**
+ * Lends where the net was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_grid_view(const struct gusset_net_grid *grid,
+                                   struct gusset_net_grid_parts *parts);
+
+/**
+ * Makes an empty scene. scene: receives it, for gusset_scene_destroy. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_create(const struct gusset_context *context,
+                                  struct gusset_scene **scene);
+
+/**
+ * Destroys a scene; NULL is allowed. O(entries), at any depth.
+ */
+GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
+
+/**
+ * Adds a net, in no group yet, as it is now: what is done to the handle later does not change the scene. entry: receives its index.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_add_net(const struct gusset_context *context,
+                                   struct gusset_scene *scene,
+                                   const struct gusset_net *net,
+                                   uint32_t *entry);
+
+/**
+ * Adds an empty group, in no group yet. entry: receives its index. Errors: as gusset_scene_add_net. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_add_group(const struct gusset_context *context,
+                                     struct gusset_scene *scene,
+                                     uint32_t *entry);
+
+/**
+ * Puts an entry into a group, behind what is in it; again, if it is in it already. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * NO_SUCH_ELEMENT (no such entry, or group is a net), SCENE_CYCLE, OUT_OF_MEMORY. O(1) for an entry without children or a group
+ * in no group; at most O(entries below the one or above the other, whichever are fewer).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_add_child(const struct gusset_context *context,
+                                     struct gusset_scene *scene,
+                                     uint32_t group,
+                                     uint32_t child);
+
+/**
+ * Takes an entry out of a group: the first one, if it is in it several times. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * NO_SUCH_ELEMENT, also if it is not in the group. O(children of the group + groups of the child).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_remove_child(const struct gusset_context *context,
+                                        struct gusset_scene *scene,
+                                        uint32_t group,
+                                        uint32_t child);
+
+/**
+ * Removes an entry from the scene and from all groups; what was in a group stays. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * NO_SUCH_ELEMENT. O(children of its groups + groups of its children).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_remove(const struct gusset_context *context,
+                                  struct gusset_scene *scene,
+                                  uint32_t entry);
+
+/**
+ * Places an entry in the space of the groups that it is in. transform: twelve finite numbers. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_RANGE. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_set_transform(const struct gusset_context *context,
+                                         struct gusset_scene *scene,
+                                         uint32_t entry,
+                                         const struct gusset_transform *transform);
+
+/**
+ * Shows an entry (1), or hides it and all that is in it (0). Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+ * UNKNOWN_VALUE. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_set_visible(const struct gusset_context *context,
+                                       struct gusset_scene *scene,
+                                       uint32_t entry,
+                                       uint32_t visible);
+
+/**
+ * What an entry is. out: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1).
+ * From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_entry_view(const struct gusset_scene *scene,
+                                      uint32_t entry,
+                                      struct gusset_scene_entry *out);
+
+/**
+ * The net of an entry, as a handle that shares its memory until it is changed. net: receives it, for gusset_net_destroy; NULL on
+ * failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a group. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_net(const struct gusset_context *context,
+                               const struct gusset_scene *scene,
+                               uint32_t entry,
+                               struct gusset_net **net);
+
+/**
+ * The entries in a group, in order. children: room for capacity indices, or NULL with capacity 0 to ask for their number. written:
+ * receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a net, BUFFER_TOO_SMALL. O(children).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_children(const struct gusset_context *context,
+                                    const struct gusset_scene *scene,
+                                    uint32_t group,
+                                    uint32_t *children,
+                                    size_t capacity,
+                                    size_t *written);
+
+/**
+ * How much is in a scene. counts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY.
+ * O(entries + children), however many instances there are. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_count(const struct gusset_scene *scene,
+                                 struct gusset_scene_counts *counts);
+
+/**
+ * All instances and where they are: each behind the group that it is in, children in order.
+ *
+ * instances: room for capacity of them, or NULL with capacity 0 to ask for their number. written: receives it. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24, as sharing can make of few entries: refused
+ * before any is looked at), OUT_OF_MEMORY, CANCELLED. O(entries + instances).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_world_transforms(const struct gusset_context *context,
+                                            const struct gusset_scene *scene,
+                                            struct gusset_scene_instance *instances,
+                                            size_t capacity,
+                                            size_t *written);
+
+/**
+ * Joins the nets of all visible instances, where they are in the space of the scene, to one. Nets under transforms that mirror are
+ * flipped where the others would be opposed to them, as if options said turn. gusset_scene_unflatten_create is the inverse.
+ *
+ * options: NULL for each net below the one before, with hidden bridges. net: receives the result, for gusset_net_destroy; NULL on
+ * failure. Errors: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), and those of
+ * gusset_net_concatenate_create. O(entries + instances + nodes). Source: Deryagin, scenes as "a single whole".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_flatten_create(const struct gusset_context *context,
+                                          const struct gusset_scene *scene,
+                                          const struct gusset_join_options *options,
+                                          struct gusset_net **net);
+
+/**
+ * A scene of the nets between all bridges of a direction that run from side to side, in one group (entry 0). Nets come back as they
+ * are in the space of the flat one, bit for bit; copies that were made to equalise sizes are removed. scene: receives it, for
+ * gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY,
+ * CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_unflatten_create(const struct gusset_context *context,
+                                            const struct gusset_net *net,
+                                            gusset_direction direction,
+                                            struct gusset_scene **scene);
 
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.

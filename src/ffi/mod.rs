@@ -13,6 +13,8 @@
 //! | [`stitch_options`] | how to stitch |
 //! | [`outline`], [`outline_options`], [`frame`] | curves through points, and across and along a body |
 //! | [`net`], [`net_gluing`] | the handle of a net and its coordinates; what is glued to what |
+//! | [`net_arrange`], [`net_join`] | nets arranged anew; nets joined and taken apart |
+//! | [`net_mesh`], [`net_scene`] | nets to meshes and back; nets in groups |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -40,7 +42,11 @@ mod guard;
 mod input;
 pub mod mesh;
 pub mod net;
+pub mod net_arrange;
 pub mod net_gluing;
+pub mod net_join;
+pub mod net_mesh;
+pub mod net_scene;
 pub mod orient;
 pub mod outline;
 pub mod outline_options;
