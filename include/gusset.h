@@ -1139,6 +1139,12 @@ typedef struct gusset_outline gusset_outline;
 typedef struct gusset_places gusset_places;
 
 /**
+ * Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by indices, which are never given
+ * twice. Functions that take it as const may run at the same time in many threads; those that change it need it for themselves.
+ */
+typedef struct gusset_scene gusset_scene;
+
+/**
  * The sections of outlines. Opaque and immutable.
  */
 typedef struct gusset_sections gusset_sections;
