@@ -27,7 +27,7 @@ impl Buffers {
             return Err(Failure { value: count as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
         }
         self.check_overlap(net, count * size_of::<T>())?;
-        let [x, y, z] = self.starts.map(|start| start.cast::<T>());
+        let [x, y, z] = self.starts.map(<*mut c_void>::cast::<T>);
         let matrices = [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
         Ok(Planes::borrowed(net.shape(), 0, matrices)?)
     }

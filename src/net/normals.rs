@@ -301,3 +301,23 @@ fn differences<T: Real>(
     }
     bad == 0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+        let numbers = |k: usize| (0..61).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
+        let rows: [Vec<f32>; 9] = std::array::from_fn(|k| numbers(2 * k + 3));
+        let rows = [0, 3, 6].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);
+        let [wide, narrow] = [true, false].map(|wide| {
+            let [mut x, mut y, mut z] = [0; 3].map(|_| vec![0.0f32; 61]);
+            let kernel = Differences { rows, sign: -1.0, x: &mut x, y: &mut y, z: &mut z };
+            assert!(if wide { simd::run(kernel) } else { kernel.run() });
+            [x, y, z].concat().into_iter().map(f32::to_bits).collect::<Vec<u32>>()
+        });
+        assert_eq!(wide, narrow);
+        assert!(wide[1] != 0 && wide[0] == 0, "all but the first and the last");
+    }
+}

@@ -37,8 +37,7 @@ impl Lattice {
         }
         let needed: usize = counts.iter().product();
         let Some(offsets) = offsets.get(..needed) else {
-            let bytes = size_of::<DVec3>();
-            let (needed, given) = ((needed * bytes) as u64, (offsets.len() * bytes) as u64);
+            let (needed, given) = ((needed * size_of::<DVec3>()) as u64, size_of_val(offsets) as u64);
             return Err(Error::ArrayTooShort { what: "offsets", needed, given });
         };
         offsets.iter().try_for_each(|offset| finite(&[("offset", offset.dot(DVec3::ONE))]))?;

@@ -99,10 +99,10 @@ pub fn deform_rows(
     };
     match net.coordinates_mut() {
         Coordinates::F32(planes) => {
-            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F32(rows))))?
+            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F32(rows))))?;
         }
         Coordinates::F64(planes) => {
-            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F64(rows))))?
+            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F64(rows))))?;
         }
     }
     snap(net).map(|_| ())
