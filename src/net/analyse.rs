@@ -8,11 +8,10 @@
 
 use super::field::{Step, deform};
 use super::topology::{GluingType, Links, classify_node};
-use super::{Classes, Net, Planes, Real, Topology, each};
+use super::{Classes, Net, Planes, Real, Topology, each, pieces};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::par;
 use glam::{DMat3, DVec3};
 
 /// A link that a deformation has contracted.
@@ -112,10 +111,10 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     job.step(0.0, "analyse")?;
     let (shape, classes) = (before.shape(), Classes::of(before.topology())?);
     let mut links = alloc::zeroed(2 * shape.node_count())?;
-    let rows = links.chunks_mut(2 * shape.columns()).enumerate();
-    let changes = each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        let row = |(i, ratios)| row_of_links((old, new), i, ratios, &classes, tolerance);
-        par::map(job.threads(), rows, row)
+    let width = 2 * shape.columns();
+    let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
+        let row = |i: usize, ratios: &mut [f64]| row_of_links((old, new), i, ratios, &classes, tolerance);
+        pieces::rows(&mut links, width, job.threads(), row).collect()
     }));
     let (mut contracted, mut torn) = (Vec::new(), Vec::new());
     for change in changes {
@@ -126,13 +125,14 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     let contracted = with_stars(before.topology(), &contracted)?;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        par::map(job.threads(), cells.chunks_mut(shape.columns() - 1).enumerate(), |(i, ratios)| {
+        pieces::rows(&mut cells, shape.columns() - 1, job.threads(), |i, ratios| {
             for (j, ratio) in ratios.iter_mut().enumerate().filter(|&(j, _)| !before.is_hidden(i, j)) {
                 *ratio = area_vector(new, i, j).length() / area_vector(old, i, j).length();
                 // 0 / 0 is NaN already; an area out of nothing has no ratio either.
                 *ratio = if ratio.is_infinite() { f64::NAN } else { *ratio };
             }
-        });
+        })
+        .for_each(drop);
     }));
     Ok(Analysis { links, cells, determinants: Vec::new(), contracted, torn, folded: Vec::new() })
 }
@@ -223,15 +223,14 @@ fn sign(found: &mut Analysis, signs: &[i8]) {
 fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], threads: usize) -> Result<Vec<f64>> {
     let columns = planes.shape().columns() - 1;
     let mut determinants = alloc::zeroed(planes.shape().cell_count())?;
-    let results = par::map(threads, determinants.chunks_mut(columns).enumerate(), |(i, row)| {
+    pieces::rows(&mut determinants, columns, threads, |i, row| {
         for (j, determinant) in row.iter_mut().enumerate() {
             let [a, b, c, d] = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| planes.get(i, j));
             let size = (c - a).length() + (d - b).length();
             *determinant = jacobian((a + b + c + d) / 4.0, size, steps).determinant();
         }
-        Ok(())
-    });
-    results.into_iter().collect::<Result<()>>()?;
+    })
+    .for_each(drop);
     Ok(determinants)
 }
 

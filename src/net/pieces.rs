@@ -88,3 +88,18 @@ pub(crate) fn scan<T: Real>(
     });
     results.into_iter().collect()
 }
+
+/// Calls `work` with the number and the values of each row of `width` values, on many threads; a small net is one thread's work.
+pub(crate) fn rows<V: Send, R: Send>(
+    values: &mut [V],
+    width: usize,
+    threads: usize,
+    work: impl Fn(usize, &mut [V]) -> R + Sync,
+) -> impl Iterator<Item = R> {
+    let lines = (BLOCK / width).max(1);
+    let blocks = par::map(threads, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
+        let rows = values.chunks_mut(width).enumerate();
+        rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()
+    });
+    blocks.into_iter().flatten()
+}

@@ -5,8 +5,7 @@ use super::Cells;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::{Net, each};
-use crate::par;
+use crate::net::{Net, each, pieces};
 use glam::DVec3;
 
 /// How plane the cells are.
@@ -36,12 +35,13 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
     let (shape, runs) = (net.shape(), Cells::of(net));
     let columns = shape.columns() - 1;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
-    par::map(job.threads(), cells.chunks_mut(columns).enumerate(), |(i, row)| {
+    pieces::rows(&mut cells, columns, job.threads(), |i, row| {
         for j in runs.of_row(i).flatten() {
             let corners = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
             row[j] = each!(net.coordinates(), planes => off(corners.map(|(i, j)| planes.get(i, j))));
         }
-    });
+    })
+    .for_each(drop);
     let there = || cells.iter().enumerate().filter(|(_, off)| !off.is_nan());
     let worst = there().fold(None, |worst: Option<(f64, u32)>, (cell, &off)| match worst {
         Some((most, _)) if most >= off => worst,
