@@ -1,4 +1,5 @@
-//! Areas, volumes, moments, boxes, planarity: exact on cubes, second order on smooth shapes, nothing of what is missing.
+//! Areas, volumes, moments, boxes, planarity: exact on cubes, second order on smooth shapes, nothing of what is
+//! missing.
 
 mod space;
 

@@ -18,11 +18,12 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// The most control points along an axis: Bernstein polynomials of high degree are slow, and follow single points hardly at all.
+    /// The most control points along an axis: Bernstein polynomials of high degree are slow, and follow single points
+    /// hardly at all.
     pub const MAX_POINTS: usize = 32;
 
-    /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each. `offsets`: how far each control
-    /// point is moved from its place in the even grid; x runs first, then y, then z.
+    /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each. `offsets`: how far each
+    /// control point is moved from its place in the even grid; x runs first, then y, then z.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], [`Error::ArrayTooShort`], [`Error::OutOfMemory`].

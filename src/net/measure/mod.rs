@@ -6,8 +6,9 @@
 //! * its part of the volume, by the divergence theorem, is (a + b + c + d) . N / 24, exactly that of the patch;
 //! * its area is |N| / 2: the midpoint rule, exact for plane cells, and for others off by the square of their size.
 //!
-//! A cell with glued corners that lie together needs no other formulas: a triangle is a patch with a side of no length, and what has
-//! become a line or a point adds nothing. Double precision throughout, and always the same order of summation.
+//! A cell with glued corners that lie together needs no other formulas: a triangle is a patch with a side of no length,
+//! and what has become a line or a point adds nothing. Double precision throughout, and always the same order of
+//! summation.
 
 mod moments;
 mod planarity;
@@ -39,8 +40,8 @@ pub struct Measures {
     pub area: f64,
     /// The sum of the area vectors; zero for closed surfaces.
     pub area_vector: DVec3,
-    /// What the surface encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the
-    /// first node that is there.
+    /// What the surface encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to
+    /// the first node that is there.
     pub volume: f64,
     /// The smallest coordinates of nodes that are there; above `high` if there are none.
     pub low: DVec3,
@@ -239,7 +240,8 @@ impl<T: Real> Kernel for Extent<'_, T> {
 fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; LANES]; 3]) {
     let count = CHUNK.min(rows[0].len());
     let [x, y, z] = rows.map(|row| &row[..count]);
-    // 0, and NaN for missing nodes: NaN compares as neither smaller nor larger. The places behind the last node are missing too.
+    // 0, and NaN for missing nodes: NaN compares as neither smaller nor larger. The places behind the last node are
+    // missing too.
     let (zero, mut missing) = (T::of(0.0), [T::of(f64::NAN); CHUNK]);
     for j in 0..count {
         missing[j] = zero * x[j] + zero * y[j] + zero * z[j];

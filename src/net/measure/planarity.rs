@@ -1,5 +1,5 @@
-//! How plane the cells are: whether a surface can be clad with plane quads (paper, "facing of smooth surfaces by quadrangular
-//! tiles").
+//! How plane the cells are: whether a surface can be clad with plane quads (paper, "facing of smooth surfaces by
+//! quadrangular tiles").
 
 use super::Cells;
 use crate::alloc;
@@ -11,8 +11,8 @@ use glam::DVec3;
 /// How plane the cells are.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Planarity {
-    /// Of each cell: how far its corners are from the plane that lies evenly between them, divided by its longer diagonal. 0
-    /// for triangles and less; NaN for cells that are not there.
+    /// Of each cell: how far its corners are from the plane that lies evenly between them, divided by its longer
+    /// diagonal. 0 for triangles and less; NaN for cells that are not there.
     pub cells: Vec<f64>,
     /// The largest, and its cell; `None` if there are no cells.
     pub worst: Option<(f64, u32)>,
@@ -22,8 +22,8 @@ pub struct Planarity {
     pub above: u64,
 }
 
-/// The corners of a quad are all equally far from the plane through their centre that has its area vector as normal: two
-/// above it, two below. O(nodes), 8 bytes a cell.
+/// The corners of a quad are all equally far from the plane through their centre that has its area vector as normal:
+/// two above it, two below. O(nodes), 8 bytes a cell.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::OutOfMemory`], [`Error::Cancelled`].

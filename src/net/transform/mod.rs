@@ -1,8 +1,8 @@
-//! Spatial operations (paper, "All spatial operations on tetragonal regular networks come down to transforms of the space"):
-//! translations, rotations, scalings, compressions, and every other affine map.
+//! Spatial operations (paper, "All spatial operations on tetragonal regular networks come down to transforms of the
+//! space"): translations, rotations, scalings, compressions, and every other affine map.
 //!
-//! Operations are composed to one matrix, which is applied to all nodes in place, in one pass. Each node is computed by itself,
-//! so that glued nodes of equal bits keep equal bits.
+//! Operations are composed to one matrix, which is applied to all nodes in place, in one pass. Each node is computed by
+//! itself, so that glued nodes of equal bits keep equal bits.
 
 mod affine;
 
@@ -17,8 +17,9 @@ use crate::simd::{self, Kernel};
 /// Moves every node, in place, in the arithmetic of the net's type.
 ///
 /// A map that mirrors (negative determinant) turns the surface inside out; the topology's
-/// [`is_reversed`](super::Topology::is_reversed) changes then, so that faces look outwards as before. Missing nodes stay
-/// missing. A cancel is heard before the first node is moved, not later: all nodes are moved, or none. O(nodes), no memory.
+/// [`is_reversed`](super::Topology::is_reversed) changes then, so that faces look outwards as before. Missing nodes
+/// stay missing. A cancel is heard before the first node is moved, not later: all nodes are moved, or none. O(nodes),
+/// no memory.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled).
