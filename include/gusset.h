@@ -2658,7 +2658,8 @@ typedef struct gusset_net_gluing {
 } gusset_net_gluing;
 
 /**
- * What a field does, and what its values are. An axis and those that follow it: y and z after x, z and x after y, x and y after z.
+ * What a field does, and what its values are. An axis and those that follow it: y and z after x, z and x after y, x
+ * and y after z.
  */
 typedef uint32_t gusset_field_kind;
 
@@ -2705,8 +2706,8 @@ typedef struct gusset_field {
      */
     double values[16];
     /**
-     * Pairs of time and strength, times increasing; before the first and after the last time the strength is that there. NULL: the
-     * strength does not depend on the time.
+     * Pairs of time and strength, times increasing; before the first and after the last time the strength is that
+     * there. NULL: the strength does not depend on the time.
      */
     const double *keys;
     /**
@@ -2736,8 +2737,8 @@ typedef struct gusset_net_analysis_parts {
      */
     size_t struct_size;
     /**
-     * Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its new length
-     * divided by its old one; NaN if it had none, or an end is missing.
+     * Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its
+     * new length divided by its old one; NaN if it had none, or an end is missing.
      */
     const double *links;
     /**
@@ -2762,7 +2763,8 @@ typedef struct gusset_net_analysis_parts {
      */
     const uint32_t *contracted;
     /**
-     * Of each of them, what the star of its first node has become with all of them contracted: the number of the local gluing, 0 to 17.
+     * Of each of them, what the star of its first node has become with all of them contracted: the number of the local
+     * gluing, 0 to 17.
      */
     const uint32_t *stars;
     /**
@@ -3102,7 +3104,8 @@ typedef struct gusset_measures {
      */
     double area;
     /**
-     * What the net encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the first node.
+     * What the net encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the
+     * first node.
      */
     double volume;
     /**
@@ -3136,8 +3139,8 @@ typedef struct gusset_moments {
      */
     double centroid[3];
     /**
-     * The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it those of -x y and
-     * so on.
+     * The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it
+     * those of -x y and so on.
      */
     double inertia[9];
 } gusset_moments;
@@ -3151,7 +3154,8 @@ typedef struct gusset_planarity {
      */
     size_t struct_size;
     /**
-     * The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no cells.
+     * The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no
+     * cells.
      */
     double worst;
     /**
@@ -4081,20 +4085,21 @@ typedef struct gusset_winged_view {
 #define GUSSET_FIELD_AFFINE 1
 
 /**
- * Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the coordinate values[1] on. In
- * part: by that part of the angle.
+ * Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the coordinate values[1] on.
+ * In part: by that part of the angle.
  */
 #define GUSSET_FIELD_TWIST 2
 
 /**
- * Distances from `axis` grow by values[0] times themselves for each unit along it from the coordinate values[1] on. In part: at that
- * part of the rate.
+ * Distances from `axis` grow by values[0] times themselves for each unit along it from the coordinate values[1] on. In
+ * part: at that part of the rate.
  */
 #define GUSSET_FIELD_TAPER 3
 
 /**
- * Bends `axis` from its coordinate values[1] to values[2], which may be infinite, to an arc of the curvature values[0], towards the axis
- * that follows; what lies beyond goes on straight. In part: with that part of the curvature.
+ * Bends `axis` from its coordinate values[1] to values[2], which may be infinite, to an arc of the curvature
+ * values[0], towards the axis that follows; what lies beyond goes on straight. In part: with that part of the
+ * curvature.
  */
 #define GUSSET_FIELD_BEND 4
 
@@ -4104,34 +4109,34 @@ typedef struct gusset_winged_view {
 #define GUSSET_FIELD_SHEAR 5
 
 /**
- * Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] > 0, straight from its centre, where
- * it is not defined. In part: that part of the way.
+ * Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] > 0, straight from its
+ * centre, where it is not defined. In part: that part of the way.
  */
 #define GUSSET_FIELD_SPHERIFY 6
 
 /**
- * Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the second the height above a cylinder of
- * the radius values[0] > 0. In part: that part of the straight way.
+ * Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the second the height above
+ * a cylinder of the radius values[0] > 0. In part: that part of the straight way.
  */
 #define GUSSET_FIELD_CYLINDER_WRAP 7
 
 /**
- * Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube) and values[1] > 0 (of the tube): of
- * the two axes that follow, the first goes round the axis and the second round the tube; the axis itself becomes the height above
- * the torus. In part: that part of the straight way.
+ * Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube) and values[1] > 0
+ * (of the tube): of the two axes that follow, the first goes round the axis and the second round the tube; the axis
+ * itself becomes the height above the torus. In part: that part of the straight way.
  */
 #define GUSSET_FIELD_TORUS_WRAP 8
 
 /**
- * Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x counts[2] control points, 2 to 32
- * each way; offsets: how far each is moved, x, y, z, from its place in the even grid, x running first, then y. Outside the
- * box nothing moves. In part: that part of the way.
+ * Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x counts[2] control
+ * points, 2 to 32 each way; offsets: how far each is moved, x, y, z, from its place in the even grid, x running first,
+ * then y. Outside the box nothing moves. In part: that part of the way.
  */
 #define GUSSET_FIELD_LATTICE 9
 
 /**
- * A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate becomes 0. In part: that part of
- * the straight way, as for the other projections.
+ * A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate becomes 0. In part:
+ * that part of the straight way, as for the other projections.
  */
 #define GUSSET_FIELD_PROJECTION 10
 
@@ -4141,8 +4146,8 @@ typedef struct gusset_winged_view {
 #define GUSSET_FIELD_PARALLEL 11
 
 /**
- * Onto the plane through values[3..5] with the normal values[6..8], along the lines through the eye values[0..2]. Not defined
- * level with the eye.
+ * Onto the plane through values[3..5] with the normal values[6..8], along the lines through the eye values[0..2]. Not
+ * defined level with the eye.
  */
 #define GUSSET_FIELD_PERSPECTIVE 12
 
@@ -4518,8 +4523,8 @@ typedef struct gusset_winged_view {
 #define GUSSET_OPERATION_TRANSLATE 1
 
 /**
- * Turns about the axis with the direction values[0] to values[2], of any length but 0, by values[3] radians, by the right
- * hand; the axis passes through the point values[4] to values[6].
+ * Turns about the axis with the direction values[0] to values[2], of any length but 0, by values[3] radians, by the
+ * right hand; the axis passes through the point values[4] to values[6].
  */
 #define GUSSET_OPERATION_ROTATE 2
 
@@ -5463,11 +5468,11 @@ gusset_status gusset_net_read(const struct gusset_context *context,
 /**
  * Compares a net after a deformation with what it was before: what is newly glued, torn, folded over, stretched.
  *
- * before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are none.
- * analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other
- * sizes), CROSSING_CELL with the cell (what is newly glued is no surface), OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From
- * any thread. Source: Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian neither follows from gluing nor
- * implies it.
+ * before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are
+ * none. analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * OUT_OF_RANGE, SIDES_DIFFER (other sizes), CROSSING_CELL with the cell (what is newly glued is no surface),
+ * OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From any thread. Source: Deryagin, soft and hard deformations;
+ * links are measured, as a zero of the Jacobian neither follows from gluing nor implies it.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -5478,8 +5483,8 @@ gusset_status gusset_net_analyse_create(const struct gusset_context *context,
                                         struct gusset_net_analysis **analysis);
 
 /**
- * The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields, count, time: as for
- * gusset_net_deform, and its errors too. Also 8 bytes a cell, and a copy of the net.
+ * The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
+ * count, time: as for gusset_net_deform, and its errors too. Also 8 bytes a cell, and a copy of the net.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -5492,7 +5497,8 @@ gusset_status gusset_net_analyse_fields_create(const struct gusset_context *cont
                                                struct gusset_net_analysis **analysis);
 
 /**
- * Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -5505,11 +5511,12 @@ gusset_status gusset_net_analysis_view(const struct gusset_net_analysis *analysi
 GUSSET_API void gusset_net_analysis_destroy(struct gusset_net_analysis *analysis);
 
 /**
- * Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what they are: follow
- * it with gusset_net_snap.
+ * Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what
+ * they are: follow it with gusset_net_snap.
  *
- * links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT, SIZE_OVERFLOW,
- * NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then. O(nodes).
+ * links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT,
+ * SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
+ * O(nodes).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -5630,12 +5637,13 @@ GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *complex);
 /**
  * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping, animation and projection.
  *
- * fields: `count` of them. time: for fields with keys; a net is deformed from what it is now, so that animations deform a copy of
- * the net at rest. The fields work in double; the result is rounded once. Fields of strength 0 do nothing at all, to the bit. Nodes
- * that are glued and have equal bits keep them equal; missing nodes stay missing. Whatever the error, no node is moved. Errors:
- * NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis, easing), OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the
- * node, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes x fields), twice that if a field is not defined everywhere. The same bits for any
- * number of threads. Sources: Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+ * fields: `count` of them. time: for fields with keys; a net is deformed from what it is now, so that animations
+ * deform a copy of the net at rest. The fields work in double; the result is rounded once. Fields of strength 0 do
+ * nothing at all, to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay missing.
+ * Whatever the error, no node is moved. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis, easing),
+ * OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * O(nodes x fields), twice that if a field is not defined everywhere. The same bits for any number of threads.
+ * Sources: Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -5648,9 +5656,9 @@ gusset_status gusset_net_deform(const struct gusset_context *context,
 /**
  * Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as gusset_net_snap does.
  *
- * map: called on this thread, from the first node to the last, each time for consecutive nodes: as many as a row or a few thousand.
- * user: passed on. If it stops, the status is CANCELLED and what was done stays done. Errors: NULL_ARGUMENT (map),
- * OUT_OF_MEMORY, CANCELLED. O(nodes).
+ * map: called on this thread, from the first node to the last, each time for consecutive nodes: as many as a row or a
+ * few thousand. user: passed on. If it stops, the status is CANCELLED and what was done stays done. Errors:
+ * NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED. O(nodes).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -5660,8 +5668,9 @@ gusset_status gusset_net_deform_rows(const struct gusset_context *context,
                                      void *user);
 
 /**
- * Moves every node of a net along its normal by `distance`, which may be negative; glued nodes stay together, nodes without a normal stay.
- * Errors: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY, CANCELLED. O(nodes), and as much memory as the coordinates take.
+ * Moves every node of a net along its normal by `distance`, which may be negative; glued nodes stay together, nodes
+ * without a normal stay. Errors: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY, CANCELLED. O(nodes), and as
+ * much memory as the coordinates take.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -5670,9 +5679,9 @@ gusset_status gusset_net_displace(const struct gusset_context *context,
                                   double distance);
 
 /**
- * Gives all nodes that are glued to each other the position of the first of them, bit for bit. moved: receives how many nodes got other
- * bits; may be NULL. Errors: NULL_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) if the net is glued along its sides alone, else
- * O(nodes).
+ * Gives all nodes that are glued to each other the position of the first of them, bit for bit. moved: receives how
+ * many nodes got other bits; may be NULL. Errors: NULL_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) if the net is glued
+ * along its sides alone, else O(nodes).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -5922,8 +5931,9 @@ gusset_status gusset_net_measure(const struct gusset_context *context,
                                  struct gusset_measures *measures);
 
 /**
- * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for the bilinear
- * patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten times the work.
+ * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for
+ * the bilinear patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten
+ * times the work.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -5934,11 +5944,12 @@ gusset_status gusset_net_moments(const struct gusset_context *context,
 /**
  * Tells how plane the cells of a net are: whether it can be clad with plane quads.
  *
- * tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its
- * corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for triangles and less, NaN for cells that
- * are not there. capacity: its size; NULL and 0 if it is not wanted. written: receives the number of cells. summary: its struct_size
- * set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY,
- * CANCELLED. O(nodes), 8 bytes a cell. From any thread.
+ * tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each
+ * cell, how far its corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for
+ * triangles and less, NaN for cells that are not there. capacity: its size; NULL and 0 if it is not wanted. written:
+ * receives the number of cells. summary: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), 8 bytes a cell.
+ * From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6041,13 +6052,15 @@ gusset_status gusset_net_grid_view(const struct gusset_net_grid *grid,
 /**
  * Computes the unit normal of every node of a net.
  *
- * x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row after row without
- * gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each has room for. without: receives the number
- * of nodes that have no normal and get zeros: missing ones, and those whose cells have no area or cancel out; may be NULL. Columns go with the
- * fingers of the right hand towards rows, and the normal with the thumb; the other way for nets that are reversed. Nodes that are glued get
- * the same bits, poles and seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there
- * decide. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are filled in
- * part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any number of threads.
+ * x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row
+ * after row without gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each
+ * has room for. without: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
+ * cells have no area or cancel out; may be NULL. Columns go with the fingers of the right hand towards rows, and the
+ * normal with the thumb; the other way for nets that are reversed. Nodes that are glued get the same bits, poles and
+ * seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there decide.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are
+ * filled in part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any
+ * number of threads.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6077,10 +6090,10 @@ gusset_status gusset_net_primitive_create(const struct gusset_context *context,
  * Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last ones stay, and new
  * nodes that fall on old ones have their bits.
  *
- * net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal bits.
- * interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on failure. Errors:
- * NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. O(nodes of both). From any thread;
- * the same bits for any number of threads.
+ * net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal
+ * bits. interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on
+ * failure. Errors: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
+ * O(nodes of both). From any thread; the same bits for any number of threads.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6092,14 +6105,15 @@ gusset_status gusset_net_resample_create(const struct gusset_context *context,
                                          struct gusset_net **resampled);
 
 /**
- * Makes a net of the rows and columns of another that matter most: rows, and then columns, are left out, always the one whose loss costs
- * least, as long as the tolerance allows.
+ * Makes a net of the rows and columns of another that matter most: rows, and then columns, are left out, always the
+ * one whose loss costs least, as long as the tolerance allows.
  *
- * net: glued along whole sides only, without bridges. tolerance: at least 0, may be infinite; nodes are at most half of it away from
- * the segments that replace their columns, and as much from those that replace their rows. rows, columns: receive the indices of what was
- * kept, as many as the new net has; each has room for as many as the old net has; NULL if not wanted. deviation: receives what was
- * reached; may be NULL. decimated: receives the net; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE,
- * GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. About O(nodes x log rows). From any thread.
+ * net: glued along whole sides only, without bridges. tolerance: at least 0, may be infinite; nodes are at most half
+ * of it away from the segments that replace their columns, and as much from those that replace their rows. rows,
+ * columns: receive the indices of what was kept, as many as the new net has; each has room for as many as the old net
+ * has; NULL if not wanted. deviation: receives what was reached; may be NULL. decimated: receives the net; NULL on
+ * failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. About
+ * O(nodes x log rows). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6112,14 +6126,15 @@ gusset_status gusset_net_decimate_create(const struct gusset_context *context,
                                          struct gusset_net **decimated);
 
 /**
- * Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the others every second row and column of the one
- * before, bit for bit.
+ * Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the others every second row
+ * and column of the one before, bit for bit.
  *
- * net: glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the first level is a copy, else it is
- * resampled to the next sizes. interpolation: as for gusset_net_resample_create. levels: receives the nets, each for gusset_net_destroy;
- * all NULL on failure. capacity: how many it has room for; GUSSET_PYRAMID_LEVELS is always enough. count: receives how many there are, also
- * with BUFFER_TOO_SMALL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE,
- * OUT_OF_MEMORY, CANCELLED. O(nodes), memory for 4/3 of the first. From any thread.
+ * net: glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the first level is a copy,
+ * else it is resampled to the next sizes. interpolation: as for gusset_net_resample_create. levels: receives the nets,
+ * each for gusset_net_destroy; all NULL on failure. capacity: how many it has room for; GUSSET_PYRAMID_LEVELS is
+ * always enough. count: receives how many there are, also with BUFFER_TOO_SMALL. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. O(nodes),
+ * memory for 4/3 of the first. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6307,12 +6322,13 @@ gusset_status gusset_scene_unflatten_create(const struct gusset_context *context
 /**
  * Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in place.
  *
- * operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes that are glued
- * and have equal bits keep them equal; missing nodes stay missing. If the operations together mirror (odd numbers of reflections) the
- * surface would be turned inside out: the net's flag `reversed` changes then, so that faces look outwards as before. A cancel is
- * heard before the first node is moved; whatever the error, none is moved. Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis),
- * OUT_OF_RANGE (a number that is not finite, an axis of length 0, a product that overflows), SIZE_OVERFLOW, OUT_OF_MEMORY (a net
- * that shares its memory), CANCELLED. O(nodes), no memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
+ * operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes
+ * that are glued and have equal bits keep them equal; missing nodes stay missing. If the operations together mirror
+ * (odd numbers of reflections) the surface would be turned inside out: the net's flag `reversed` changes then, so that
+ * faces look outwards as before. A cancel is heard before the first node is moved; whatever the error, none is moved.
+ * Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a number that is not finite, an axis of length 0, a
+ * product that overflows), SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its memory), CANCELLED. O(nodes), no
+ * memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
  */
 GUSSET_API
 GUSSET_MUST_USE

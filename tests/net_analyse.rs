@@ -1,4 +1,5 @@
-//! Soft and hard deformations: the two counterexamples to the paper's Jacobian criterion, gluings found and absorbed, folds.
+//! Soft and hard deformations: the two counterexamples to the paper's Jacobian criterion, gluings found and absorbed,
+//! folds.
 
 mod space;
 

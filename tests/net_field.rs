@@ -146,7 +146,12 @@ fn a_twist_turns_and_a_bend_keeps_the_length_of_its_axis() {
     assert!(axis(1.0 + PI / 2.0).distance(DVec3::new(1.0, 0.0, 2.0)) < 1e-15);
     assert!(axis(1.0 + PI).distance(DVec3::new(2.0, 0.0, 1.0)) < 1e-15);
     assert!(axis(2.0 + PI).distance(DVec3::new(2.0, 0.0, 0.0)) < 1e-15, "straight on");
-    let length: f64 = (0..5000).map(|k| axis(k as f64 * 1e-3).distance(axis((k + 1) as f64 * 1e-3))).sum();
+    // A quarter turn, and on in the direction that it has then; beside the axis, the same from the arc beside it.
+    let quarter = Bend::new(Axis::Z, 1.0, 1.0, 1.0 + PI / 2.0).unwrap();
+    let end = 1.0 + PI / 2.0 + 2.0;
+    assert!(at(&quarter, 1.0, DVec3::new(0.0, 7.0, end)).distance(DVec3::new(3.0, 7.0, 2.0)) < 1e-15);
+    assert!(at(&quarter, 1.0, DVec3::new(0.5, 0.0, end)).distance(DVec3::new(3.0, 0.0, 1.5)) < 1e-15);
+    let length: f64 = (0..5000u32).map(|k| axis(f64::from(k) * 1e-3).distance(axis(f64::from(k + 1) * 1e-3))).sum();
     assert!((length - 5.0).abs() < 1e-5);
 }
 

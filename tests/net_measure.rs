@@ -1,4 +1,5 @@
-//! Areas, volumes, moments, boxes, planarity: exact on cubes, second order on smooth shapes, nothing of what is missing.
+//! Areas, volumes, moments, boxes, planarity: exact on cubes, second order on smooth shapes, nothing of what is
+//! missing.
 
 mod space;
 
@@ -95,14 +96,14 @@ fn crooked_cells_have_the_volume_of_their_bilinear_patches() {
         roof.coordinates_mut().set(i, j, p.with_z(heights[k]));
     }
     // Of the cone to the first node, by integration over the unit square: n = (-z_x, -z_y, 1).
-    let n = 400;
+    let n = 400u32;
     let (a, b, c, d) = (heights[0], heights[1], heights[2], heights[3]);
     let mut cone = 0.0;
     for k in 0..n * n {
-        let (u, v) = (((k % n) as f64 + 0.5) / n as f64, ((k / n) as f64 + 0.5) / n as f64);
+        let (u, v) = ((f64::from(k % n) + 0.5) / f64::from(n), (f64::from(k / n) + 0.5) / f64::from(n));
         let z = a * (1.0 - u) * (1.0 - v) + b * u * (1.0 - v) + c * u * v + d * (1.0 - u) * v;
         let (zu, zv) = ((b - a) * (1.0 - v) + (c - d) * v, (d - a) * (1.0 - u) + (c - b) * u);
-        cone += (-zu * u - zv * v + (z - a)) / 3.0 / (n * n) as f64;
+        cone += (-zu * u - zv * v + (z - a)) / 3.0 / f64::from(n * n);
     }
     let found = measure(&roof, &Job::default()).unwrap();
     assert!((found.volume - cone).abs() < 1e-6, "{} {cone}", found.volume);

@@ -158,8 +158,9 @@ fn pyramids_have_sizes_of_powers_of_two_and_each_level_is_part_of_the_finer_one(
 fn distance(point: DVec3, net: &Net<'_>) -> f64 {
     let triangle = |a: DVec3, b: DVec3, c: DVec3| {
         // The nearest of many points of the triangle.
-        let n = 24;
-        let places = (0..=n).flat_map(|k| (0..=n - k).map(move |l| (k as f64 / n as f64, l as f64 / n as f64)));
+        let n = 24u32;
+        let places =
+            (0..=n).flat_map(|k| (0..=n - k).map(move |l| (f64::from(k) / f64::from(n), f64::from(l) / f64::from(n))));
         places.map(|(u, v)| (a + u * (b - a) + v * (c - a)).distance(point)).fold(f64::INFINITY, f64::min)
     };
     let mut least = f64::INFINITY;

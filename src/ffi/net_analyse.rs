@@ -32,8 +32,8 @@ impl gusset_net_analysis {
 pub struct gusset_net_analysis_parts {
     /// sizeof(gusset_net_analysis_parts), set by the caller.
     pub struct_size: usize,
-    /// Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its new length
-    /// divided by its old one; NaN if it had none, or an end is missing.
+    /// Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its
+    /// new length divided by its old one; NaN if it had none, or an end is missing.
     pub links: *const f64,
     /// 2 * rows * columns.
     pub link_count: usize,
@@ -46,7 +46,8 @@ pub struct gusset_net_analysis_parts {
     pub cell_count: usize,
     /// The links that have become a point and are not glued: see gusset_net_absorb.
     pub contracted: *const u32,
-    /// Of each of them, what the star of its first node has become with all of them contracted: the number of the local gluing, 0 to 17.
+    /// Of each of them, what the star of its first node has become with all of them contracted: the number of the local
+    /// gluing, 0 to 17.
     pub stars: *const u32,
     /// How many.
     pub contracted_count: usize,
@@ -100,11 +101,11 @@ impl From<&gusset_net_analysis> for gusset_net_analysis_parts {
 
 /// Compares a net after a deformation with what it was before: what is newly glued, torn, folded over, stretched.
 ///
-/// before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are none.
-/// analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other
-/// sizes), CROSSING_CELL with the cell (what is newly glued is no surface), OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From
-/// any thread. Source: Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian neither follows from gluing nor
-/// implies it.
+/// before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are
+/// none. analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// OUT_OF_RANGE, SIDES_DIFFER (other sizes), CROSSING_CELL with the cell (what is newly glued is no surface),
+/// OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From any thread. Source: Deryagin, soft and hard deformations;
+/// links are measured, as a zero of the Jacobian neither follows from gluing nor implies it.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analyse_create(
@@ -119,8 +120,8 @@ pub unsafe extern "C" fn gusset_net_analyse_create(
     })
 }
 
-/// The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields, count, time: as for
-/// gusset_net_deform, and its errors too. Also 8 bytes a cell, and a copy of the net.
+/// The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
+/// count, time: as for gusset_net_deform, and its errors too. Also 8 bytes a cell, and a copy of the net.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analyse_fields_create(
@@ -139,7 +140,8 @@ pub unsafe extern "C" fn gusset_net_analyse_fields_create(
     })
 }
 
-/// Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+/// Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analysis_view(
@@ -159,11 +161,12 @@ pub unsafe extern "C" fn gusset_net_analysis_destroy(analysis: *mut gusset_net_a
     input::destroy(analysis);
 }
 
-/// Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what they are: follow
-/// it with gusset_net_snap.
+/// Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what
+/// they are: follow it with gusset_net_snap.
 ///
-/// links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT, SIZE_OVERFLOW,
-/// NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then. O(nodes).
+/// links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT,
+/// SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
+/// O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_absorb(

@@ -15,7 +15,8 @@ pub struct gusset_measures {
     pub struct_size: usize,
     /// The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
     pub area: f64,
-    /// What the net encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the first node.
+    /// What the net encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the
+    /// first node.
     pub volume: f64,
     /// The sum of the cells' area vectors; 0 for closed nets.
     pub area_vector: [f64; 3],
@@ -35,8 +36,8 @@ pub struct gusset_moments {
     pub volume: f64,
     /// The centre of mass; NaN if the volume is 0.
     pub centroid: [f64; 3],
-    /// The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it those of -x y and
-    /// so on.
+    /// The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it
+    /// those of -x y and so on.
     pub inertia: [f64; 9],
 }
 
@@ -46,7 +47,8 @@ pub struct gusset_moments {
 pub struct gusset_planarity {
     /// sizeof(gusset_planarity), set by the caller.
     pub struct_size: usize,
-    /// The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no cells.
+    /// The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no
+    /// cells.
     pub worst: f64,
     /// Its cell; 2^64 - 1 if there are no cells.
     pub worst_cell: u64,
@@ -112,9 +114,10 @@ impl From<&Planarity> for gusset_planarity {
     }
 }
 
-/// Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there. measures: its struct_size
-/// set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY, CANCELLED. O(nodes), no memory. From any thread;
-/// the same bits for any number of threads. Volumes are exact for the bilinear patches of the cells (divergence theorem).
+/// Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there.
+/// measures: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY,
+/// CANCELLED. O(nodes), no memory. From any thread; the same bits for any number of threads. Volumes are exact for the
+/// bilinear patches of the cells (divergence theorem).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_measure(
@@ -129,8 +132,9 @@ pub unsafe extern "C" fn gusset_net_measure(
     })
 }
 
-/// Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for the bilinear
-/// patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten times the work.
+/// Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for
+/// the bilinear patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten
+/// times the work.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_moments(
@@ -147,11 +151,12 @@ pub unsafe extern "C" fn gusset_net_moments(
 
 /// Tells how plane the cells of a net are: whether it can be clad with plane quads.
 ///
-/// tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its
-/// corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for triangles and less, NaN for cells that
-/// are not there. capacity: its size; NULL and 0 if it is not wanted. written: receives the number of cells. summary: its struct_size
-/// set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY,
-/// CANCELLED. O(nodes), 8 bytes a cell. From any thread.
+/// tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each
+/// cell, how far its corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for
+/// triangles and less, NaN for cells that are not there. capacity: its size; NULL and 0 if it is not wanted. written:
+/// receives the number of cells. summary: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), 8 bytes a cell.
+/// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_planarity(

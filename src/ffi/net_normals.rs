@@ -27,7 +27,7 @@ impl Buffers {
             return Err(Failure { value: count as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
         }
         self.check_overlap(net, count * size_of::<T>())?;
-        let [x, y, z] = self.starts.map(|start| start.cast::<T>());
+        let [x, y, z] = self.starts.map(<*mut c_void>::cast::<T>);
         let matrices = [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
         Ok(Planes::borrowed(net.shape(), 0, matrices)?)
     }
@@ -52,13 +52,15 @@ impl Buffers {
 
 /// Computes the unit normal of every node of a net.
 ///
-/// x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row after row without
-/// gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each has room for. without: receives the number
-/// of nodes that have no normal and get zeros: missing ones, and those whose cells have no area or cancel out; may be NULL. Columns go with the
-/// fingers of the right hand towards rows, and the normal with the thumb; the other way for nets that are reversed. Nodes that are glued get
-/// the same bits, poles and seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there
-/// decide. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are filled in
-/// part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any number of threads.
+/// x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row
+/// after row without gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each
+/// has room for. without: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
+/// cells have no area or cancel out; may be NULL. Columns go with the fingers of the right hand towards rows, and the
+/// normal with the thumb; the other way for nets that are reversed. Nodes that are glued get the same bits, poles and
+/// seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there decide.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are
+/// filled in part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any
+/// number of threads.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_normals(

@@ -26,13 +26,13 @@ fn interpolation(value: gusset_interpolation) -> Result<Interpolation, Failure> 
     }
 }
 
-/// Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last ones stay, and new
-/// nodes that fall on old ones have their bits.
+/// Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last
+/// ones stay, and new nodes that fall on old ones have their bits.
 ///
-/// net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal bits.
-/// interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on failure. Errors:
-/// NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. O(nodes of both). From any thread;
-/// the same bits for any number of threads.
+/// net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal
+/// bits. interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on
+/// failure. Errors: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
+/// O(nodes of both). From any thread; the same bits for any number of threads.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_resample_create(
@@ -49,14 +49,15 @@ pub unsafe extern "C" fn gusset_net_resample_create(
     })
 }
 
-/// Makes a net of the rows and columns of another that matter most: rows, and then columns, are left out, always the one whose loss costs
-/// least, as long as the tolerance allows.
+/// Makes a net of the rows and columns of another that matter most: rows, and then columns, are left out, always the
+/// one whose loss costs least, as long as the tolerance allows.
 ///
-/// net: glued along whole sides only, without bridges. tolerance: at least 0, may be infinite; nodes are at most half of it away from
-/// the segments that replace their columns, and as much from those that replace their rows. rows, columns: receive the indices of what was
-/// kept, as many as the new net has; each has room for as many as the old net has; NULL if not wanted. deviation: receives what was
-/// reached; may be NULL. decimated: receives the net; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE,
-/// GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. About O(nodes x log rows). From any thread.
+/// net: glued along whole sides only, without bridges. tolerance: at least 0, may be infinite; nodes are at most half
+/// of it away from the segments that replace their columns, and as much from those that replace their rows. rows,
+/// columns: receive the indices of what was kept, as many as the new net has; each has room for as many as the old net
+/// has; NULL if not wanted. deviation: receives what was reached; may be NULL. decimated: receives the net; NULL on
+/// failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. About
+/// O(nodes x log rows). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_decimate_create(
@@ -87,14 +88,15 @@ fn write(indices: &[usize], buffer: *mut u32, name: &'static str) -> Result<(), 
     Ok(())
 }
 
-/// Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the others every second row and column of the one
-/// before, bit for bit.
+/// Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the others every second row
+/// and column of the one before, bit for bit.
 ///
-/// net: glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the first level is a copy, else it is
-/// resampled to the next sizes. interpolation: as for gusset_net_resample_create. levels: receives the nets, each for gusset_net_destroy;
-/// all NULL on failure. capacity: how many it has room for; GUSSET_PYRAMID_LEVELS is always enough. count: receives how many there are, also
-/// with BUFFER_TOO_SMALL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE,
-/// OUT_OF_MEMORY, CANCELLED. O(nodes), memory for 4/3 of the first. From any thread.
+/// net: glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the first level is a copy,
+/// else it is resampled to the next sizes. interpolation: as for gusset_net_resample_create. levels: receives the nets,
+/// each for gusset_net_destroy; all NULL on failure. capacity: how many it has room for; GUSSET_PYRAMID_LEVELS is
+/// always enough. count: receives how many there are, also with BUFFER_TOO_SMALL. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. O(nodes),
+/// memory for 4/3 of the first. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_pyramid_create(

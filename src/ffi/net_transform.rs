@@ -21,8 +21,8 @@ pub const GUSSET_AXIS_Z: gusset_axis = 2;
 pub type gusset_operation_kind = u32;
 /// Moves by the vector values[0] to values[2].
 pub const GUSSET_OPERATION_TRANSLATE: gusset_operation_kind = 1;
-/// Turns about the axis with the direction values[0] to values[2], of any length but 0, by values[3] radians, by the right
-/// hand; the axis passes through the point values[4] to values[6].
+/// Turns about the axis with the direction values[0] to values[2], of any length but 0, by values[3] radians, by the
+/// right hand; the axis passes through the point values[4] to values[6].
 pub const GUSSET_OPERATION_ROTATE: gusset_operation_kind = 2;
 /// The same by the left hand, as Deryagin's formula is printed.
 pub const GUSSET_OPERATION_ROTATE_AS_PRINTED: gusset_operation_kind = 3;
@@ -98,14 +98,16 @@ fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Fa
     })
 }
 
-/// Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in place.
+/// Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in
+/// place.
 ///
-/// operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes that are glued
-/// and have equal bits keep them equal; missing nodes stay missing. If the operations together mirror (odd numbers of reflections) the
-/// surface would be turned inside out: the net's flag `reversed` changes then, so that faces look outwards as before. A cancel is
-/// heard before the first node is moved; whatever the error, none is moved. Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis),
-/// OUT_OF_RANGE (a number that is not finite, an axis of length 0, a product that overflows), SIZE_OVERFLOW, OUT_OF_MEMORY (a net
-/// that shares its memory), CANCELLED. O(nodes), no memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
+/// operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes
+/// that are glued and have equal bits keep them equal; missing nodes stay missing. If the operations together mirror
+/// (odd numbers of reflections) the surface would be turned inside out: the net's flag `reversed` changes then, so that
+/// faces look outwards as before. A cancel is heard before the first node is moved; whatever the error, none is moved.
+/// Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a number that is not finite, an axis of length 0, a
+/// product that overflows), SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its memory), CANCELLED. O(nodes), no
+/// memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_transform(

@@ -1,19 +1,18 @@
 //! What a deformation does to a net: is it soft or hard (paper, "soft and hard deformations of a net")?
 //!
-//! The paper looks for glued nodes where the Jacobian determinant of the deformation is zero. That is neither necessary nor
-//! sufficient: (x, y, 0) has determinant 0 everywhere and leaves a sheet in a plane z = const as it is, and rolling a sheet up
-//! to a cylinder has a positive one and closes the sheet. A link is contracted if and only if the deformation brings its
-//! ends together; so the links themselves are measured here, those that lead back to the first row and column among them, and the
-//! determinant tells where space is turned inside out.
+//! The paper looks for glued nodes where the Jacobian determinant of the deformation is zero. That is neither necessary
+//! nor sufficient: (x, y, 0) has determinant 0 everywhere and leaves a sheet in a plane z = const as it is, and rolling
+//! a sheet up to a cylinder has a positive one and closes the sheet. A link is contracted if and only if the
+//! deformation brings its ends together; so the links themselves are measured here, those that lead back to the first
+//! row and column among them, and the determinant tells where space is turned inside out.
 
 use super::field::{Step, deform};
 use super::hidden::Hidden;
 use super::topology::{GluingType, Links, classify_node};
-use super::{Classes, Net, Planes, Real, Topology, each};
+use super::{Classes, Net, Planes, Real, Topology, each, pieces};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::par;
 use glam::{DMat3, DVec3};
 
 /// A link that a deformation has contracted.
@@ -28,11 +27,11 @@ pub struct Contracted {
 /// What a deformation does to a net.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Analysis {
-    /// Of each link, those that lead back included: its new length divided by its old one. NaN if it had none, or an end is
-    /// missing.
+    /// Of each link, those that lead back included: its new length divided by its old one. NaN if it had none, or an
+    /// end is missing.
     pub links: Vec<f64>,
-    /// Of each cell: its new area divided by its old one, negative where the surface is folded over; if a field was given,
-    /// where its determinant is. NaN if it had none, or is not there.
+    /// Of each cell: its new area divided by its old one, negative where the surface is folded over; if a field was
+    /// given, where its determinant is. NaN if it had none, or is not there.
     pub cells: Vec<f64>,
     /// Of each cell, the determinant of the field's Jacobian at its centre; empty if no field was given.
     pub determinants: Vec<f64>,
@@ -53,8 +52,8 @@ impl Analysis {
 
 /// Compares a net after a deformation with what it was before. `tolerance`: lengths up to it are none.
 ///
-/// A fold is found where two neighbouring cells that faced the same way, within 90 degrees, now do not. O(nodes), 24 bytes a
-/// node.
+/// A fold is found where two neighbouring cells that faced the same way, within 90 degrees, now do not. O(nodes), 24
+/// bytes a node.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative, infinite or NaN, [`Error::SidesDiffer`],
@@ -70,8 +69,8 @@ pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>)
     Ok(found)
 }
 
-/// As [`analyse`], of what fields do to a net, which stays as it is. The determinants are found by central differences; where they
-/// have another sign than in most cells, the net is folded over. Also 8 bytes a node, and a copy of the net.
+/// As [`analyse`], of what fields do to a net, which stays as it is. The determinants are found by central differences;
+/// where they have another sign than in most cells, the net is folded over. Also 8 bytes a node, and a copy of the net.
 ///
 /// # Errors
 /// Also those of [`deform`].
@@ -113,10 +112,10 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     job.step(0.0, "analyse")?;
     let (shape, classes) = (before.shape(), Classes::of(before.topology())?);
     let mut links = alloc::zeroed(2 * shape.node_count())?;
-    let rows = links.chunks_mut(2 * shape.columns()).enumerate();
-    let changes = each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        let row = |(i, ratios)| row_of_links((old, new), i, ratios, &classes, tolerance);
-        par::map(job.threads(), rows, row)
+    let width = 2 * shape.columns();
+    let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
+        let row = |i: usize, ratios: &mut [f64]| row_of_links((old, new), i, ratios, &classes, tolerance);
+        pieces::rows(&mut links, width, job.threads(), row).collect()
     }));
     let (mut contracted, mut torn) = (Vec::new(), Vec::new());
     for change in changes {
@@ -128,13 +127,14 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     let hidden = Hidden::of(before)?;
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        par::map(job.threads(), cells.chunks_mut(shape.columns() - 1).enumerate(), |(i, ratios)| {
+        pieces::rows(&mut cells, shape.columns() - 1, job.threads(), |i, ratios| {
             for (j, ratio) in ratios.iter_mut().enumerate().filter(|&(j, _)| !hidden.contains(i, j)) {
                 *ratio = area_vector(new, i, j).length() / area_vector(old, i, j).length();
                 // 0 / 0 is NaN already; an area out of nothing has no ratio either.
                 *ratio = if ratio.is_infinite() { f64::NAN } else { *ratio };
             }
-        });
+        })
+        .for_each(drop);
     }));
     Ok(Analysis { links, cells, determinants: Vec::new(), contracted, torn, folded: Vec::new() })
 }
@@ -183,7 +183,8 @@ fn area_vector<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize) -> DVec3 {
     (planes.get(i + 1, j + 1) - planes.get(i, j)).cross(planes.get(i + 1, j) - planes.get(i, j + 1))
 }
 
-/// Of each cell, 1 or -1: two neighbours differ if a fold has come between them. Each row of cells goes on from the one above at its first cell.
+/// Of each cell, 1 or -1: two neighbours differ if a fold has come between them. Each row of cells goes on from the one
+/// above at its first cell.
 fn turned<A: Real, B: Real>(old: &Planes<'_, A>, new: &Planes<'_, B>) -> Result<Vec<i8>> {
     let shape = old.shape();
     let mut signs = alloc::with_capacity::<i8>(shape.cell_count())?;
@@ -225,20 +226,19 @@ fn sign(found: &mut Analysis, signs: &[i8]) {
 fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], threads: usize) -> Result<Vec<f64>> {
     let columns = planes.shape().columns() - 1;
     let mut determinants = alloc::zeroed(planes.shape().cell_count())?;
-    let results = par::map(threads, determinants.chunks_mut(columns).enumerate(), |(i, row)| {
+    pieces::rows(&mut determinants, columns, threads, |i, row| {
         for (j, determinant) in row.iter_mut().enumerate() {
             let [a, b, c, d] = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| planes.get(i, j));
             let size = (c - a).length() + (d - b).length();
             *determinant = jacobian((a + b + c + d) / 4.0, size, steps).determinant();
         }
-        Ok(())
-    });
-    results.into_iter().collect::<Result<()>>()?;
+    })
+    .for_each(drop);
     Ok(determinants)
 }
 
-/// The Jacobian of a chain of fields at a point, by central differences over a step that balances what they neglect with what
-/// rounding does: the cube root of the precision, times the larger of `size` and the coordinates.
+/// The Jacobian of a chain of fields at a point, by central differences over a step that balances what they neglect
+/// with what rounding does: the cube root of the precision, times the larger of `size` and the coordinates.
 pub fn jacobian(point: DVec3, size: f64, steps: &[Step<'_>]) -> DMat3 {
     let step = 6e-6 * size.max(point.abs().max_element());
     let offsets = DVec3::AXES.map(|axis| step * axis);

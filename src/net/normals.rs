@@ -1,9 +1,10 @@
 //! Unit normals at the nodes.
 //!
-//! The normal of a point is the direction of the sum, over the corners of all cells there, of the cross products of the two sides
-//! that meet in the corner: cells as they are after gluing, corners of all nodes that are the point. At a node with four
-//! whole cells that sum is the product of the central differences, (E - W) x (S - N), as the terms in between cancel; this is the
-//! fast way. Poles and seams need the sum itself: on the cells as they lie in the matrices, it is zero at a pole.
+//! The normal of a point is the direction of the sum, over the corners of all cells there, of the cross products of the
+//! two sides that meet in the corner: cells as they are after gluing, corners of all nodes that are the point. At a
+//! node with four whole cells that sum is the product of the central differences, (E - W) x (S - N), as the terms in
+//! between cancel; this is the fast way. Poles and seams need the sum itself: on the cells as they lie in the matrices,
+//! it is zero at a pole.
 
 use super::hidden::Hidden;
 use super::topology::{Groups, Reduced};
@@ -28,16 +29,16 @@ pub fn normals(net: &Net<'_>, job: &Job<'_>) -> Result<(Coordinates<'static>, u6
     Ok((out, without))
 }
 
-/// Writes the unit normal of every node, in the net's type; nodes of one class get the same bits. Returns the number of nodes that
-/// have none and get zeros: missing ones, and those where the cells have no area or cancel out.
+/// Writes the unit normal of every node, in the net's type; nodes of one class get the same bits. Returns the number of
+/// nodes that have none and get zeros: missing ones, and those where the cells have no area or cancel out.
 ///
-/// Columns go with the fingers of the right hand towards rows, and the normal with the thumb; the other way for topologies
-/// that are reversed. At open rims, beside missing nodes and beside hidden bridges the cells that are there decide. O(nodes), and
-/// memory for the glued nodes only.
+/// Columns go with the fingers of the right hand towards rows, and the normal with the thumb; the other way for
+/// topologies that are reversed. At open rims, beside missing nodes and beside hidden bridges the cells that are there
+/// decide. O(nodes), and memory for the glued nodes only.
 ///
 /// # Errors
-/// [`Error::MixedScalars`] if the normals are of another type, [`Error::ArrayTooShort`] if of another size, [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// [`Error::MixedScalars`] if the normals are of another type, [`Error::ArrayTooShort`] if of another size,
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn normals_into(net: &Net<'_>, out: &mut Coordinates<'_>, job: &Job<'_>) -> Result<u64> {
     if net.shape() != out.shape() {
         let (needed, given) = (net.shape().node_count() as u64, out.shape().node_count() as u64);
@@ -115,7 +116,8 @@ impl<'a, T: Real> Corners<'a, T> {
         sum
     }
 
-    /// The cross product of the sides at a corner of cell (i, j); zero if the cell is missing or has become a line or a point.
+    /// The cross product of the sides at a corner of cell (i, j); zero if the cell is missing or has become a line or a
+    /// point.
     fn corner(&self, i: usize, j: usize, corner: usize) -> DVec3 {
         let points = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| self.point(i, j));
         if !points.iter().all(|point| point.is_finite()) {
@@ -171,8 +173,8 @@ impl Sum {
     }
 }
 
-/// The normals of all nodes that are not glued, those of one row and column inwards the fast way. Returns for each block the
-/// number of nodes without normal.
+/// The normals of all nodes that are not glued, those of one row and column inwards the fast way. Returns for each
+/// block the number of nodes without normal.
 fn rows<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, threads: usize) -> Vec<u64> {
     let (shape, stride) = (out.shape(), out.stride());
     let lines = (BLOCK / stride).max(1);
@@ -246,8 +248,8 @@ fn glued<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, threads: us
     Ok(without)
 }
 
-/// The fast way, for the middle one of three rows, but for its first and last node. True if all is well: no length squared was
-/// not finite, or so large or small that it lost digits.
+/// The fast way, for the middle one of three rows, but for its first and last node. True if all is well: no length
+/// squared was not finite, or so large or small that it lost digits.
 struct Differences<'a, T> {
     rows: [[&'a [T]; 3]; 3],
     sign: T,
@@ -294,4 +296,24 @@ fn differences<T: Real>(
         z[j] = nz * scale;
     }
     bad == 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+        let numbers = |k: usize| (0..61).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
+        let rows: [Vec<f32>; 9] = std::array::from_fn(|k| numbers(2 * k + 3));
+        let rows = [0, 3, 6].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);
+        let [wide, narrow] = [true, false].map(|wide| {
+            let [mut x, mut y, mut z] = [0; 3].map(|_| vec![0.0f32; 61]);
+            let kernel = Differences { rows, sign: -1.0, x: &mut x, y: &mut y, z: &mut z };
+            assert!(if wide { simd::run(kernel) } else { kernel.run() });
+            [x, y, z].concat().into_iter().map(f32::to_bits).collect::<Vec<u32>>()
+        });
+        assert_eq!(wide, narrow);
+        assert!(wide[1] != 0 && wide[0] == 0, "all but the first and the last");
+    }
 }

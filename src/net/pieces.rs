@@ -33,8 +33,8 @@ impl Cut {
     }
 }
 
-/// Calls `work` with the number of the first node and the coordinates of each piece of at most `most` nodes, on many threads. The error is that of
-/// the first piece that has one; pieces elsewhere are changed nevertheless.
+/// Calls `work` with the number of the first node and the coordinates of each piece of at most `most` nodes, on many
+/// threads. The error is that of the first piece that has one; pieces elsewhere are changed nevertheless.
 pub(crate) fn change<T: Real>(
     planes: &mut Planes<'_, T>,
     threads: usize,
@@ -55,7 +55,8 @@ pub(crate) fn change<T: Real>(
     results.into_iter().collect()
 }
 
-/// As [`change`], in the order of the nodes and on this thread, for what may not be called elsewhere. Stops at the first error.
+/// As [`change`], in the order of the nodes and on this thread, for what may not be called elsewhere. Stops at the
+/// first error.
 pub(crate) fn change_in_order<T: Real>(
     planes: &mut Planes<'_, T>,
     mut work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
@@ -87,4 +88,20 @@ pub(crate) fn scan<T: Real>(
         })
     });
     results.into_iter().collect()
+}
+
+/// Calls `work` with the number and the values of each row of `width` values, on many threads; a small net is one
+/// thread's work.
+pub(crate) fn rows<V: Send, R: Send>(
+    values: &mut [V],
+    width: usize,
+    threads: usize,
+    work: impl Fn(usize, &mut [V]) -> R + Sync,
+) -> impl Iterator<Item = R> {
+    let lines = (BLOCK / width).max(1);
+    let blocks = par::map(threads, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
+        let rows = values.chunks_mut(width).enumerate();
+        rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()
+    });
+    blocks.into_iter().flatten()
 }

@@ -18,11 +18,12 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// The most control points along an axis: Bernstein polynomials of high degree are slow, and follow single points hardly at all.
+    /// The most control points along an axis: Bernstein polynomials of high degree are slow, and follow single points
+    /// hardly at all.
     pub const MAX_POINTS: usize = 32;
 
-    /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each. `offsets`: how far each control
-    /// point is moved from its place in the even grid; x runs first, then y, then z.
+    /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each. `offsets`: how far each
+    /// control point is moved from its place in the even grid; x runs first, then y, then z.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], [`Error::ArrayTooShort`], [`Error::OutOfMemory`].
@@ -37,8 +38,7 @@ impl Lattice {
         }
         let needed: usize = counts.iter().product();
         let Some(offsets) = offsets.get(..needed) else {
-            let bytes = size_of::<DVec3>();
-            let (needed, given) = ((needed * bytes) as u64, (offsets.len() * bytes) as u64);
+            let (needed, given) = ((needed * size_of::<DVec3>()) as u64, size_of_val(offsets) as u64);
             return Err(Error::ArrayTooShort { what: "offsets", needed, given });
         };
         offsets.iter().try_for_each(|offset| finite(&[("offset", offset.dot(DVec3::ONE))]))?;

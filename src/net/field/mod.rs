@@ -33,9 +33,9 @@ pub type Points<'a> = [&'a mut [f64]; 3];
 
 /// A map of space.
 pub trait Field: Sync {
-    /// Moves the points. `strength` says how much of the map is done: 0 nothing, 1 all of it; what lies between, and beyond, is for
-    /// each field to say. It is never called with 0. Each point is moved by itself, whatever the others are. A point that
-    /// the field is not defined at becomes NaN.
+    /// Moves the points. `strength` says how much of the map is done: 0 nothing, 1 all of it; what lies between, and
+    /// beyond, is for each field to say. It is never called with 0. Each point is moved by itself, whatever the others
+    /// are. A point that the field is not defined at becomes NaN.
     fn map(&self, strength: f64, points: Points<'_>);
 
     /// True if finite points stay finite, but for overflow.
@@ -56,8 +56,9 @@ pub struct Step<'a> {
 /// Moves every node by each field in turn, in place, in one pass over the memory.
 ///
 /// The fields work in double precision; the result is rounded to the net's type once. With strengths of 0 only, nothing
-/// changes at all. Missing nodes stay missing. Whatever the error: no node is moved. If a field is not defined everywhere, all is
-/// computed twice, first to see that it is defined at every node. O(nodes x fields), no memory that depends on the net.
+/// changes at all. Missing nodes stay missing. Whatever the error: no node is moved. If a field is not defined
+/// everywhere, all is computed twice, first to see that it is defined at every node. O(nodes x fields), no memory that
+/// depends on the net.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a strength that is not finite, [`Error::FieldUndefined`], [`Error::Cancelled`].
@@ -114,8 +115,8 @@ fn mapped<'a, T: Real>(steps: &[Step<'_>], rows: [&[T]; 3], scratch: &'a mut [[f
     [x, y, z]
 }
 
-/// Moves each point by itself: `map` is given its coordinates and returns the new ones. For maps that call functions, which keep
-/// a loop from vectors anyhow.
+/// Moves each point by itself: `map` is given its coordinates and returns the new ones. For maps that call functions,
+/// which keep a loop from vectors anyhow.
 fn each_point([x, y, z]: Points<'_>, map: impl Fn([f64; 3]) -> [f64; 3]) {
     apply_to(x, y, z, map);
 }

@@ -4,8 +4,8 @@ use super::{Field, Points, each_point_widely, finite, partly};
 use crate::error::{Error, Result};
 use glam::DVec3;
 
-/// A map of homogeneous coordinates: (x, y, z, 1) goes to `rows` times itself, and the first three are divided by the fourth. In
-/// part: that part of the straight way. Not defined where the fourth is 0.
+/// A map of homogeneous coordinates: (x, y, z, 1) goes to `rows` times itself, and the first three are divided by the
+/// fourth. In part: that part of the straight way. Not defined where the fourth is 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
     rows: [[f64; 4]; 4],
@@ -41,8 +41,8 @@ impl Projection {
         Self::new(rows)
     }
 
-    /// Onto the plane through `point` with the given `normal`, along the lines through `eye`. Points behind the eye come out on the
-    /// plane too, turned round; those as high above the plane as the eye have no image.
+    /// Onto the plane through `point` with the given `normal`, along the lines through `eye`. Points behind the eye
+    /// come out on the plane too, turned round; those as high above the plane as the eye have no image.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], also if the eye is in the plane.

@@ -1,6 +1,8 @@
-//! Twist, taper, bend and shear about an axis of coordinates: Barr's "Global and Local Deformations of Solid Primitives", 1984.
+//! Twist, taper, bend and shear about an axis of coordinates: Barr's "Global and Local Deformations of Solid
+//! Primitives", 1984.
 //!
-//! To have them about any axis, put an [`Affine`](crate::net::transform::Affine) before them in the chain, and its inverse after.
+//! To have them about any axis, put an [`Affine`](crate::net::transform::Affine) before them in the chain, and its
+//! inverse after.
 
 use super::{Field, Points, each_point, each_point_widely, finite};
 use crate::error::{Error, Result};
@@ -74,8 +76,8 @@ pub struct Bend {
 }
 
 impl Bend {
-    /// The axis is bent from its coordinate `from` to `to`, towards the next axis (x after z), with the given curvature; what is
-    /// before stays, what is behind goes on straight. Lengths along the axis are kept.
+    /// The axis is bent from its coordinate `from` to `to`, towards the next axis (x after z), with the given
+    /// curvature; what is before stays, what is behind goes on straight. Lengths along the axis are kept.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], also if `to` is less than `from`; `to` may be infinite.

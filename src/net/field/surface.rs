@@ -1,4 +1,5 @@
-//! Deformations that are no fields: along the normals of the net, by a function of the host's; and gluing made exact again.
+//! Deformations that are no fields: along the normals of the net, by a function of the host's; and gluing made exact
+//! again.
 
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -40,8 +41,8 @@ fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
     moved
 }
 
-/// Moves every node along its normal, by `distance` times the normal. Nodes without a normal stay. O(nodes), and as much memory as
-/// the coordinates take.
+/// Moves every node along its normal, by `distance` times the normal. Nodes without a normal stay. O(nodes), and as
+/// much memory as the coordinates take.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] if the distance is not finite, [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -79,8 +80,9 @@ pub enum RowsMut<'a> {
 
 /// Moves the nodes by a function of the host's, then [`snap`]s.
 ///
-/// `map` is called on this thread, with the number of the first node and the coordinates of consecutive nodes, to be changed
-/// in place, from the first node to the last. If it fails, or the host cancels, what was done so far stays done.
+/// `map` is called on this thread, with the number of the first node and the coordinates of consecutive nodes, to be
+/// changed in place, from the first node to the last. If it fails, or the host cancels, what was done so far stays
+/// done.
 ///
 /// # Errors
 /// Those of `map`, [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -99,10 +101,10 @@ pub fn deform_rows(
     };
     match net.coordinates_mut() {
         Coordinates::F32(planes) => {
-            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F32(rows))))?
+            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F32(rows))))?;
         }
         Coordinates::F64(planes) => {
-            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F64(rows))))?
+            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F64(rows))))?;
         }
     }
     snap(net).map(|_| ())

@@ -15,7 +15,8 @@ pub enum Easing {
     Hold,
 }
 
-/// A strength given at times, and between them by easing: before the first time and after the last it stays what it is there.
+/// A strength given at times, and between them by easing: before the first time and after the last it stays what it is
+/// there.
 ///
 /// A field [`deform`](super::deform)s a copy of the net as it was at rest with the strength of the moment.
 #[derive(Debug, Clone, Copy)]

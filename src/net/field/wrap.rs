@@ -1,5 +1,5 @@
-//! Sheets laid onto surfaces: sphere, cylinder, torus. The wraps are what "hard" deformations are made of: they bring nodes
-//! together that the net did not glue. See [`analyse`](crate::net::analyse).
+//! Sheets laid onto surfaces: sphere, cylinder, torus. The wraps are what "hard" deformations are made of: they bring
+//! nodes together that the net did not glue. See [`analyse`](crate::net::analyse).
 
 use super::{Field, Points, each_point, each_point_widely, finite, partly};
 use crate::error::{Error, Result};
@@ -38,8 +38,8 @@ impl Field for Spherify {
     }
 }
 
-/// Rolls space up about an axis. Of the two axes that follow it (x after z), the first becomes the arc and the second the
-/// height above the cylinder; nothing moves along the axis. In part: that part of the straight way.
+/// Rolls space up about an axis. Of the two axes that follow it (x after z), the first becomes the arc and the second
+/// the height above the cylinder; nothing moves along the axis. In part: that part of the straight way.
 #[derive(Debug, Clone, Copy)]
 pub struct CylinderWrap {
     axis: Axis,
@@ -65,9 +65,9 @@ impl Field for CylinderWrap {
     }
 }
 
-/// Rolls space up to a torus about an axis. Of the two axes that follow it (x after z), the first goes round the axis, and the
-/// second round the tube, from its outside towards the tip of the axis; the coordinate along the axis becomes the height above
-/// the torus. In part: that part of the straight way.
+/// Rolls space up to a torus about an axis. Of the two axes that follow it (x after z), the first goes round the axis,
+/// and the second round the tube, from its outside towards the tip of the axis; the coordinate along the axis becomes
+/// the height above the torus. In part: that part of the straight way.
 #[derive(Debug, Clone, Copy)]
 pub struct TorusWrap {
     axis: Axis,
@@ -76,8 +76,8 @@ pub struct TorusWrap {
 }
 
 impl TorusWrap {
-    /// `major`: from the axis to the middle of the tube; `minor`: the radius of the tube. Arcs have the lengths they had at these
-    /// radii.
+    /// `major`: from the axis to the middle of the tube; `minor`: the radius of the tube. Arcs have the lengths they
+    /// had at these radii.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].

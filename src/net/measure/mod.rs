@@ -6,8 +6,9 @@
 //! * its part of the volume, by the divergence theorem, is (a + b + c + d) . N / 24, exactly that of the patch;
 //! * its area is |N| / 2: the midpoint rule, exact for plane cells, and for others off by the square of their size.
 //!
-//! A cell with glued corners that lie together needs no other formulas: a triangle is a patch with a side of no length, and what has
-//! become a line or a point adds nothing. Double precision throughout, and always the same order of summation.
+//! A cell with glued corners that lie together needs no other formulas: a triangle is a patch with a side of no length,
+//! and what has become a line or a point adds nothing. Double precision throughout, and always the same order of
+//! summation.
 
 mod moments;
 mod planarity;
@@ -39,8 +40,8 @@ pub struct Measures {
     pub area: f64,
     /// The sum of the area vectors; zero for closed surfaces.
     pub area_vector: DVec3,
-    /// What the surface encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the
-    /// first node that is there.
+    /// What the surface encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to
+    /// the first node that is there.
     pub volume: f64,
     /// The smallest coordinates of nodes that are there; above `high` if there are none.
     pub low: DVec3,
@@ -125,9 +126,11 @@ impl<T: Real> Kernel for Strip<'_, T> {
     fn run(self) -> Sums {
         let [above, below] = self.rows;
         let mut lanes = [[0.0; LANES]; 5];
+        let mut cells = [[0.0; CHUNK]; 5];
         for start in (0..above[0].len() - 1).step_by(CHUNK) {
             let nodes = start..above[0].len().min(start + CHUNK + 1);
-            let mut cells = [[0.0; CHUNK]; 5];
+            // What the last, shorter run does not overwrite.
+            cells.iter_mut().for_each(|values| values[nodes.len() - 1..].fill(0.0));
             fill(above.map(|row| &row[nodes.clone()]), below.map(|row| &row[nodes.clone()]), self.origin, &mut cells);
             for (lanes, values) in lanes.iter_mut().zip(&cells) {
                 for part in values.as_chunks::<LANES>().0 {
@@ -158,8 +161,8 @@ fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &m
         let sum = [(a[0] + c[0]) + (b[0] + d[0]), (a[1] + c[1]) + (b[1] + d[1]), (a[2] + c[2]) + (b[2] + d[2])];
         let n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
         let r = [sum[0] - 4.0 * origin[0], sum[1] - 4.0 * origin[1], sum[2] - 4.0 * origin[2]];
-        // A number less itself is 0 unless it is missing.
-        let there = (sum[0] - sum[0]) + (sum[1] - sum[1]) + (sum[2] - sum[2]) == 0.0;
+        // 0 times a number is 0 unless it is missing.
+        let there = 0.0 * sum[0] + 0.0 * sum[1] + 0.0 * sum[2] == 0.0;
         lengths[j] = if there { (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt() } else { 0.0 };
         n_x[j] = if there { n[0] } else { 0.0 };
         n_y[j] = if there { n[1] } else { 0.0 };
@@ -206,10 +209,11 @@ impl<T: Real> Kernel for Extent<'_, T> {
 fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; LANES]; 3]) {
     let count = CHUNK.min(rows[0].len());
     let [x, y, z] = rows.map(|row| &row[..count]);
-    // 0, and NaN for missing nodes: NaN compares as neither smaller nor larger. The places behind the last node are missing too.
-    let mut missing = [T::of(f64::NAN); CHUNK];
+    // 0, and NaN for missing nodes: NaN compares as neither smaller nor larger. The places behind the last node are
+    // missing too.
+    let (zero, mut missing) = (T::of(0.0), [T::of(f64::NAN); CHUNK]);
     for j in 0..count {
-        missing[j] = (x[j] - x[j]) + (y[j] - y[j]) + (z[j] - z[j]);
+        missing[j] = zero * x[j] + zero * y[j] + zero * z[j];
     }
     for (axis, row) in [x, y, z].into_iter().enumerate() {
         let mut values = missing;
@@ -224,5 +228,22 @@ fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; L
             }
         }
         (low[axis], high[axis]) = (least, most);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+        let numbers = |k: usize| (0..2 * CHUNK + 13).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
+        let rows: [Vec<f32>; 6] = std::array::from_fn(|k| numbers(2 * k + 3));
+        let rows = [0, 3].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);
+        let strip = || Strip { rows, origin: [0.5, -1.0, 2.0] };
+        let bits =
+            |sums: Sums| [sums.lengths, sums.vector.x, sums.vector.y, sums.vector.z, sums.cones].map(f64::to_bits);
+        assert_eq!(bits(simd::run(strip())), bits(strip().run()));
+        assert_eq!(simd::run(Extent(rows[0])), Extent(rows[0]).run());
     }
 }

@@ -15,20 +15,20 @@ pub struct Moments {
     pub volume: f64,
     /// The centre of mass; NaN if the volume is 0.
     pub centroid: DVec3,
-    /// The tensor of inertia about the centroid: on its diagonal the integrals of y^2 + z^2 and so on, beside it those of
-    /// -x y and so on.
+    /// The tensor of inertia about the centroid: on its diagonal the integrals of y^2 + z^2 and so on, beside it those
+    /// of -x y and so on.
     pub inertia: DMat3,
 }
 
-/// Points and weights of Gauss for the interval from 0 to 1, exact to degree 5: on a bilinear patch, what the tensor of inertia takes has
-/// degree 4 each way.
+/// Points and weights of Gauss for the interval from 0 to 1, exact to degree 5: on a bilinear patch, what the tensor of
+/// inertia takes has degree 4 each way.
 fn gauss() -> [(f64, f64); 3] {
     let off = (0.15f64).sqrt();
     [(0.5 - off, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.5 + off, 5.0 / 18.0)]
 }
 
-/// Exact, but for rounding, for the bilinear patches of the cells. For a net that is not closed the numbers mean nothing.
-/// O(nodes), no memory that depends on the net.
+/// Exact, but for rounding, for the bilinear patches of the cells. For a net that is not closed the numbers mean
+/// nothing. O(nodes), no memory that depends on the net.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled), [`Error::OutOfMemory`](crate::Error::OutOfMemory).

@@ -19,17 +19,17 @@ pub struct Decimated {
     pub rows: Vec<usize>,
     /// The columns that were kept.
     pub columns: Vec<usize>,
-    /// How far nodes are, at most, from the segments that replace their columns, plus the same for those that replace rows; at
-    /// most the tolerance.
+    /// How far nodes are, at most, from the segments that replace their columns, plus the same for those that replace
+    /// rows; at most the tolerance.
     pub deviation: f64,
 }
 
 /// Leaves out rows, and then columns, one after the other, always the one whose loss costs least.
 ///
-/// What the loss of a row costs: how far, at most, any node of it, and of those left out beside it before, is from the segment
-/// that joins the nodes of its column in the rows that are kept on both sides. Rows may cost up to half the tolerance, and
-/// columns, judged at the rows that are left, as much. First and last ones are kept, and three distinct rows of closed columns. A row
-/// that is missing in part is kept.
+/// What the loss of a row costs: how far, at most, any node of it, and of those left out beside it before, is from the
+/// segment that joins the nodes of its column in the rows that are kept on both sides. Rows may cost up to half the
+/// tolerance, and columns, judged at the rows that are left, as much. First and last ones are kept, and three distinct
+/// rows of closed columns. A row that is missing in part is kept.
 ///
 /// About O(nodes x log rows).
 ///

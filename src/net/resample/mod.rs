@@ -1,7 +1,7 @@
 //! Nets of other sizes: resampled, halved again and again, or without the rows and columns that matter least.
 //!
-//! All of this is for nets that are glued along whole sides (see [`Sides`]): the sides of the result are glued in the same way, and
-//! glued nodes have equal bits.
+//! All of this is for nets that are glued along whole sides (see [`Sides`]): the sides of the result are glued in the
+//! same way, and glued nodes have equal bits.
 
 mod decimate;
 mod pyramid;
@@ -23,15 +23,17 @@ const BLOCK: usize = 1 << 14;
 pub enum Interpolation {
     /// On the bilinear patches of the cells.
     Bilinear,
-    /// On cubic splines after Catmull and Rom along rows and columns, which pass through all nodes with one tangent. Where a row or
-    /// column is closed they go on across the seam.
+    /// On cubic splines after Catmull and Rom along rows and columns, which pass through all nodes with one tangent.
+    /// Where a row or column is closed they go on across the seam.
     #[default]
     Bicubic,
 }
 
-/// A net of another size, whose nodes are spread evenly over the rows and columns of this one. First and last ones stay.
+/// A net of another size, whose nodes are spread evenly over the rows and columns of this one. First and last ones
+/// stay.
 ///
-/// Nodes that fall on nodes have their bits. Missing nodes make missing those that they have a part in. O(nodes of both).
+/// Nodes that fall on nodes have their bits. Missing nodes make missing those that they have a part in. O(nodes of
+/// both).
 ///
 /// # Errors
 /// [`Error::GluedInside`], [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -115,8 +117,8 @@ impl Tap {
         Tap { nodes: [first as u32, second as u32, third as u32, last as u32], weights }
     }
 
-    /// The spline of Catmull and Rom between nodes `k` and `k + 1` of `count`. Beyond an open end the polygon goes on straight: the
-    /// missing node is twice the last less the one before.
+    /// The spline of Catmull and Rom between nodes `k` and `k + 1` of `count`. Beyond an open end the polygon goes on
+    /// straight: the missing node is twice the last less the one before.
     fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
         let (s, square) = (1.0 - t, t * t);
         let mut weights =

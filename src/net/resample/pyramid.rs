@@ -6,12 +6,12 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::net::Net;
 
-/// Nets of 2^k + 1 rows and columns, the finest first: it has at least the rows and columns of the given net, and each of the others every
-/// second row and column of the one before, bit for bit, until none is left to be left out.
+/// Nets of 2^k + 1 rows and columns, the finest first: it has at least the rows and columns of the given net, and each
+/// of the others every second row and column of the one before, bit for bit, until none is left to be left out.
 ///
-/// A net whose sizes are 2^k + 1 already is itself the first; others are resampled. Closed rows and columns keep five nodes, the
-/// least for a body, others two. Thus the coarser nodes of each level are nodes of the finer one, and a host can morph between
-/// levels in place. The memory is 4/3 of the first.
+/// A net whose sizes are 2^k + 1 already is itself the first; others are resampled. Closed rows and columns keep five
+/// nodes, the least for a body, others two. Thus the coarser nodes of each level are nodes of the finer one, and a host
+/// can morph between levels in place. The memory is 4/3 of the first.
 ///
 /// # Errors
 /// As for [`resample`].

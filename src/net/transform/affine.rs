@@ -69,8 +69,8 @@ impl Affine {
         Self::of(DMat3::IDENTITY, by)
     }
 
-    /// The paper's R(V, alpha), Rodrigues' formula, about the axis through `pivot` (the origin in the paper). The axis need not
-    /// be a unit vector. `angle`: radians.
+    /// The paper's R(V, alpha), Rodrigues' formula, about the axis through `pivot` (the origin in the paper). The axis
+    /// need not be a unit vector. `angle`: radians.
     ///
     /// # Errors
     /// Also [`Error::OptionOutOfRange`] if the axis is zero.
@@ -99,8 +99,8 @@ impl Affine {
         Self::stretching(DVec3::splat(ratio))
     }
 
-    /// The paper's C(k): away from an axis of coordinates by `ratio`, the ratio of new distance to old. What is on the axis stays,
-    /// and so do distances along it.
+    /// The paper's C(k): away from an axis of coordinates by `ratio`, the ratio of new distance to old. What is on the
+    /// axis stays, and so do distances along it.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].

@@ -1,8 +1,8 @@
-//! Spatial operations (paper, "All spatial operations on tetragonal regular networks come down to transforms of the space"):
-//! translations, rotations, scalings, compressions, and every other affine map.
+//! Spatial operations (paper, "All spatial operations on tetragonal regular networks come down to transforms of the
+//! space"): translations, rotations, scalings, compressions, and every other affine map.
 //!
-//! Operations are composed to one matrix, which is applied to all nodes in place, in one pass. Each node is computed by itself,
-//! so that glued nodes of equal bits keep equal bits.
+//! Operations are composed to one matrix, which is applied to all nodes in place, in one pass. Each node is computed by
+//! itself, so that glued nodes of equal bits keep equal bits.
 
 mod affine;
 
@@ -17,8 +17,9 @@ use crate::simd::{self, Kernel};
 /// Moves every node, in place, in the arithmetic of the net's type.
 ///
 /// A map that mirrors (negative determinant) turns the surface inside out; the topology's
-/// [`is_reversed`](super::Topology::is_reversed) changes then, so that faces look outwards as before. Missing nodes stay
-/// missing. A cancel is heard before the first node is moved, not later: all nodes are moved, or none. O(nodes), no memory.
+/// [`is_reversed`](super::Topology::is_reversed) changes then, so that faces look outwards as before. Missing nodes
+/// stay missing. A cancel is heard before the first node is moved, not later: all nodes are moved, or none. O(nodes),
+/// no memory.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled).
@@ -57,34 +58,58 @@ impl<T: Real> Kernel for Apply<'_, T> {
     }
 }
 
-/// A function of its own, as only arguments are known not to overlap.
 #[inline(always)]
 fn apply_to<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
     // Whole runs, and the rest elsewhere: a loop for the rest would keep the matrix in registers that the vectors need.
     let ((x, x_rest), (y, y_rest), (z, z_rest)) = (x.as_chunks_mut(), y.as_chunks_mut(), z.as_chunks_mut());
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
-        apply_to_run(&rows, x, y, z);
+        apply_to_run(rows, x, y, z);
     }
-    rest(&rows, x_rest, y_rest, z_rest);
-}
-
-#[inline(always)]
-fn apply_to_run<T: Real>(rows: &[[T; 4]; 3], x: &mut [T; RUN], y: &mut [T; RUN], z: &mut [T; RUN]) {
-    for k in 0..RUN {
-        let [a, b, c] = rows.map(|[p, q, r, s]| p * x[k] + q * y[k] + r * z[k] + s);
-        x[k] = a;
-        y[k] = b;
-        z[k] = c;
-    }
-}
-
-#[inline(never)]
-fn rest<T: Real>(rows: &[[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
-    for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
-        let [a, b, c] = rows.map(|[p, q, r, s]| p * *x + q * *y + r * *z + s);
-        (*x, *y, *z) = (a, b, c);
-    }
+    rest(rows, x_rest, y_rest, z_rest);
 }
 
 /// So many nodes are a run.
 const RUN: usize = 16;
+
+#[inline(always)]
+fn apply_to_run<T: Real>(rows: [[T; 4]; 3], x: &mut [T; RUN], y: &mut [T; RUN], z: &mut [T; RUN]) {
+    // Results of their own, which cannot overlap with what is read.
+    let mut moved = [[T::of(0.0); RUN]; 3];
+    let [new_x, new_y, new_z] = &mut moved;
+    for k in 0..RUN {
+        new_x[k] = rows[0][0] * x[k] + rows[0][1] * y[k] + rows[0][2] * z[k] + rows[0][3];
+        new_y[k] = rows[1][0] * x[k] + rows[1][1] * y[k] + rows[1][2] * z[k] + rows[1][3];
+        new_z[k] = rows[2][0] * x[k] + rows[2][1] * y[k] + rows[2][2] * z[k] + rows[2][3];
+    }
+    [*x, *y, *z] = moved;
+}
+
+#[inline(never)]
+fn rest<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
+    for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+        [*x, *y, *z] = rows.map(|[p, q, r, s]| p * *x + q * *y + r * *z + s);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+        // Longer than runs, with a rest.
+        let numbers = |k: usize| (0..3 * RUN + 5).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
+        let rows = [[0.3, -0.7, 0.1, 1e-3], [0.9, 0.2, -0.4, 7.0], [-0.1, 0.6, 0.8, -2.5]];
+        let [wide, narrow] = [true, false].map(|wide| {
+            let [mut x, mut y, mut z] = [3, 5, 7].map(numbers);
+            let kernel = Apply { rows, x: &mut x, y: &mut y, z: &mut z };
+            if wide {
+                simd::run(kernel);
+            } else {
+                kernel.run();
+            }
+            [x, y, z].concat().into_iter().map(f32::to_bits).collect::<Vec<u32>>()
+        });
+        assert_eq!(wide, narrow);
+    }
+}
