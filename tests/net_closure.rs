@@ -1,13 +1,13 @@
 //! Closures: what surface each one makes.
 
-mod nets;
+mod complexes;
 
+use complexes::{Oracle, area_and_volume, check_gauss_bonnet, degrees, pairs};
 use glam::DVec3;
 use gusset::net::closure::{self, BoxKind, Cuboid};
 use gusset::net::complex::Complex;
 use gusset::net::{Shape, Sides, Topology};
 use gusset::{Error, Job};
-use nets::{Oracle, area_and_volume, check_gauss_bonnet, degrees, pairs};
 
 const KINDS: [BoxKind; 3] = [BoxKind::Slit, BoxKind::Cross, BoxKind::Concentric];
 

@@ -1,16 +1,14 @@
 //! The quotient complex of nets with holes, bridges and random gluings, against its definition.
 
-mod nets;
+mod complexes;
 
+use complexes::{Dice, Oracle, pairs};
 use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::complex::{Cells, Complex};
 use gusset::net::topology::{Gluing, Links, Matrix, Run};
-use gusset::net::{
-    Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, Net, Seam, Shape, Sides, Topology, closure,
-};
-use nets::{Dice, Oracle, pairs};
+use gusset::net::{Bridge, BridgeKind, BridgeMode, Direction, Net, Seam, Shape, Sides, Topology, closure};
 
 fn flat(topology: Topology) -> Net<'static> {
     Net::from_fn(topology, Scalar::F32, |i, j| DVec3::new(j as f64, i as f64, 0.0)).unwrap()
@@ -108,13 +106,7 @@ fn a_thread_is_one_wire() {
         (0..w - 1).for_each(|j| matrix.set(2 * shape.node(row, j), true));
     }
     let mut net = flat(Topology::new(shape, Links::Matrix(matrix), &[]).unwrap());
-    net.bridges_mut().push(Bridge {
-        direction: Direction::Down,
-        at: h as u32,
-        kind: BridgeKind::Thread,
-        mode: BridgeMode::Keep,
-        properties: BridgeProperties::default(),
-    });
+    net.bridges_mut().push(Bridge::new(Direction::Down, h as u32, w as u32, BridgeKind::Thread, BridgeMode::Keep));
     let complex = Complex::of(&net, Cells::Present, &Job::default()).unwrap();
     assert_eq!((complex.euler_characteristic(), complex.components), (3, 1));
     assert_eq!(complex.wires, [[shape.node(h - 1, 0), shape.node(h, 0)]]);

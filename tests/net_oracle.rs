@@ -1,14 +1,14 @@
 //! All 2^18 characteristic matrices of a net of 3 x 3 nodes, and the 18 local gluings, against definitions.
 
-mod nets;
+mod complexes;
 
+use complexes::Oracle;
 use gusset::net::complex::Complex;
 use gusset::net::topology::{
     Diagonal, Gluing, GluingType, Links, Matrix, Reduced, classify_cell, classify_node, histogram,
 };
 use gusset::net::{Classes, Shape, Sides, Topology};
 use gusset::{Error, Job};
-use nets::Oracle;
 use std::collections::BTreeSet;
 
 /// The study's table: type, mask of the star, mask of the cell.
@@ -241,14 +241,14 @@ fn each_type_is_what_its_caption_says() {
 /// Rows longer than the 32 nodes that are taken at a time: classes, the canonical form and the histogram are those of the definition.
 #[test]
 fn long_rows() {
-    let mut dice = nets::Dice(5);
+    let mut dice = complexes::Dice(5);
     for (h, w) in [(2, 31), (3, 32), (3, 33), (2, 63), (4, 64), (3, 65), (2, 100), (70, 2), (33, 3)] {
         let shape = Shape::new(h, w).unwrap();
         for share in [1, 3, 6, 9, 10] {
             let mut matrix = Matrix::empty(shape).unwrap();
             (0..2 * shape.node_count() as u32).for_each(|link| matrix.set(link, dice.below(10) < share));
             let pairs: Vec<_> = (matrix.links()).map(|link| shape.ends(link).map(|node| node as usize)).collect();
-            let class = nets::classes(shape.node_count(), &pairs);
+            let class = complexes::classes(shape.node_count(), &pairs);
             let crossing = Oracle::new(shape, &pairs, |_, _| true).crossing;
             let topology = Topology::new(shape, Links::Matrix(matrix), &[]);
             if let Some(cell) = crossing {

@@ -1,7 +1,8 @@
 //! Primitives: what they are glued to, exact duplicates, area and volume.
 
-mod nets;
+mod complexes;
 
+use complexes::{area_and_volume, check_gauss_bonnet};
 use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::closure::{BoxKind, Cuboid};
@@ -9,7 +10,6 @@ use gusset::net::complex::Complex;
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::{Classes, Net, derive};
 use gusset::{Error, Job};
-use nets::{area_and_volume, check_gauss_bonnet};
 use std::f64::consts::PI;
 
 /// A vase: open above, on the axis below.

@@ -1,14 +1,14 @@
 //! Validation, topology from coordinates, and ungluing with a gap.
 
-mod nets;
+mod complexes;
 
+use complexes::Dice;
 use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::topology::{Diagonal, Gluing, Links, Matrix, Run};
 use gusset::net::{Classes, FindingKind, Net, Seam, Shape, Sides, Topology, closure, derive};
 use gusset::{Error, Job};
-use nets::Dice;
 
 fn sphere() -> Net<'static> {
     Request { rows: 7, columns: 9, ..Request::new(Primitive::Sphere { radius: 1.0 }) }.net(&Job::default()).unwrap()

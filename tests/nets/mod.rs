@@ -1,245 +1,191 @@
-//! The quotient complex of a net by brute force, straight from its definition: what the library's is compared with.
+//! Nets at random and by formula, and what is independently known of them, for the tests of nets.
+#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
-#![allow(dead_code, unreachable_pub)]
-
-use gusset::net::complex::Complex;
-use gusset::net::{Shape, Topology};
+use glam::DVec3;
+use gusset::mesh::Scalar;
+use gusset::net::topology::{Links, Matrix, Reduced, Run};
+use gusset::net::{Classes, Net, Seam, Shape, Sides, Topology};
+use gusset::{Error, Job};
+use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::{PI, TAU};
 
-/// Classes by repeated relaxation over pairs of nodes that are one.
-pub fn classes(nodes: usize, pairs: &[[usize; 2]]) -> Vec<usize> {
-    let mut class: Vec<usize> = (0..nodes).collect();
-    loop {
-        let mut changed = false;
-        for &[a, b] in pairs {
-            let least = class[a].min(class[b]);
-            changed |= class[a] != least || class[b] != least;
-            (class[a], class[b]) = (least, least);
-        }
-        if !changed {
-            return class;
-        }
-    }
+pub fn shape(h: usize, w: usize) -> Shape {
+    Shape::new(h, w).unwrap()
 }
 
-/// The pairs that a topology names.
-pub fn pairs(topology: &Topology) -> Vec<[usize; 2]> {
-    let shape = topology.shape();
-    let (h, w) = (shape.rows(), shape.columns());
-    let mut pairs = Vec::new();
-    for i in 0..h {
-        for j in 0..w {
-            let node = i * w + j;
-            if topology.contracts(2 * node as u32) {
-                pairs.push([node, i * w + (j + 1) % w]);
+pub fn job() -> Job<'static> {
+    Job::default()
+}
+
+/// A sphere whose glued nodes are the same, bit for bit, counter-clockwise seen from outside.
+pub fn sphere(h: usize, w: usize, scalar: Scalar, centre: DVec3) -> Net<'static> {
+    let topology = Topology::of_sides(shape(h, w), Sides::TWO_POLES);
+    Net::from_fn(topology, scalar, |i, j| {
+        let (latitude, longitude) =
+            (PI * i as f64 / (h - 1) as f64 - PI / 2.0, TAU * (j % (w - 1)) as f64 / (w - 1) as f64);
+        let radius = if i == 0 || i + 1 == h { 0.0 } else { latitude.cos() };
+        centre + DVec3::new(radius * longitude.cos(), radius * longitude.sin(), latitude.sin())
+    })
+    .unwrap()
+}
+
+/// A torus, likewise.
+pub fn torus(h: usize, w: usize, scalar: Scalar, centre: DVec3) -> Net<'static> {
+    let topology = Topology::of_sides(shape(h, w), Sides::TORUS);
+    Net::from_fn(topology, scalar, |i, j| {
+        let (u, v) = (TAU * (j % (w - 1)) as f64 / (w - 1) as f64, TAU * (i % (h - 1)) as f64 / (h - 1) as f64);
+        let radius = 2.0 + v.cos();
+        centre + DVec3::new(radius * u.cos(), radius * u.sin(), v.sin())
+    })
+    .unwrap()
+}
+
+/// A net whose nodes all differ, of whatever topology.
+pub fn numbered(topology: Topology, scalar: Scalar) -> Net<'static> {
+    Net::from_fn(topology, scalar, |i, j| {
+        let n = (i * 1000 + j) as f64;
+        if (i * 7 + j * 3) % 11 == 5 { DVec3::new(n, f64::NAN, 0.25 * n) } else { DVec3::new(n, -n, 0.5 * n) }
+    })
+    .unwrap()
+}
+
+/// The coordinates' bits and all the rest.
+pub fn same(a: &Net<'_>, b: &Net<'_>) -> bool {
+    let bits = |net: &Net<'_>| {
+        let (h, w) = (net.shape().rows(), net.shape().columns());
+        let nodes = (0..h * w).flat_map(move |n| net.get(n / w, n % w).to_array().map(f64::to_bits));
+        nodes.collect::<Vec<_>>()
+    };
+    a.coordinates().scalar() == b.coordinates().scalar()
+        && a.topology() == b.topology()
+        && a.bridges() == b.bridges()
+        && bits(a) == bits(b)
+}
+
+/// The surface that is left of a net's cells when classes are points: polygons of classes, each with its first cell, and the
+/// edges that no polygon has.
+pub struct Surface {
+    pub polygons: Vec<Vec<u32>>,
+    pub wires: BTreeSet<[u32; 2]>,
+    pub classes: Vec<u32>,
+}
+
+impl Surface {
+    pub fn of(net: &Net<'_>) -> Surface {
+        let classes = Classes::of(net.topology()).unwrap();
+        let (mut polygons, mut edges) = (Vec::new(), BTreeSet::new());
+        let mut edge = |a: u32, b: u32| edges.insert([a.min(b), a.max(b)]);
+        let (h, w) = (net.shape().rows(), net.shape().columns());
+        for (i, j) in (0..h - 1).flat_map(|i| (0..w - 1).map(move |j| (i, j))) {
+            if net.is_hidden(i, j) {
+                continue;
             }
-            if topology.contracts(2 * node as u32 + 1) {
-                pairs.push([node, (i + 1) % h * w + j]);
+            match Reduced::new(classes.corners(i, j)) {
+                Reduced::Digon([a, b]) => drop(edge(a, b)),
+                Reduced::Fold([a, b, d]) => drop((edge(a, b), edge(a, d))),
+                reduced => polygons.extend(reduced.polygon().map(<[u32]>::to_vec)),
             }
         }
+        let used: BTreeSet<[u32; 2]> =
+            polygons.iter().flat_map(|p| sides(p)).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        let wires = edges.difference(&used).copied().collect();
+        Surface { polygons, wires, classes: classes.table().unwrap() }
     }
-    for seam in topology.seams() {
-        pairs.extend(seam.pairs(shape).map(|pair| pair.map(|node| node as usize)));
+
+    /// Vertices, edges and faces of the complex.
+    pub fn counts(&self) -> [usize; 3] {
+        let mut edges: BTreeSet<[u32; 2]> = self.wires.clone();
+        edges.extend(self.polygons.iter().flat_map(|p| sides(p)).map(|[a, b]| [a.min(b), a.max(b)]));
+        let vertices: BTreeSet<u32> = self.classes.iter().copied().collect();
+        [vertices.len(), edges.len(), self.polygons.len()]
     }
-    pairs
-}
 
-/// What is left of a cell: its corners in turn, without those that are the one before.
-pub fn reduced(corners: [usize; 4]) -> Vec<usize> {
-    let mut left = corners.to_vec();
-    left.dedup();
-    while left.len() > 1 && left.first() == left.last() {
-        left.pop();
+    pub fn euler(&self) -> i64 {
+        let [v, e, f] = self.counts();
+        v as i64 - e as i64 + f as i64
     }
-    left
-}
 
-pub struct Oracle {
-    pub class: Vec<usize>,
-    pub vertices: usize,
-    pub faces: Vec<Vec<usize>>,
-    /// For each edge the faces that have it, and whether they run along it upwards.
-    pub edges: BTreeMap<[usize; 2], Vec<(usize, bool)>>,
-    /// Quads, triangles, digons, points, folds.
-    pub kinds: [u64; 5],
-    pub crossing: Option<usize>,
-    pub components: usize,
-    pub pinches: Vec<usize>,
-}
+    /// How many edges have so many faces.
+    pub fn edge_faces(&self) -> BTreeMap<usize, usize> {
+        let mut faces: BTreeMap<[u32; 2], usize> = self.wires.iter().map(|&wire| (wire, 0)).collect();
+        for [a, b] in self.polygons.iter().flat_map(|p| sides(p)) {
+            *faces.entry([a.min(b), a.max(b)]).or_default() += 1;
+        }
+        let mut counts = BTreeMap::new();
+        faces.into_values().for_each(|n| *counts.entry(n).or_default() += 1);
+        counts
+    }
 
-impl Oracle {
-    pub fn new(shape: Shape, pairs: &[[usize; 2]], present: impl Fn(usize, usize) -> bool) -> Oracle {
-        let (h, w) = (shape.rows(), shape.columns());
-        let class = classes(h * w, pairs);
-        let mut oracle = Oracle {
-            vertices: 0,
-            faces: Vec::new(),
-            edges: BTreeMap::new(),
-            kinds: [0; 5],
-            crossing: None,
-            components: 0,
-            pinches: Vec::new(),
-            class,
+    /// The volume enclosed, by the divergence theorem over fans of triangles.
+    pub fn volume(&self, net: &Net<'_>) -> f64 {
+        let at = |class: u32| {
+            let (i, j) = net.shape().place(class);
+            net.get(i, j)
         };
-        let mut vertices = BTreeSet::new();
-        for (i, j) in (0..h - 1).flat_map(|i| (0..w - 1).map(move |j| (i, j))).filter(|&(i, j)| present(i, j)) {
-            let a = i * w + j;
-            let corners = [a, a + 1, a + w + 1, a + w].map(|node| oracle.class[node]);
-            vertices.extend(corners);
-            for k in 0..4 {
-                let ends = [corners[k], corners[(k + 1) % 4]];
-                if ends[0] != ends[1] {
-                    oracle.edges.entry([ends[0].min(ends[1]), ends[0].max(ends[1])]).or_default();
-                }
+        let fan =
+            |p: &Vec<u32>| (1..p.len() - 1).map(|k| at(p[0]).dot(at(p[k]).cross(at(p[k + 1])))).sum::<f64>() / 6.0;
+        self.polygons.iter().map(fan).sum::<f64>() * if net.topology().is_reversed() { -1.0 } else { 1.0 }
+    }
+}
+
+fn sides(polygon: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+    (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]])
+}
+
+/// Sides at random.
+pub fn any_sides() -> impl Strategy<Value = Sides> {
+    prop::array::uniform6(any::<bool>()).prop_map(|[a, b, c, d, e, f]| Sides {
+        rows_closed: a,
+        columns_closed: b,
+        pole_top: c,
+        pole_bottom: d,
+        pole_left: e,
+        pole_right: f,
+    })
+}
+
+/// A topology at random: sides, or a matrix of few ones besides, and a seam or two.
+pub fn any_topology(rows: std::ops::Range<usize>, columns: std::ops::Range<usize>) -> impl Strategy<Value = Topology> {
+    let seams = prop::collection::vec(any::<[u16; 8]>(), 0..3);
+    let links = prop::collection::vec(any::<u16>(), 0..4);
+    (rows, columns, any_sides(), links, seams, any::<bool>(), any::<bool>()).prop_filter_map(
+        "a gluing that crosses",
+        |(h, w, sides, links, seams, plain, reversed)| {
+            let shape = shape(h, w);
+            if plain {
+                return Some(Topology::of_sides(shape, sides).with_reversed(reversed));
             }
-            let left = reduced(corners);
-            let distinct = left.iter().collect::<BTreeSet<_>>().len();
-            let kind = match (left.len(), distinct) {
-                (4, 4) => 0,
-                (3, 3) => 1,
-                (2, 2) => 2,
-                (1, 1) => 3,
-                (4, 3) => 4,
-                (4, 2) => {
-                    oracle.crossing.get_or_insert(i * (w - 1) + j);
-                    continue;
-                }
-                odd => panic!("{odd:?}"),
-            };
-            oracle.kinds[kind] += 1;
-            if kind < 2 {
-                for k in 0..left.len() {
-                    let (from, to) = (left[k], left[(k + 1) % left.len()]);
-                    let uses = oracle.edges.entry([from.min(to), from.max(to)]).or_default();
-                    uses.push((oracle.faces.len(), from < to));
-                }
-                oracle.faces.push(left);
+            let mut matrix = Matrix::of_sides(shape, sides).unwrap();
+            links.iter().for_each(|&link| matrix.set(u32::from(link) % (2 * h * w) as u32, true));
+            let seams: Vec<Seam> = seams.iter().filter_map(|&numbers| seam(shape, numbers)).collect();
+            let made = Topology::new(shape, Links::Matrix(matrix), &seams);
+            match made {
+                Ok(topology) => Some(topology.with_reversed(reversed)),
+                Err(Error::CrossingCell { .. }) => None,
+                Err(error) => panic!("{error}"),
             }
-        }
-        oracle.vertices = vertices.len();
-        oracle.components = components(&vertices, oracle.edges.keys());
-        oracle.pinches = vertices.iter().copied().filter(|&v| oracle.fans(v) > 1).collect();
-        oracle
-    }
-
-    /// Into how many pieces the faces at a vertex fall if they hang together only by edges at it.
-    fn fans(&self, vertex: usize) -> usize {
-        let faces: BTreeSet<usize> = (0..self.faces.len()).filter(|&f| self.faces[f].contains(&vertex)).collect();
-        let joined: Vec<[usize; 2]> = (self.edges.iter().filter(|(edge, _)| edge.contains(&vertex)))
-            .flat_map(|(_, uses)| uses.windows(2).map(|pair| [pair[0].0, pair[1].0]))
-            .collect();
-        components(&faces, joined.iter())
-    }
-
-    pub fn chi(&self) -> i64 {
-        self.vertices as i64 - self.edges.len() as i64 + self.faces.len() as i64
-    }
-
-    fn edges_of(&self, wanted: impl Fn(&[(usize, bool)]) -> bool) -> Vec<[u32; 2]> {
-        self.edges.iter().filter(|(_, uses)| wanted(uses)).map(|(edge, _)| edge.map(|v| v as u32)).collect()
-    }
-
-    /// Whether some way to turn the faces leaves no conflict, by trying all.
-    fn orientable(&self) -> bool {
-        let pairs: Vec<_> = self.edges.values().filter(|uses| uses.len() == 2).collect();
-        (0u64..1 << self.faces.len()).any(|turned| {
-            let up = |(face, up): (usize, bool)| up ^ (turned >> face & 1 == 1);
-            pairs.iter().all(|uses| up(uses[0]) != up(uses[1]))
-        })
-    }
-
-    /// All that the library says must be so.
-    pub fn check(&self, complex: &Complex) {
-        assert_eq!(complex.vertices, self.vertices as u64);
-        assert_eq!(complex.edges, self.edges.len() as u64);
-        let kinds = [complex.quads, complex.triangles, complex.digons, complex.points, complex.folds];
-        assert_eq!(kinds, self.kinds);
-        assert_eq!(complex.euler_characteristic(), self.chi());
-        assert_eq!(complex.components, self.components as u64);
-        assert_eq!(complex.wires, self.edges_of(<[_]>::is_empty));
-        assert_eq!(complex.branches, self.edges_of(|uses| uses.len() > 2));
-        assert_eq!(complex.conflicts, self.edges_of(|uses| uses.len() == 2 && uses[0].1 == uses[1].1));
-        assert_eq!(complex.pinches, self.pinches.iter().map(|&v| v as u32).collect::<Vec<_>>());
-        if self.faces.len() <= 12 {
-            assert_eq!(complex.orientable, self.orientable());
-        }
-        self.check_boundary(complex);
-    }
-
-    fn check_boundary(&self, complex: &Complex) {
-        let expected = self.edges_of(|uses| uses.len() == 1);
-        assert_eq!(complex.boundary_edges, expected.len() as u64);
-        let mut found = Vec::new();
-        let mut forward = true;
-        for k in 0..complex.boundary.len() {
-            let chain = complex.boundary.get(k);
-            for e in 0..complex.boundary.edge_count(k) {
-                let (from, to) = (chain[e], chain[(e + 1) % chain.len()]);
-                let edge = [from.min(to), from.max(to)];
-                forward &= self.edges[&edge.map(|v| v as usize)][0].1 == (from < to);
-                found.push(edge);
-            }
-            assert!(!complex.boundary.is_open(k) || !complex.branches.is_empty());
-        }
-        found.sort_unstable();
-        assert_eq!(found, expected, "every edge of one face is in one chain, once");
-        assert!(forward || !complex.conflicts.is_empty() || !complex.branches.is_empty(), "faces on the left");
-    }
+        },
+    )
 }
 
-/// How many pieces the edges join the vertices to.
-fn components<'a>(vertices: &BTreeSet<usize>, edges: impl Iterator<Item = &'a [usize; 2]>) -> usize {
-    let at: BTreeMap<usize, usize> = vertices.iter().enumerate().map(|(k, &v)| (v, k)).collect();
-    let pairs: Vec<_> = edges.map(|edge| edge.map(|v| at[&v])).collect();
-    classes(vertices.len(), &pairs).iter().collect::<BTreeSet<_>>().len()
-}
-
-/// Numbers that look random: xorshift.
-pub struct Dice(pub u64);
-
-impl Dice {
-    pub fn below(&mut self, n: u64) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) % n
-    }
-}
-
-/// How many edges meet at each vertex: links between different classes, those with the same ends once.
-pub fn degrees(topology: &Topology) -> BTreeMap<u32, usize> {
-    let shape = topology.shape();
-    let class = gusset::net::Classes::of(topology).unwrap().table().unwrap();
-    let links = (0..2 * shape.node_count() as u32).filter(|&link| shape.is_inner(link));
-    let edges: std::collections::HashSet<[u32; 2]> = links
-        .map(|link| shape.ends(link).map(|node| class[node as usize]))
-        .filter(|[a, b]| a != b)
-        .map(|[a, b]| [a.min(b), a.max(b)])
-        .collect();
-    let mut degrees = BTreeMap::new();
-    for vertex in edges.into_iter().flatten() {
-        *degrees.entry(vertex).or_insert(0) += 1;
-    }
-    degrees
-}
-
-/// Gauss and Bonnet for quads and triangles on a closed surface: the sum of 4 - degree is 4 chi less the triangles.
-pub fn check_gauss_bonnet(topology: &Topology, complex: &Complex) {
-    let sum: i64 = degrees(topology).values().map(|&degree| 4 - degree as i64).sum();
-    assert_eq!(sum, 4 * complex.euler_characteristic() - complex.triangles as i64);
-}
-
-/// Twice the area and six times the volume of what is left of the cells, cut into triangles; `place` of a node.
-pub fn area_and_volume(shape: Shape, place: impl Fn(usize, usize) -> glam::DVec3) -> (f64, f64) {
-    let (mut area, mut volume) = (0.0, 0.0);
-    for i in 0..shape.rows() - 1 {
-        for j in 0..shape.columns() - 1 {
-            let [a, b, c, d] = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| place(i, j));
-            for [p, q, r] in [[a, b, c], [a, c, d]] {
-                area += (q - p).cross(r - p).length();
-                volume += p.dot(q.cross(r));
-            }
-        }
-    }
-    (area, volume)
+/// A seam from numbers, if they fit.
+fn seam(shape: Shape, n: [u16; 8]) -> Option<Seam> {
+    let (h, w) = (shape.rows() as i32, shape.columns() as i32);
+    let step = |n: u16| [(0, 1), (1, 0), (0, -1), (-1, 0), (1, 1), (2, 0)][n as usize % 6];
+    let run = |row: u16, column: u16, steps: u16| {
+        let (row_step, column_step) = step(steps);
+        Run { row: u32::from(row) % h as u32, column: u32::from(column) % w as u32, row_step, column_step }
+    };
+    let (a, b) = (run(n[0], n[1], n[2]), run(n[3], n[4], n[5]));
+    let reach = |run: Run| {
+        let room = |at: u32, step: i32, count: i32| match step {
+            0 => i32::MAX,
+            s if s > 0 => (count - 1 - at as i32) / s + 1,
+            s => at as i32 / -s + 1,
+        };
+        room(run.row, run.row_step, h).min(room(run.column, run.column_step, w))
+    };
+    let count = 1 + i32::from(n[6]) % reach(a).min(reach(b));
+    Some(Seam { a, b, count: count as u32 }).filter(|_| n[7] % 3 > 0)
 }

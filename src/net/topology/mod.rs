@@ -86,6 +86,30 @@ impl Topology {
         Ok(Topology { shape: self.shape, links, seams: alloc::copied(&self.seams)?, reversed: self.reversed })
     }
 
+    /// From links and seams of topologies, put together so that no cell can be crossed: unlike [`Topology::new`] it does not
+    /// look, and a seam stays one even where links could say the same. O(contracted links + pairs of seams).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub(crate) fn assembled(shape: Shape, links: Links, mut seams: Vec<Seam>, reversed: bool) -> Result<Self> {
+        seams.iter_mut().for_each(|seam| *seam = seam.canonical());
+        seams.sort_unstable();
+        seams.dedup();
+        let links = match links {
+            Links::Matrix(matrix) => matrix.as_sides(shape)?.map_or(Links::Matrix(matrix), Links::Sides),
+            sides => sides,
+        };
+        Ok(Topology { shape, links, seams, reversed })
+    }
+
+    /// Shows every link that is contracted by name, in no particular order.
+    pub(crate) fn each_contracted(&self, show: impl FnMut(u32)) {
+        match &self.links {
+            Links::Sides(sides) => sides.links(self.shape).for_each(show),
+            Links::Matrix(matrix) => matrix.links().for_each(show),
+        }
+    }
+
     /// The size of the net.
     pub fn shape(&self) -> Shape {
         self.shape
@@ -159,7 +183,7 @@ impl Topology {
             let mut news = false;
             for [a, b] in seam.pairs(self.shape) {
                 news |= forest.find(a) != forest.find(b);
-                forest.join([a, b]);
+                forest.join(a, b);
             }
             if news {
                 alloc::push(&mut saturated.seams, *seam)?;
@@ -188,7 +212,7 @@ impl Topology {
     }
 
     /// [`Error::CrossingCell`] for the first cell whose opposite corners are glued crosswise.
-    fn check_crossings(&self) -> Result<()> {
+    pub(crate) fn check_crossings(&self) -> Result<()> {
         if matches!(self.links, Links::Sides(_)) && self.seams.is_empty() {
             return Ok(());
         }
