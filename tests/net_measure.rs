@@ -161,8 +161,8 @@ fn what_is_missing_or_hidden_is_not_measured() {
     assert_eq!((found.area, found.area_vector, found.volume), (cells - 6.0, (cells - 6.0) * DVec3::Z, 0.0));
     assert_eq!((found.low, found.high), (DVec3::ZERO, DVec3::new(130.0, 69.0, 0.0)));
     for (direction, at) in [(Direction::Right, 9), (Direction::Right, 100), (Direction::Down, 4)] {
-        let properties = BridgeProperties::default();
-        net.bridges_mut().push(Bridge { direction, at, kind: BridgeKind::Ribbon, mode: BridgeMode::Hide, properties });
+        let count = if direction == Direction::Right { 70 } else { 131 };
+        net.bridges_mut().push(Bridge::new(direction, at, count, BridgeKind::Ribbon, BridgeMode::Hide));
     }
     assert_eq!(measure(&net, &Job::default()).unwrap().area, cells - 6.0 - 2.0 * 69.0 - 130.0 + 2.0);
     let plane = planarity(&net, 0.0, &Job::default()).unwrap();

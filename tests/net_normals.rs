@@ -149,14 +149,8 @@ fn missing_nodes_and_hidden_bridges_leave_the_rest() {
             net.coordinates_mut().set(i.min(19), j.min(30), DVec3::new(0.0, f64::NAN, 1.0));
         }
         for (direction, at) in [(Direction::Right, 9), (Direction::Down, 4), (Direction::Right, 30)] {
-            let properties = BridgeProperties { tension: 0.0, elasticity: 0.0, stiffness: 0.0, user: 0 };
-            net.bridges_mut().push(Bridge {
-                direction,
-                at,
-                kind: BridgeKind::Ribbon,
-                mode: BridgeMode::Hide,
-                properties,
-            });
+            let count = if direction == Direction::Right { 20 } else { 31 };
+            net.bridges_mut().push(Bridge::new(direction, at, count, BridgeKind::Ribbon, BridgeMode::Hide));
         }
         agree(&net);
     }

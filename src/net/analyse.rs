@@ -7,6 +7,7 @@
 //! determinant tells where space is turned inside out.
 
 use super::field::{Step, deform};
+use super::hidden::Hidden;
 use super::topology::{GluingType, Links, classify_node};
 use super::{Classes, Net, Planes, Real, Topology, each};
 use crate::alloc;
@@ -125,9 +126,10 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     }
     let contracted = with_stars(before.topology(), &contracted)?;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
+    let hidden = Hidden::of(before)?;
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
         par::map(job.threads(), cells.chunks_mut(shape.columns() - 1).enumerate(), |(i, ratios)| {
-            for (j, ratio) in ratios.iter_mut().enumerate().filter(|&(j, _)| !before.is_hidden(i, j)) {
+            for (j, ratio) in ratios.iter_mut().enumerate().filter(|&(j, _)| !hidden.contains(i, j)) {
                 *ratio = area_vector(new, i, j).length() / area_vector(old, i, j).length();
                 // 0 / 0 is NaN already; an area out of nothing has no ratio either.
                 *ratio = if ratio.is_infinite() { f64::NAN } else { *ratio };

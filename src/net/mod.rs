@@ -19,6 +19,7 @@ pub mod complex;
 pub mod convert;
 mod derive;
 pub mod field;
+mod hidden;
 mod join;
 pub mod measure;
 mod model;

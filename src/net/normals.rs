@@ -5,8 +5,9 @@
 //! whole cells that sum is the product of the central differences, (E - W) x (S - N), as the terms in between cancel; this is the
 //! fast way. Poles and seams need the sum itself: on the cells as they lie in the matrices, it is zero at a pole.
 
+use super::hidden::Hidden;
 use super::topology::{Groups, Reduced};
-use super::{Bridge, Classes, Coordinates, Net, Planes, Real};
+use super::{Classes, Coordinates, Net, Planes, Real};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -61,13 +62,11 @@ fn write<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, out: &mut Planes<'_, T>
 struct Corners<'a, T> {
     planes: &'a Planes<'a, T>,
     matrices: [&'a [T]; 3],
-    bridges: &'a [Bridge],
+    hidden: Hidden,
     classes: Classes,
     groups: Groups,
     /// A bit for each node that is glued to another.
     is_glued: Vec<u64>,
-    /// Every cell is there, as far as bridges go.
-    all_there: bool,
     sign: f64,
 }
 
@@ -82,11 +81,10 @@ impl<'a, T: Real> Corners<'a, T> {
         Ok(Corners {
             planes,
             matrices: planes.matrices(),
-            bridges: net.bridges(),
+            hidden: Hidden::of(net)?,
             classes,
             groups,
             is_glued,
-            all_there: !net.bridges().iter().any(Bridge::is_hidden),
             sign: if net.topology().is_reversed() { -1.0 } else { 1.0 },
         })
     }
@@ -101,10 +99,6 @@ impl<'a, T: Real> Corners<'a, T> {
         DVec3::from_array(self.matrices.map(|matrix| matrix[at].into()))
     }
 
-    fn is_hidden(&self, i: usize, j: usize) -> bool {
-        !self.all_there && self.bridges.iter().any(|bridge| bridge.is_hidden() && bridge.has_cell(i, j))
-    }
-
     /// The corners, in the cells that are there, of the polygons that have node (i, j). A polygon with several corners of the
     /// matrices in one point is taken at the first of them.
     fn sum(&self, i: usize, j: usize) -> Sum {
@@ -112,7 +106,7 @@ impl<'a, T: Real> Corners<'a, T> {
         let mut sum = Sum::default();
         for (ci, corner_row) in [(i.wrapping_sub(1), 1), (i, 0)] {
             for (cj, corner_column) in [(j.wrapping_sub(1), 1), (j, 0)] {
-                if ci < shape.rows() - 1 && cj < shape.columns() - 1 && !self.is_hidden(ci, cj) {
+                if ci < shape.rows() - 1 && cj < shape.columns() - 1 && !self.hidden.contains(ci, cj) {
                     let corner = if corner_row == 0 { corner_column } else { 3 - corner_column };
                     sum = sum.add(Sum::of(self.corner(ci, cj, corner)));
                 }
@@ -156,7 +150,7 @@ impl<'a, T: Real> Corners<'a, T> {
     }
 
     fn is_near_hidden(&self, i: usize, j: usize) -> bool {
-        !self.all_there && (i - 1..=i).any(|i| (j - 1..=j).any(|j| self.is_hidden(i, j)))
+        !self.hidden.is_empty() && (i - 1..=i).any(|i| (j - 1..=j).any(|j| self.hidden.contains(i, j)))
     }
 }
 
@@ -217,7 +211,7 @@ fn row<T: Real>(corners: &Corners<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u
     let all_good = simd::run(Differences { rows, sign: T::of(corners.sign), x, y, z });
     let ends =
         [i - 1, i, i + 1].into_iter().all(|i| corners.planes.is_finite(i, 0) && corners.planes.is_finite(i, w - 1));
-    if !all_good || !ends || !corners.all_there {
+    if !all_good || !ends || !corners.hidden.is_empty() {
         for j in 1..w - 1 {
             // Where the square of the length was out of range, the length is not 1.
             let square = DVec3::from_array([0, 1, 2].map(|axis| out[axis][j].into())).length_squared();

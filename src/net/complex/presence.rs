@@ -2,7 +2,8 @@
 
 use crate::alloc;
 use crate::error::Result;
-use crate::net::{Direction, Net, Planes, Real, Shape, each};
+use crate::net::hidden::Hidden;
+use crate::net::{Net, Planes, Real, Shape, each};
 
 /// One byte for each cell, 1 if it is there; none if all of them are.
 pub(super) struct Presence {
@@ -19,11 +20,10 @@ impl Presence {
         let columns = shape.columns() - 1;
         let mut cells: Vec<u8> = alloc::zeroed(shape.cell_count())?;
         each!(net.coordinates(), planes => finite_cells(planes, &mut cells)?);
-        for bridge in net.bridges().iter().filter(|bridge| bridge.is_hidden()) {
-            let before = bridge.at as usize - 1;
-            match bridge.direction {
-                Direction::Right => cells.chunks_exact_mut(columns).for_each(|row| row[before] = 0),
-                Direction::Down => cells[before * columns..(before + 1) * columns].fill(0),
+        let hidden = Hidden::of(net)?;
+        if !hidden.is_empty() {
+            for (i, row) in cells.chunks_exact_mut(columns).enumerate() {
+                hidden.row(i).iter().for_each(|&[from, to]| row[from as usize..to as usize].fill(0));
             }
         }
         let all = cells.iter().all(|&cell| cell == 1);

@@ -15,13 +15,13 @@ mod planarity;
 pub use moments::{Moments, moments};
 pub use planarity::{Planarity, planarity};
 
-use super::{Bridge, Direction, Net, Planes, Real, each};
+use super::hidden::Hidden;
+use super::{Net, Planes, Real, Shape, each};
 use crate::error::Result;
 use crate::job::Job;
 use crate::par;
 use crate::simd::{self, Kernel};
 use glam::DVec3;
-use std::ops::Range;
 
 /// About so many nodes are one thread's work at a time.
 const BLOCK: usize = 1 << 15;
@@ -57,9 +57,9 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
     let origin = origin(net);
     let total = each!(net.coordinates(), planes => {
-        let cells = Cells::of(net);
-        let parts = par::chunks(job.threads(), net.shape().rows() - 1, cells.rows_at_once(), |rows| {
-            rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &cells, i, origin)))
+        let hidden = Hidden::of(net)?;
+        let parts = par::chunks(job.threads(), net.shape().rows() - 1, rows_at_once(net.shape()), |rows| {
+            rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &hidden, i, origin)))
         });
         parts.into_iter().fold(Sums::default(), Sums::add)
     });
@@ -80,40 +80,9 @@ fn origin(net: &Net<'_>) -> DVec3 {
     nodes.map(|(i, j)| net.get(i, j)).find(|point| point.is_finite()).unwrap_or(DVec3::ZERO)
 }
 
-/// Which cells are there, as far as bridges go.
-struct Cells<'a> {
-    bridges: &'a [Bridge],
-    columns: usize,
-}
-
-impl<'a> Cells<'a> {
-    fn of(net: &'a Net<'_>) -> Self {
-        Cells { bridges: net.bridges(), columns: net.shape().columns() - 1 }
-    }
-
-    fn rows_at_once(&self) -> usize {
-        (BLOCK / self.columns).max(1)
-    }
-
-    /// The runs of cells of row i that are there.
-    fn of_row(&self, i: usize) -> impl Iterator<Item = Range<usize>> {
-        let hidden = || self.bridges.iter().filter(|bridge| bridge.is_hidden());
-        let mut next =
-            if hidden().any(|b| b.direction == Direction::Down && b.has_cell(i, 0)) { self.columns } else { 0 };
-        let columns = self.columns;
-        let gap_after = move |from: usize| {
-            let gaps = hidden().filter(|b| b.direction == Direction::Right).map(|b| b.at as usize - 1);
-            gaps.filter(|&gap| gap >= from).min().unwrap_or(columns)
-        };
-        std::iter::from_fn(move || {
-            (next < columns).then(|| {
-                let run = next..gap_after(next);
-                next = run.end + 1;
-                run
-            })
-        })
-        .filter(|run| !run.is_empty())
-    }
+/// Rows of cells that are one thread's work at a time.
+fn rows_at_once(shape: Shape) -> usize {
+    (BLOCK / (shape.columns() - 1)).max(1)
 }
 
 /// Twice the area and the area vector, and 24 times the volume.
@@ -134,9 +103,9 @@ impl Sums {
     }
 }
 
-fn row<T: Real>(planes: &Planes<'_, T>, cells: &Cells<'_>, i: usize, origin: DVec3) -> Sums {
+fn row<T: Real>(planes: &Planes<'_, T>, hidden: &Hidden, i: usize, origin: DVec3) -> Sums {
     let (above, below) = (planes.row(i), planes.row(i + 1));
-    cells.of_row(i).fold(Sums::default(), |sums, run| {
+    hidden.runs(i).fold(Sums::default(), |sums, run| {
         let nodes = run.start..run.end + 1;
         let rows = [above, below].map(|rows| rows.map(|row| &row[nodes.clone()]));
         sums.add(simd::run(Strip { rows, origin: origin.to_array() }))

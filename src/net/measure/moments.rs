@@ -1,8 +1,9 @@
 //! Centroid and inertia of what a net encloses.
 
-use super::{Cells, origin};
+use super::{origin, rows_at_once};
 use crate::error::Result;
 use crate::job::Job;
+use crate::net::hidden::Hidden;
 use crate::net::{Net, each};
 use crate::par;
 use glam::{DMat3, DVec3, Vec3Swizzles};
@@ -33,16 +34,16 @@ fn gauss() -> [(f64, f64); 3] {
 /// [`Error::Cancelled`](crate::Error::Cancelled), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
     job.step(0.0, "moments")?;
-    let (origin, cells) = (origin(net), Cells::of(net));
+    let (origin, hidden) = (origin(net), Hidden::of(net)?);
     let row = |i: usize| {
-        let cells = cells.of_row(i).flatten();
+        let cells = hidden.runs(i).flatten();
         let corners = cells.map(|j| [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]);
         corners.fold(Integrals::default(), |sums, corners| {
             let points = each!(net.coordinates(), planes => corners.map(|(i, j)| planes.get(i, j) - origin));
             if points.iter().all(|point| point.is_finite()) { sums.add(patch(points)) } else { sums }
         })
     };
-    let parts = par::chunks(job.threads(), net.shape().rows() - 1, cells.rows_at_once(), |rows| {
+    let parts = par::chunks(job.threads(), net.shape().rows() - 1, rows_at_once(net.shape()), |rows| {
         rows.map(row).fold(Integrals::default(), Integrals::add)
     });
     let total = parts.into_iter().fold(Integrals::default(), Integrals::add);

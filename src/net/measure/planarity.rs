@@ -1,10 +1,10 @@
 //! How plane the cells are: whether a surface can be clad with plane quads (paper, "facing of smooth surfaces by quadrangular
 //! tiles").
 
-use super::Cells;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::net::hidden::Hidden;
 use crate::net::{Net, each};
 use crate::par;
 use glam::DVec3;
@@ -33,11 +33,11 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
         return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
     }
     job.step(0.0, "planarity")?;
-    let (shape, runs) = (net.shape(), Cells::of(net));
+    let (shape, hidden) = (net.shape(), Hidden::of(net)?);
     let columns = shape.columns() - 1;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     par::map(job.threads(), cells.chunks_mut(columns).enumerate(), |(i, row)| {
-        for j in runs.of_row(i).flatten() {
+        for j in hidden.runs(i).flatten() {
             let corners = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
             row[j] = each!(net.coordinates(), planes => off(corners.map(|(i, j)| planes.get(i, j))));
         }
