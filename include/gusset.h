@@ -1028,6 +1028,14 @@ enum gusset_status
      */
     GUSSET_ERROR_EMPTY_SCENE = 1307,
     /**
+     * A field of deformation is not defined at a node.
+     */
+    GUSSET_ERROR_FIELD_UNDEFINED = 1320,
+    /**
+     * A net is glued elsewhere than along whole sides, or has bridges.
+     */
+    GUSSET_ERROR_GLUED_INSIDE = 1321,
+    /**
      * Memory could not be had.
      */
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
