@@ -36,9 +36,9 @@ pub enum Links {
 
 /// The gluing of a net: its contracted links and its seams.
 ///
-/// It is kept in one form: links that sides can describe are sides, seams that links can describe are links, seams are in
-/// order, and no cell is crossed (see [`Reduced::Crossing`]). Two topologies that contract the same links and list the same
-/// seams are equal; for those that glue the same nodes in different ways compare [`Topology::saturated`].
+/// It is kept in one form: links that sides can describe are sides, seams that links can describe are links, seams are
+/// in order, and no cell is crossed (see [`Reduced::Crossing`]). Two topologies that contract the same links and list
+/// the same seams are equal; for those that glue the same nodes in different ways compare [`Topology::saturated`].
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Topology {
     shape: Shape,
@@ -86,8 +86,8 @@ impl Topology {
         Ok(Topology { shape: self.shape, links, seams: alloc::copied(&self.seams)?, reversed: self.reversed })
     }
 
-    /// From links and seams of topologies, put together so that no cell can be crossed: unlike [`Topology::new`] it does not
-    /// look, and a seam stays one even where links could say the same. O(contracted links + pairs of seams).
+    /// From links and seams of topologies, put together so that no cell can be crossed: unlike [`Topology::new`] it
+    /// does not look, and a seam stays one even where links could say the same. O(contracted links + pairs of seams).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -133,7 +133,8 @@ impl Topology {
         &self.seams
     }
 
-    /// True if faces are to be taken the other way round, for their normals to be what they were: nets that were flipped.
+    /// True if faces are to be taken the other way round, for their normals to be what they were: nets that were
+    /// flipped.
     pub fn is_reversed(&self) -> bool {
         self.reversed
     }
