@@ -21,7 +21,7 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
         for j in (0..shape.columns() - 1).filter(|&j| row[j + 1] == 1) {
             let [a, b, c, d] = shape.corners(i, j);
             for node in [b, c, d] {
-                forest.join(a, node);
+                forest.join([a, node]);
             }
             [a, b, c, d].into_iter().for_each(|node| touched[node as usize] = true);
         }
@@ -35,7 +35,7 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
         for node in [representative, node].into_iter().filter(|&node| touched[node as usize]) {
             match &mut first[representative as usize] {
                 first if *first == u32::MAX => *first = node,
-                first => forest.join(*first, node),
+                first => forest.join([*first, node]),
             }
         }
         Ok(())

@@ -109,3 +109,24 @@ fn organised<T: Real>(
         }
     })
 }
+
+impl Net<'_> {
+    /// Makes missing every node of which a coordinate is `value`, the number that stands for what was not seen. O(nodes).
+    pub fn clear_no_data(&mut self, value: f64) {
+        match self.coordinates_mut() {
+            Coordinates::F32(planes) => clear(planes, value),
+            Coordinates::F64(planes) => clear(planes, value),
+        }
+    }
+}
+
+fn clear<T: Real>(planes: &mut Planes<'_, T>, value: f64) {
+    for i in 0..planes.shape().rows() {
+        let [x, y, z] = planes.row_mut(i);
+        for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+            if [*x, *y, *z].into_iter().any(|coordinate| coordinate.into() == value) {
+                [*x, *y, *z] = [T::of(f64::NAN); 3];
+            }
+        }
+    }
+}

@@ -5,8 +5,7 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;
 
-/// The most control points along an axis: Bernstein polynomials of higher degree move nothing but what is next to a point.
-const MAX_POINTS: usize = 32;
+const MAX_POINTS: usize = Lattice::MAX_POINTS;
 
 /// A box of control points: what lies in the box follows them, what lies outside stays. In part: that part of the way.
 #[derive(Debug, Clone)]
@@ -19,6 +18,9 @@ pub struct Lattice {
 }
 
 impl Lattice {
+    /// The most control points along an axis: Bernstein polynomials of high degree are slow, and follow single points hardly at all.
+    pub const MAX_POINTS: usize = 32;
+
     /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each. `offsets`: how far each control
     /// point is moved from its place in the even grid; x runs first, then y, then z.
     ///

@@ -37,14 +37,18 @@ fn stacked(topologies: &[Cow<'_, Topology>], weld: bool) -> Result<Topology> {
     let rows: usize = topologies.iter().map(|topology| topology.shape().rows()).sum();
     let shape = Shape::new(rows, columns)?;
     let reversed = topologies[0].is_reversed();
-    // Sheets and tubes with open rims need no matrix.
-    let tube = |topology: &Cow<'_, Topology>| topology.sides() == Some(Sides::TUBE);
-    let all_tubes = !weld && topologies.iter().all(tube);
+    // Rows that are closed alike, and no poles: sides say it, and no matrix is needed.
+    let rows_closed = topologies[0].sides().is_some_and(|sides| sides.rows_closed);
+    let plain = Sides { rows_closed, ..Sides::SHEET };
+    let is_plain = |topology: &Cow<'_, Topology>| {
+        topology.sides().is_some_and(|sides| Sides { columns_closed: false, ..sides } == plain)
+    };
+    let all_plain = !weld && topologies.iter().all(is_plain);
     let mut links = Collected::new(shape);
     let mut seams = Vec::new();
     let mut first = 0;
     for (k, topology) in topologies.iter().enumerate() {
-        if !all_tubes {
+        if !all_plain {
             add_links(topology, first, &mut links)?;
         }
         close(topology, first, &mut seams)?;
@@ -57,7 +61,7 @@ fn stacked(topologies: &[Cow<'_, Topology>], weld: bool) -> Result<Topology> {
             (0..columns).try_for_each(|j| links.add(2 * shape.node(first - 1, j) + 1))?;
         }
     }
-    let links = if all_tubes { Links::Sides(Sides::TUBE) } else { links.links() };
+    let links = if all_plain { Links::Sides(plain) } else { links.links() };
     Topology::assembled(shape, links, seams, reversed)
 }
 

@@ -130,6 +130,8 @@ fn joined_shape(shapes: impl Iterator<Item = Shape>, direction: Direction, along
 fn add_bridges(net: &mut Net<'_>, prepared: &[Prepared<'_, '_>], options: &JoinOptions) -> Result<()> {
     let direction = options.direction;
     let along = direction.extent(net.shape()).1 as u32;
+    let own: usize = prepared.iter().map(|part| part.net().bridges().len()).sum();
+    alloc::reserve(net.bridges_mut(), own + prepared.len() - 1)?;
     let mut at = 0;
     for (k, part) in prepared.iter().enumerate() {
         for bridge in part.net().bridges() {

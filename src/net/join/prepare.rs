@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// A net as it is joined: itself, or a copy of another size, turned or flipped.
 pub(super) enum Prepared<'n, 'a> {
     Given(&'n Net<'a>),
-    Made(Net<'static>, Arc<Origin>),
+    Made(Box<(Net<'static>, Arc<Origin>)>),
 }
 
 impl<'n, 'a> Prepared<'n, 'a> {
@@ -52,20 +52,21 @@ impl<'n, 'a> Prepared<'n, 'a> {
         }
         let bridges = alloc::collect(net.bridges().iter().cloned())?;
         let (joined, topology) = (made.shape(), net.topology().clone());
-        Ok(Prepared::Made(made, Arc::new(Origin { joined, flipped, copies: added, twist, topology, bridges })))
+        let origin = Arc::new(Origin { joined, flipped, copies: added, twist, topology, bridges });
+        Ok(Prepared::Made(Box::new((made, origin))))
     }
 
     pub(super) fn net(&self) -> &Net<'a> {
         match self {
             Prepared::Given(net) => net,
-            Prepared::Made(net, _) => net,
+            Prepared::Made(made) => &made.0,
         }
     }
 
     pub(super) fn origin(&self) -> Option<Arc<Origin>> {
         match self {
             Prepared::Given(_) => None,
-            Prepared::Made(_, origin) => Some(Arc::clone(origin)),
+            Prepared::Made(made) => Some(Arc::clone(&made.1)),
         }
     }
 }

@@ -65,17 +65,26 @@ impl Scene {
         Ok(counts)
     }
 
+    /// The number of instances. O(entries + children).
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], [`Error::OutOfMemory`].
+    pub fn instance_count(&self) -> Result<usize> {
+        let count = self.counts()?.instances;
+        if count > MAX_INSTANCES {
+            return Err(Error::TooLarge { what: "instances", count, limit: MAX_INSTANCES });
+        }
+        Ok(count as usize)
+    }
+
     /// All instances, each behind the group that it is in, children in order. O(instances).
     ///
     /// # Errors
     /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], before any is looked at; [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn instances(&self, job: &Job<'_>) -> Result<Vec<Instance>> {
-        let count = self.counts()?.instances;
-        if count > MAX_INSTANCES {
-            return Err(Error::TooLarge { what: "instances", count, limit: MAX_INSTANCES });
-        }
-        let mut instances: Vec<Instance> = alloc::with_capacity(count as usize)?;
+        let count = self.instance_count()?;
+        let mut instances: Vec<Instance> = alloc::with_capacity(count)?;
         let mut open = Vec::new();
         for (root, _) in self.roots() {
             alloc::push(&mut open, (root, NONE))?;

@@ -32,10 +32,10 @@ impl Classes {
         }
         let mut forest = Forest::new(shape.node_count())?;
         match &topology.links {
-            Links::Sides(sides) => sides.links(shape).for_each(|link| forest.join_ends(shape, link)),
+            Links::Sides(sides) => sides.links(shape).for_each(|link| forest.join(shape.ends(link))),
             Links::Matrix(matrix) => forest.contract(shape, matrix),
         }
-        topology.seams().iter().flat_map(|seam| seam.pairs(shape)).for_each(|[a, b]| forest.join(a, b));
+        topology.seams().iter().flat_map(|seam| seam.pairs(shape)).for_each(|pair| forest.join(pair));
         Ok(Classes { shape, kind: Kind::Table(forest.flattened()) })
     }
 
@@ -242,14 +242,9 @@ impl Forest {
         node
     }
 
-    pub(crate) fn join(&mut self, a: u32, b: u32) {
+    pub(crate) fn join(&mut self, [a, b]: [u32; 2]) {
         let (a, b) = (self.find(a), self.find(b));
         self.parents[a.max(b) as usize] = a.min(b);
-    }
-
-    fn join_ends(&mut self, shape: Shape, link: u32) {
-        let [a, b] = shape.ends(link);
-        self.join(a, b);
     }
 
     /// Joins the ends of all links of a matrix, in a forest that has joined nothing yet.
@@ -274,12 +269,12 @@ impl Forest {
                 let [a, b] = [node - west as usize, node - w * north as usize].map(|other| self.parents[other]);
                 self.parents[node] = a.min(b);
                 if west & north != 0 && a != b {
-                    self.join(a, b);
+                    self.join([a, b]);
                 }
             }
         }
         let back = (0..h).map(|i| 2 * shape.node(i, w - 1)).chain((0..w).map(|j| 2 * shape.node(h - 1, j) + 1));
-        back.filter(|&link| matrix.get(link)).for_each(|link| self.join_ends(shape, link));
+        back.filter(|&link| matrix.get(link)).for_each(|link| self.join(shape.ends(link)));
     }
 
     /// The root of every node. Parents come before their children: one pass is enough.

@@ -184,7 +184,7 @@ impl Topology {
             let mut news = false;
             for [a, b] in seam.pairs(self.shape) {
                 news |= forest.find(a) != forest.find(b);
-                forest.join(a, b);
+                forest.join([a, b]);
             }
             if news {
                 alloc::push(&mut saturated.seams, *seam)?;
