@@ -203,3 +203,35 @@ fn a_cut_opens() {
     assert_eq!(net.unglue(&pole, 0.0).unwrap(), 0);
     assert!((0..9).all(|j| net.get(0, j) == before[j]));
 }
+
+/// The whole rim folded about a corner: runs turn corners, now on the one side and now on the other.
+#[test]
+fn a_rim_folded_about_a_corner_is_derived() {
+    for (h, w) in [(4, 9), (9, 4), (5, 5), (3, 8)] {
+        let shape = Shape::new(h, w).unwrap();
+        let n = 2 * (h + w) - 4;
+        // The number of a rim node, clockwise from the first corner.
+        let rim = |i: usize, j: usize| match (i, j) {
+            (0, j) => Some(j),
+            (i, j) if j + 1 == w => Some(w - 1 + i),
+            (i, j) if i + 1 == h => Some(w + h - 2 + (w - 1 - j)),
+            (i, 0) => Some(n - i),
+            _ => None,
+        };
+        let place = |i: usize, j: usize| {
+            let k = rim(i, j).map_or(n + w * i + j, |k| k.min(n - k)) as f64;
+            DVec3::new((k * 0.7).sin(), (k * 1.3).cos(), k * 0.1)
+        };
+        let sheet = Topology::of_sides(shape, Sides::SHEET);
+        let net = Net::from_fn(sheet, Scalar::F32, place).unwrap();
+        for tolerance in [0.0, 1e-6] {
+            let derived = derive(net.coordinates(), tolerance, &Job::default()).unwrap();
+            let classes = Classes::of(&derived).unwrap();
+            let nodes = || (0..h).flat_map(|i| (0..w).map(move |j| (i, j)));
+            for ((a, b), (c, d)) in nodes().flat_map(|p| nodes().map(move |q| (p, q))) {
+                let one = classes.representative(shape.node(a, b)) == classes.representative(shape.node(c, d));
+                assert_eq!(one, place(a, b) == place(c, d), "{h} x {w}: {:?}", [(a, b), (c, d)]);
+            }
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! Which nodes lie on each other.
 //!
-//! Two nodes coincide if their coordinates are equal (0 and -0 are), or their distance is at most the tolerance. A node that is missing,
-//! with a coordinate that is NaN or infinite, coincides with none.
+//! Two nodes coincide if their coordinates are equal (0 and -0 are), or their distance is at most the tolerance. A node
+//! that is missing, with a coordinate that is NaN or infinite, coincides with none.
 
 use super::{Coordinates, Planes, Real, each};
 use crate::error::{Error, Result};
@@ -19,8 +19,8 @@ pub(super) fn coincide(a: DVec3, b: DVec3, tolerance: f64) -> bool {
     a.is_finite() && b.is_finite() && (a == b || (tolerance > 0.0 && (b - a).length() <= tolerance))
 }
 
-/// Gives each link whose ends coincide to `visit`: those of each row in order, and those that lead back, unless they join
-/// neighbours. O(nodes).
+/// Gives each link whose ends coincide to `visit`: those of each row in order, and those that lead back, unless they
+/// join neighbours. O(nodes).
 pub(super) fn links(
     coordinates: &Coordinates<'_>,
     tolerance: f64,
@@ -66,7 +66,8 @@ fn links_of<T: Real>(
     Ok(())
 }
 
-/// False if no two nodes of the same place in `a` and `b` coincide: a loop without branches, as that is so for most rows.
+/// False if no two nodes of the same place in `a` and `b` coincide: a loop without branches, as that is so for most
+/// rows.
 fn any_close<T: Real>(a: [&[T]; 3], b: [&[T]; 3], tolerance: f64) -> bool {
     let close = |a: T, b: T| {
         let difference: f64 = a.into() - b.into();

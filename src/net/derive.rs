@@ -1,8 +1,9 @@
 //! The topology that coordinates tell: what lies together is glued.
 //!
-//! Neighbours that coincide are contracted links. Of the rest only the rim of the net is looked at: runs of rim nodes that
-//! coincide with others, forwards or backwards, are what closes a net, be it a row that ends where it begins, a side that is
-//! another one turned round, or one that is folded. A node that meets another one alone touches it and is not glued to it.
+//! Neighbours that coincide are contracted links. Of the rest only the rim of the net is looked at: runs of rim nodes
+//! that coincide with others, forwards or backwards, are what closes a net, be it a row that ends where it begins, a
+//! side that is another one turned round, or one that is folded. A node that meets another one alone touches it and is
+//! not glued to it.
 
 use super::coincide::{check_tolerance, coincide, links};
 use super::topology::{Links, Matrix, Run, Seam, Topology};
@@ -17,13 +18,14 @@ const MOST_PARTNERS: usize = 8;
 /// A direction in which hardly any two different nodes are level.
 const KEY: DVec3 = DVec3::new(0.577_350_27, 0.618_033_99, 0.533_751_17);
 
-/// The topology of coordinates, in its canonical form ([`Topology::saturated`]): neighbours that coincide, and runs of two and more rim
-/// nodes that do. Tolerance 0: equal coordinates (0 and -0 are equal). O(nodes), and a sort of the rim.
+/// The topology of coordinates, in its canonical form ([`Topology::saturated`]): neighbours that coincide, and runs of
+/// two and more rim nodes that do. Tolerance 0: equal coordinates (0 and -0 are equal). O(nodes), and a sort of the
+/// rim.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`](crate::Error::OptionOutOfRange) (the tolerance is no finite number from 0 on),
-/// [`Error::CrossingCell`](crate::Error::CrossingCell) (both pairs of opposite corners of a cell coincide, and are not all one),
-/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+/// [`Error::CrossingCell`](crate::Error::CrossingCell) (both pairs of opposite corners of a cell coincide, and are not
+/// all one), [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
 pub fn derive(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_>) -> Result<Topology> {
     check_tolerance(tolerance)?;
     let shape = coordinates.shape();
@@ -102,8 +104,9 @@ impl Rim<'_> {
         Ok(pairs)
     }
 
-    /// The pairs in runs. Those of one sum run against each other, those of one difference side by side; round the rim, both are
-    /// meant modulo its length. Every run is found from both its sides, which a topology takes for the one seam that it is.
+    /// The pairs in runs. Those of one sum run against each other, those of one difference side by side; round the rim,
+    /// both are meant modulo its length. Every run is found from both its sides, which a topology takes for the one
+    /// seam that it is.
     fn seams(&self, pairs: &[[usize; 2]], classes: &Classes) -> Result<Vec<Seam>> {
         let n = self.len();
         let mut seams = Vec::new();
@@ -123,8 +126,8 @@ impl Rim<'_> {
         Ok(seams)
     }
 
-    /// A run, cut where either side turns a corner; with the pair before and after it, if it is one of vertices that links have glued
-    /// to others and that were not compared for that.
+    /// A run, cut where either side turns a corner; with the pair before and after it, if it is one of vertices that
+    /// links have glued to others and that were not compared for that.
     fn add_run(
         &self,
         partners: Partners,

@@ -17,17 +17,18 @@ impl Net<'_> {
         Ok(())
     }
 
-    /// Unglues nodes; see [`Topology::unglued`](super::Topology::unglued). `separation`: how far what becomes separate retreats from
-    /// each other; 0 leaves positions what they are.
+    /// Unglues nodes; see [`Topology::unglued`](super::Topology::unglued). `separation`: how far what becomes separate
+    /// retreats from each other; 0 leaves positions what they are.
     ///
-    /// Each piece of a vertex that falls apart moves by half the separation, all its nodes to the same place, towards the mean of its
-    /// neighbours: the other ends of its links that are there and did not belong to the vertex; of these only such as do
-    /// not fall apart themselves, if there are any, so that the rims of a cut move away from the cut and not along it. A piece
-    /// without neighbours, or in the middle of them, stays. Returns the number of pieces that moved. O(nodes).
+    /// Each piece of a vertex that falls apart moves by half the separation, all its nodes to the same place, towards
+    /// the mean of its neighbours: the other ends of its links that are there and did not belong to the vertex; of
+    /// these only such as do not fall apart themselves, if there are any, so that the rims of a cut move away from the
+    /// cut and not along it. A piece without neighbours, or in the middle of them, stays. Returns the number of pieces
+    /// that moved. O(nodes).
     ///
     /// # Errors
-    /// As there, and [`Error::OptionOutOfRange`] for a separation that is no finite number from 0 on; the net is unchanged
-    /// then.
+    /// As there, and [`Error::OptionOutOfRange`] for a separation that is no finite number from 0 on; the net is
+    /// unchanged then.
     pub fn unglue(&mut self, gluings: &[Gluing], separation: f64) -> Result<usize> {
         if !(separation.is_finite() && separation >= 0.0) {
             return Err(Error::OptionOutOfRange { option: "separation", value: separation });

@@ -1,5 +1,5 @@
-//! Whether what is glued lies together (paper: "the correctness of a topology must be checked by the coincidence of the coordinates of
-//! glued nodes"), and what is suspicious although it is allowed.
+//! Whether what is glued lies together (paper: "the correctness of a topology must be checked by the coincidence of the
+//! coordinates of glued nodes"), and what is suspicious although it is allowed.
 
 use super::coincide::{check_tolerance, coincide, links};
 use super::topology::{Links, star_links};
@@ -15,8 +15,8 @@ pub enum FindingKind {
     LinkApart,
     /// A violation: two nodes that a seam glues are apart, or one of them is missing.
     SeamApart,
-    /// A warning: the two ends of a link between neighbours are one vertex by way of others, and the link is a loop there unless it is
-    /// taken to be contracted ([`Topology::saturated`]).
+    /// A warning: the two ends of a link between neighbours are one vertex by way of others, and the link is a loop
+    /// there unless it is taken to be contracted ([`Topology::saturated`]).
     Loop,
     /// A warning: the two ends of a link coincide and are not glued.
     ZeroLength,
@@ -45,9 +45,9 @@ pub struct Finding {
 }
 
 impl Net<'_> {
-    /// Checks each contracted link and each pair of each seam: the two nodes must coincide, which with tolerance 0 means equal
-    /// coordinates (0 and -0 are equal), or both be missing. Looks for what is suspicious besides. Violations come first, each kind in
-    /// the order of its elements. O(nodes), and a sort of the findings.
+    /// Checks each contracted link and each pair of each seam: the two nodes must coincide, which with tolerance 0
+    /// means equal coordinates (0 and -0 are equal), or both be missing. Looks for what is suspicious besides.
+    /// Violations come first, each kind in the order of its elements. O(nodes), and a sort of the findings.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`](crate::Error::OptionOutOfRange) (the tolerance is no finite number from 0 on),

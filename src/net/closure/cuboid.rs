@@ -1,9 +1,9 @@
 //! The three closures of a box, the paper's cube among them (its Fig. 6).
 //!
-//! A vertex of a box has the angle 3/2 pi around it, an odd multiple of a right angle, which only a corner of the net can give;
-//! a net has four corners and a box eight vertices. So some cells must degenerate. All three closures wrap the four lateral
-//! faces with a closed band of rows and differ in how the rows beyond it cover the two caps. Where a node lies on the box is a
-//! function of its row and column, and links are contracted that join a place to itself.
+//! A vertex of a box has the angle 3/2 pi around it, an odd multiple of a right angle, which only a corner of the net
+//! can give; a net has four corners and a box eight vertices. So some cells must degenerate. All three closures wrap
+//! the four lateral faces with a closed band of rows and differ in how the rows beyond it cover the two caps. Where a
+//! node lies on the box is a function of its row and column, and links are contracted that join a place to itself.
 
 use crate::error::{Error, Result};
 use crate::net::topology::{Links, Matrix, Run, Seam};
@@ -12,12 +12,12 @@ use crate::net::{Shape, Sides, Topology};
 /// How the caps of a box are covered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum BoxKind {
-    /// Two opposite rims of the cap sweep over it until they meet in a slit, which is then zipped up from both ends. All faces are
-    /// unit quads, all vertices but the eight have four edges, and the characteristic matrix says it all.
+    /// Two opposite rims of the cap sweep over it until they meet in a slit, which is then zipped up from both ends.
+    /// All faces are unit quads, all vertices but the eight have four edges, and the characteristic matrix says it all.
     #[default]
     Slit,
-    /// The paper's crosswise unwrapping: one block of the net is the cap, the three blocks beside it are drawn together to
-    /// its sides. All faces are unit quads; the last row of each cap is a [`Seam`].
+    /// The paper's crosswise unwrapping: one block of the net is the cap, the three blocks beside it are drawn together
+    /// to its sides. All faces are unit quads; the last row of each cap is a [`Seam`].
     Cross,
     /// Concentric rings. Fewest nodes; cells on the diagonals of the caps are split into two triangles.
     Concentric,
@@ -132,8 +132,8 @@ impl Cuboid {
         }
     }
 
-    /// The first block is the cap itself, from its rim at y = 0; the third, opposite, is drawn together to its rim at y = b; the
-    /// two between to those at x = a and x = 0, where they follow the first block's end.
+    /// The first block is the cap itself, from its rim at y = 0; the third, opposite, is drawn together to its rim at y
+    /// = b; the two between to those at x = a and x = 0, where they follow the first block's end.
     fn crosswise(&self, depth: u32, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
         let [x, y] = self.rim(column);
@@ -145,7 +145,8 @@ impl Cuboid {
     }
 }
 
-/// A coordinate between 0 and `size`, drawn in by `steps` from both ends; of an odd size the last step moves one end only.
+/// A coordinate between 0 and `size`, drawn in by `steps` from both ends; of an odd size the last step moves one end
+/// only.
 fn drawn_in(value: u32, steps: u32, size: u32) -> u32 {
     value.clamp(steps.min(size.div_ceil(2)), size - steps.min(size / 2))
 }

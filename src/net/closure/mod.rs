@@ -1,8 +1,8 @@
-//! Closures that need more than [`Sides`](super::Sides): boxes, and surfaces with a side turned round.
+//! Closures that need more than [`Sides`]: boxes, and surfaces with a side turned round.
 //!
-//! A net is a rectangle, and a closed surface is a rectangle whose sides are glued. What [`Sides`](super::Sides) say, and the
-//! characteristic matrix in general, glues neighbours and the ends of rows and columns; a side that is glued to another one the
-//! other way round, or to itself folded, is a [`Seam`].
+//! A net is a rectangle, and a closed surface is a rectangle whose sides are glued. What [`Sides`] say,
+//! and the characteristic matrix in general, glues neighbours and the ends of rows and columns; a side that is glued to
+//! another one the other way round, or to itself folded, is a [`Seam`].
 
 mod cuboid;
 
@@ -20,7 +20,8 @@ pub fn moebius(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(Sides::SHEET), &[turned_columns(shape)])
 }
 
-/// A Klein bottle: columns are closed, and the last column is the first one upside down. Euler's characteristic 0, closed.
+/// A Klein bottle: columns are closed, and the last column is the first one upside down. Euler's characteristic 0,
+/// closed.
 ///
 /// # Errors
 /// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
@@ -40,7 +41,7 @@ pub fn projective_plane(shape: Shape) -> Result<Topology> {
 }
 
 /// A pillow: a tube laid flat whose two rims are folded shut. A sphere with four vertices of two edges, unlike any that
-/// [`Sides`](super::Sides) describe.
+/// [`Sides`] describe.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for an even number of columns: a row is folded at its first and its middle node.

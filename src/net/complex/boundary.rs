@@ -7,8 +7,8 @@ use crate::error::{Error, Result};
 
 /// The chains of edges that have one face each.
 ///
-/// Where the boundary passes a vertex more than once, a chain goes on along the fan of faces it came along. All chains are
-/// loops, but for those that end at edges of three faces and more.
+/// Where the boundary passes a vertex more than once, a chain goes on along the fan of faces it came along. All chains
+/// are loops, but for those that end at edges of three faces and more.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Boundary {
     offsets: Vec<u32>,
@@ -62,8 +62,8 @@ impl Boundary {
         &self.nodes
     }
 
-    /// Chains of `edges` of a net of `count` nodes, each once, in the direction of its face or (`reversed`) against it. `fan_ends`: the pairs of edges that belong
-    /// together at vertices that have more than two. A sort of the edges.
+    /// Chains of `edges` of a net of `count` nodes, each once, in the direction of its face or (`reversed`) against it.
+    /// `fan_ends`: the pairs of edges that belong together at vertices that have more than two. A sort of the edges.
     pub(super) fn of(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize, reversed: bool) -> Result<Self> {
         let limit = u64::from(u32::MAX / 2);
         if edges.len() as u64 > limit {

@@ -44,8 +44,8 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
     Ok(roots.count() as u64)
 }
 
-/// True if the faces can be turned so that no two run along an edge the same way; edges of three faces and more are left out.
-/// O(cells).
+/// True if the faces can be turned so that no two run along an edge the same way; edges of three faces and more are
+/// left out. O(cells).
 pub(super) fn is_orientable(scan: &Scan<'_>, classes: &Classes, presence: &Presence) -> Result<bool> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());

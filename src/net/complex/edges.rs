@@ -29,8 +29,8 @@ pub(super) fn faces(sides: &[Side]) -> &[Side] {
     &sides[..sides.partition_point(|side| side.sense != Sense::None)]
 }
 
-/// Brings the corners at each vertex together to fans: faces one after the other round it. More than one of them is a pinch; the
-/// boundary edges of each are added to the scan's. A sort of the corners.
+/// Brings the corners at each vertex together to fans: faces one after the other round it. More than one of them is a
+/// pinch; the boundary edges of each are added to the scan's. A sort of the corners.
 pub(super) fn fans(scan: &mut Scan<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
     group::sort(&mut scan.corners, count, |corner| corner[0])?;
@@ -44,8 +44,8 @@ pub(super) fn fans(scan: &mut Scan<'_>, complex: &mut Complex) -> Result<()> {
     Ok(())
 }
 
-/// The link of a vertex: the edges that meet there are its points, and each face joins two of them. The space is used again for
-/// each vertex.
+/// The link of a vertex: the edges that meet there are its points, and each face joins two of them. The space is used
+/// again for each vertex.
 #[derive(Default)]
 struct Link {
     /// The other ends of the edges, in order.

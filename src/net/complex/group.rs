@@ -5,8 +5,8 @@ use crate::error::Result;
 
 /// Sorts items that have the numbers of vertices, all below `count`, as their first criterion.
 ///
-/// Many items are brought to their vertices first, in linear time, and only those of each vertex are sorted: on a net there are
-/// few of them but at poles.
+/// Many items are brought to their vertices first, in linear time, and only those of each vertex are sorted: on a net
+/// there are few of them but at poles.
 pub(super) fn sort<T: Ord + Copy>(items: &mut Vec<T>, count: usize, vertex: impl Fn(&T) -> u32) -> Result<()> {
     if items.len() < count / 8 || items.len() < 256 || items.len() > u32::MAX as usize {
         items.sort_unstable();

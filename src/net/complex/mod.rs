@@ -1,8 +1,9 @@
 //! The quotient complex of a net: what surface it is once glued nodes are one.
 //!
-//! Vertices are classes of nodes. Edges are pairs of vertices that links join: links with the same ends are one edge. Faces are what
-//! is left of cells, quads and triangles; cells with less left (digons, points, folds) are no faces. An edge of no face is a
-//! wire, such as the thread between two closed nets; of one face, boundary; of more than two, a branch.
+//! Vertices are classes of nodes. Edges are pairs of vertices that links join: links with the same ends are one edge.
+//! Faces are what is left of cells, quads and triangles; cells with less left (digons, points, folds) are no faces. An
+//! edge of no face is a wire, such as the thread between two closed nets; of one face, boundary; of more than two, a
+//! branch.
 //!
 //! Everything takes time linear in the nodes, but for sorting what belongs to glued nodes.
 
@@ -75,8 +76,8 @@ impl Complex {
     /// The complex of all cells of a topology.
     ///
     /// # Errors
-    /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face), [`Error::OutOfMemory`](crate::Error::OutOfMemory),
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face),
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn of_topology(topology: &Topology, job: &Job<'_>) -> Result<Self> {
         Complex::new(topology, &Presence::ALL, job)
     }
@@ -84,8 +85,8 @@ impl Complex {
     /// The complex of a net.
     ///
     /// # Errors
-    /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face), [`Error::OutOfMemory`](crate::Error::OutOfMemory),
-    /// [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face),
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn of(net: &Net<'_>, cells: Cells, job: &Job<'_>) -> Result<Self> {
         let presence = match cells {
             Cells::All => Presence::ALL,
@@ -130,7 +131,8 @@ impl Complex {
         self.wires.is_empty() && self.branches.is_empty() && self.pinches.is_empty()
     }
 
-    /// The genus of a surface, summed over its pieces: handles if it is orientable, else crosscaps. `None` if it is no surface.
+    /// The genus of a surface, summed over its pieces: handles if it is orientable, else crosscaps. `None` if it is no
+    /// surface.
     pub fn genus(&self) -> Option<u64> {
         // chi = sum of (2 - 2 g - b), or of (2 - k - b), over the pieces.
         let excess = 2 * self.components as i64 - self.euler_characteristic() - self.boundary.len() as i64;

@@ -1,8 +1,8 @@
 //! One pass over the rows of a net: counts what is regular, and collects what is not.
 //!
-//! A link between two nodes that nothing is glued to is an edge of its own, and all that is to be known about it is which of
-//! the two cells beside it are there. Only where nodes are glued do edges have to be brought together, and only there, and next
-//! to them, can the faces round a vertex be more than the cells round a node.
+//! A link between two nodes that nothing is glued to is an edge of its own, and all that is to be known about it is
+//! which of the two cells beside it are there. Only where nodes are glued do edges have to be brought together, and
+//! only there, and next to them, can the faces round a vertex be more than the cells round a node.
 
 use super::presence::Presence;
 use super::{Complex, Edge};
@@ -12,7 +12,8 @@ use crate::job::Job;
 use crate::net::Shape;
 use crate::net::topology::{Classes, Reduced};
 
-/// A side of a face, or of a cell that has no surface, between vertices of which at least one is a class of several nodes.
+/// A side of a face, or of a cell that has no surface, between vertices of which at least one is a class of several
+/// nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Side {
     /// The vertices, the smaller first.

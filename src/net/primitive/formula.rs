@@ -52,8 +52,9 @@ pub(super) fn figure_eight(radius: f64, minor_radius: f64, section: [usize; 2], 
     [distance * c, distance * s, minor_radius * (half_s * p + half_c * q)]
 }
 
-/// Boy's surface of a point of the square: with w in the unit disc and d = w^6 + sqrt(5) w^3 - 1, g = (-3/2 Im(w (1 - w^4) / d), -3/2 Re(w (1 + w^4) / d),
-/// Im((1 + w^6) / d) - 1/2), the point is g / |g|^2. All is multiplied by |d|^2, which may be nearly 0.
+/// Boy's surface of a point of the square: with w in the unit disc and d = w^6 + sqrt(5) w^3 - 1, g = (-3/2 Im(w (1 -
+/// w^4) / d), -3/2 Re(w (1 + w^4) / d), Im((1 + w^6) / d) - 1/2), the point is g / |g|^2. All is multiplied by |d|^2,
+/// which may be nearly 0.
 pub(super) fn boy(square: [f64; 2]) -> [f64; 3] {
     let w = disc(square);
     let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];

@@ -1,9 +1,9 @@
 //! Whole nets of standard shapes: coordinates and topology.
 //!
-//! Solids of revolution, and prisms and pyramids, which are their angular kin, are a profile carried round the z axis; the others
-//! each have a formula. All are centred at the origin. Nodes that are one point have the same
-//! bits: their coordinates are computed from indices that were reduced first. Closed surfaces have their faces
-//! counter-clockwise seen from outside, and so a positive volume.
+//! Solids of revolution, and prisms and pyramids, which are their angular kin, are a profile carried round the z axis;
+//! the others each have a formula. All are centred at the origin. Nodes that are one point have the same bits: their
+//! coordinates are computed from indices that were reduced first. Closed surfaces have their faces counter-clockwise
+//! seen from outside, and so a positive volume.
 
 mod angle;
 mod build;
@@ -50,7 +50,8 @@ pub enum Primitive<'a> {
         /// Along z.
         height: f64,
     },
-    /// A right prism over a regular polygon, with caps; all its vertices are nodes. At least 4 rows, and a column more than sides.
+    /// A right prism over a regular polygon, with caps; all its vertices are nodes. At least 4 rows, and a column more
+    /// than sides.
     Prism {
         /// The number of lateral faces, 3 and more.
         sides: u32,
@@ -66,7 +67,8 @@ pub enum Primitive<'a> {
         /// Along z; the apex is above.
         height: f64,
     },
-    /// A right pyramid over a regular polygon, with its base; all its vertices are nodes. At least 3 rows, and a column more than sides.
+    /// A right pyramid over a regular polygon, with its base; all its vertices are nodes. At least 3 rows, and a column
+    /// more than sides.
     Pyramid {
         /// The number of lateral faces, 3 and more.
         sides: u32,
@@ -102,16 +104,16 @@ pub enum Primitive<'a> {
         /// Of the strip.
         width: f64,
     },
-    /// A Klein bottle as a tube with a figure-eight section that makes half a turn (an immersion: it passes through itself). At least 4
-    /// rows and columns.
+    /// A Klein bottle as a tube with a figure-eight section that makes half a turn (an immersion: it passes through
+    /// itself). At least 4 rows and columns.
     Klein {
         /// From the axis to the middle of the tube.
         radius: f64,
         /// Of the section.
         minor_radius: f64,
     },
-    /// The projective plane as Boy's surface, in the parametrisation of R. Kusner and R. Bryant (an immersion). At least 4 rows and
-    /// columns.
+    /// The projective plane as Boy's surface, in the parametrisation of R. Kusner and R. Bryant (an immersion). At
+    /// least 4 rows and columns.
     ProjectivePlane {
         /// A scale: 1 for the surface as published.
         radius: f64,
@@ -175,8 +177,9 @@ impl<'a> Request<'a> {
     /// The net. O(nodes).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for measures that are not positive, or too large or too small for the type of the coordinates, and for too
-    /// few rows or columns; [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for measures that are not positive, or too large or too small for the type of the
+    /// coordinates, and for too few rows or columns; [`Error::NetTooSmall`], [`Error::TooLarge`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn net(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let shape = self.shape()?;
         self.primitive.check(self.scalar)?;

@@ -52,8 +52,8 @@ pub(super) fn polyline(corners: &[Point], rows: usize) -> Result<Vec<Point>> {
     Ok(points)
 }
 
-/// The points of a regular polygon with a corner at (1, 0), in `columns` nodes, the last of which is the first; its corners among
-/// them.
+/// The points of a regular polygon with a corner at (1, 0), in `columns` nodes, the last of which is the first; its
+/// corners among them.
 pub(super) fn polygon(sides: usize, columns: usize) -> Result<Vec<Point>> {
     let first = |side: usize| side * (columns - 1) / sides;
     let mut points = alloc::with_capacity(columns)?;

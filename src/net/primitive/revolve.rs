@@ -25,8 +25,8 @@ pub(super) fn net(
     })
 }
 
-/// Rows are closed, those on the axis a point, and columns closed if the profile is. Faces of a closed surface are turned so that
-/// the volume is positive.
+/// Rows are closed, those on the axis a point, and columns closed if the profile is. Faces of a closed surface are
+/// turned so that the volume is positive.
 fn topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
     let last = profile.len() - 1;
     let ring = last >= 3 && profile[0] == profile[last];

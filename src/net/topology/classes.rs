@@ -35,7 +35,7 @@ impl Classes {
             Links::Sides(sides) => sides.links(shape).for_each(|link| forest.join(shape.ends(link))),
             Links::Matrix(matrix) => forest.contract(shape, matrix),
         }
-        topology.seams().iter().for_each(|seam| seam.pairs(shape).for_each(|pair| forest.join(pair)));
+        topology.seams().iter().flat_map(|seam| seam.pairs(shape)).for_each(|pair| forest.join(pair));
         Ok(Classes { shape, kind: Kind::Table(forest.flattened()) })
     }
 
@@ -86,8 +86,8 @@ impl Classes {
         }
     }
 
-    /// Gives each node that is not its own representative to `visit`, and its representative. O(H + W) for sides alone, else
-    /// O(nodes).
+    /// Gives each node that is not its own representative to `visit`, and its representative. O(H + W) for sides alone,
+    /// else O(nodes).
     pub(crate) fn glued(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
         let (h, w) = (self.shape.rows(), self.shape.columns());
         match &self.kind {
@@ -175,7 +175,8 @@ impl Groups {
 struct SideClasses {
     rows_closed: bool,
     columns_closed: bool,
-    /// Of the poles at the top, the bottom, the left and the right, as they are once closed rows and columns are folded.
+    /// Of the poles at the top, the bottom, the left and the right, as they are once closed rows and columns are
+    /// folded.
     poles: [Option<u32>; 4],
 }
 
@@ -248,9 +249,9 @@ impl Forest {
 
     /// Joins the ends of all links of a matrix, in a forest that has joined nothing yet.
     ///
-    /// Nodes are taken in order, 32 at a time, and those without links to the west or north are passed over. A node with one of
-    /// the two becomes a child of its neighbour's parent, without a search for the root; only where both lead to different
-    /// parents are trees joined.
+    /// Nodes are taken in order, 32 at a time, and those without links to the west or north are passed over. A node
+    /// with one of the two becomes a child of its neighbour's parent, without a search for the root; only where both
+    /// lead to different parents are trees joined.
     fn contract(&mut self, shape: Shape, matrix: &Matrix) {
         let (h, w) = (shape.rows(), shape.columns());
         for (i, j) in (0..h).flat_map(|i| (0..w).step_by(32).map(move |j| (i, j))) {

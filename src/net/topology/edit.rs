@@ -1,7 +1,7 @@
 //! Gluing and ungluing by hand: one link, the star of a node, a cell, a run of nodes (paper, "Local gluings of nodes").
 //!
-//! Whatever is asked for comes down to pairs of nodes: glued, a pair is contracted or seamed; unglued, nothing names it any
-//! more. A batch is done as a whole or not at all.
+//! Whatever is asked for comes down to pairs of nodes: glued, a pair is contracted or seamed; unglued, nothing names it
+//! any more. A batch is done as a whole or not at all.
 
 use super::gluing::{cell_links, star_links};
 use super::{GluingType, Links, Matrix, Run, Seam, Topology};
@@ -23,8 +23,8 @@ pub enum Diagonal {
 pub enum Gluing {
     /// The two ends of a link.
     Link(u32),
-    /// A node and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8. At the sides of the net the
-    /// links go round to the other side, as the characteristic matrix has them.
+    /// A node and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8. At the sides of the
+    /// net the links go round to the other side, as the characteristic matrix has them.
     Star {
         /// The node.
         node: u32,
@@ -50,8 +50,8 @@ pub enum Gluing {
 }
 
 impl Gluing {
-    /// The gluing of a type at a node (numbers 0 to 12) or a cell (13 to 17): [`classify_node`](super::classify_node) or
-    /// [`classify_cell`](super::classify_cell) finds it there again, if the surroundings are not glued.
+    /// The gluing of a type at a node (numbers 0 to 12) or a cell (13 to 17): [`classify_node`](super::classify_node)
+    /// or [`classify_cell`](super::classify_cell) finds it there again, if the surroundings are not glued.
     pub fn of_type(kind: GluingType, at: u32) -> Self {
         match (kind.star_mask(), kind.cell_mask()) {
             (Some(mask), _) => Gluing::Star { node: at, mask },
@@ -109,8 +109,8 @@ impl Topology {
     /// The same with more nodes glued. O(nodes).
     ///
     /// # Errors
-    /// [`Error::NoSuchNode`], [`Error::NoSuchLink`], [`Error::NoSuchCell`], [`Error::OptionOutOfRange`] (a mask above 15),
-    /// [`Error::BadSeam`] (its place in the batch), [`Error::CrossingCell`], [`Error::OutOfMemory`].
+    /// [`Error::NoSuchNode`], [`Error::NoSuchLink`], [`Error::NoSuchCell`], [`Error::OptionOutOfRange`] (a mask above
+    /// 15), [`Error::BadSeam`] (its place in the batch), [`Error::CrossingCell`], [`Error::OutOfMemory`].
     pub fn glued(&self, gluings: &[Gluing]) -> Result<Self> {
         let (mut matrix, mut seams) = (self.matrix()?, alloc::copied(self.seams())?);
         let set = |matrix: &mut Matrix, link: u32| {
@@ -124,8 +124,9 @@ impl Topology {
         Ok(Topology::new(self.shape(), Links::Matrix(matrix), &seams)?.with_reversed(self.is_reversed()))
     }
 
-    /// The same without gluings of these pairs of nodes: their links are free, and seams that have them are cut there. Nodes may be
-    /// one point still, by way of others; a pair that is not glued by name is left alone. O(nodes), and a sort of the pairs.
+    /// The same without gluings of these pairs of nodes: their links are free, and seams that have them are cut there.
+    /// Nodes may be one point still, by way of others; a pair that is not glued by name is left alone. O(nodes), and a
+    /// sort of the pairs.
     ///
     /// # Errors
     /// As for [`Topology::glued`].

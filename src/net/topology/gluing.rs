@@ -1,9 +1,9 @@
 //! The 18 local gluings (paper, Fig. 4).
 //!
-//! Up to translation, the ways in which the star of a node (its four links) or the rim of a cell can be glued number 18: 13
-//! partitions come from contracting links of a star (15 sets, two of them translates), 11 from the partitions of the four corners
-//! of a cell that do not cross (14, without the identity and two translates), and 6 are both. The nineteenth, both pairs of
-//! opposite corners, crosses itself: no surface does that.
+//! Up to translation, the ways in which the star of a node (its four links) or the rim of a cell can be glued number
+//! 18: 13 partitions come from contracting links of a star (15 sets, two of them translates), 11 from the partitions of
+//! the four corners of a cell that do not cross (14, without the identity and two translates), and 6 are both. The
+//! nineteenth, both pairs of opposite corners, crosses itself: no surface does that.
 
 use super::edit::place_of_cell;
 use super::{Classes, Matrix, Topology};
@@ -44,7 +44,8 @@ const OF_STAR: [Option<u8>; 16] = [
     Some(9),
     Some(12),
 ];
-/// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a corner of the node between them.
+/// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a corner of the node
+/// between them.
 const OF_CELL: [Option<u8>; 16] = [
     None,
     Some(0),
@@ -131,8 +132,8 @@ pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
     [2 * a, 2 * b + 1, 2 * d, 2 * a + 1]
 }
 
-/// The star of node (i, j): which of its links have become a point. `cyclic`: links that lead back to the first row and column
-/// count too. `None`: no link has.
+/// The star of node (i, j): which of its links have become a point. `cyclic`: links that lead back to the first row and
+/// column count too. `None`: no link has.
 pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
     let shape = classes.shape();
     let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];

@@ -7,8 +7,8 @@ use std::ops::Range;
 
 const WORD: usize = u64::BITS as usize;
 
-/// The paper's matrix C, 2H x W bits, 1 for a contracted link: its element (2i, j) is link `2 * node(i, j)` here and (2i + 1, j)
-/// link `2 * node(i, j) + 1` (rows and columns from 0), so that the two bits of a node lie together.
+/// The paper's matrix C, 2H x W bits, 1 for a contracted link: its element (2i, j) is link `2 * node(i, j)` here and
+/// (2i + 1, j) link `2 * node(i, j) + 1` (rows and columns from 0), so that the two bits of a node lie together.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Matrix {
     words: Vec<u64>,

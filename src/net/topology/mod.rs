@@ -36,9 +36,9 @@ pub enum Links {
 
 /// The gluing of a net: its contracted links and its seams.
 ///
-/// It is kept in one form: links that sides can describe are sides, seams that links can describe are links, seams are in
-/// order, and no cell is crossed (see [`Reduced::Crossing`]). Two topologies that contract the same links and list the same
-/// seams are equal; for those that glue the same nodes in different ways compare [`Topology::saturated`].
+/// It is kept in one form: links that sides can describe are sides, seams that links can describe are links, seams are
+/// in order, and no cell is crossed (see [`Reduced::Crossing`]). Two topologies that contract the same links and list
+/// the same seams are equal; for those that glue the same nodes in different ways compare [`Topology::saturated`].
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Topology {
     shape: Shape,
@@ -74,8 +74,20 @@ impl Topology {
         Ok(topology)
     }
 
-    /// From links and seams of topologies, put together so that no cell can be crossed: unlike [`Topology::new`] it does not
-    /// look, and a seam stays one even where links could say the same. O(contracted links + pairs of seams).
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn copied(&self) -> Result<Self> {
+        let links = match &self.links {
+            Links::Sides(sides) => Links::Sides(*sides),
+            Links::Matrix(matrix) => Links::Matrix(matrix.copied()?),
+        };
+        Ok(Topology { shape: self.shape, links, seams: alloc::copied(&self.seams)?, reversed: self.reversed })
+    }
+
+    /// From links and seams of topologies, put together so that no cell can be crossed: unlike [`Topology::new`] it
+    /// does not look, and a seam stays one even where links could say the same. O(contracted links + pairs of seams).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -96,18 +108,6 @@ impl Topology {
             Links::Sides(sides) => sides.links(self.shape).for_each(show),
             Links::Matrix(matrix) => matrix.links().for_each(show),
         }
-    }
-
-    /// A copy.
-    ///
-    /// # Errors
-    /// [`Error::OutOfMemory`].
-    pub fn copied(&self) -> Result<Self> {
-        let links = match &self.links {
-            Links::Sides(sides) => Links::Sides(*sides),
-            Links::Matrix(matrix) => Links::Matrix(matrix.copied()?),
-        };
-        Ok(Topology { shape: self.shape, links, seams: alloc::copied(&self.seams)?, reversed: self.reversed })
     }
 
     /// The size of the net.
@@ -133,7 +133,8 @@ impl Topology {
         &self.seams
     }
 
-    /// True if faces are to be taken the other way round, for their normals to be what they were: nets that were flipped.
+    /// True if faces are to be taken the other way round, for their normals to be what they were: nets that were
+    /// flipped.
     pub fn is_reversed(&self) -> bool {
         self.reversed
     }
