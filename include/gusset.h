@@ -2938,8 +2938,9 @@ typedef struct gusset_net_complex_report {
 } gusset_net_complex_report;
 
 /**
- * Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z: their coordinates, float or double as
- * the net's are, to be changed in place. Return nonzero to stop. It must neither use the net or the context nor throw nor longjmp.
+ * Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z: their coordinates,
+ * float or double as the net's are, to be changed in place. Return nonzero to stop. It must neither use the net or the
+ * context nor throw nor longjmp.
  */
 typedef int (*gusset_rows_fn)(void *user, size_t first, size_t count, void *x, void *y, void *z);
 
@@ -5635,7 +5636,8 @@ gusset_status gusset_net_complex_view(const struct gusset_net_complex *complex,
 GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *complex);
 
 /**
- * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping, animation and projection.
+ * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping, animation and
+ * projection.
  *
  * fields: `count` of them. time: for fields with keys; a net is deformed from what it is now, so that animations
  * deform a copy of the net at rest. The fields work in double; the result is rounded once. Fields of strength 0 do
@@ -5920,9 +5922,10 @@ gusset_status gusset_net_set_bridge(const struct gusset_context *context,
                                     const struct gusset_bridge_properties *properties);
 
 /**
- * Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there. measures: its struct_size
- * set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY, CANCELLED. O(nodes), no memory. From any thread;
- * the same bits for any number of threads. Volumes are exact for the bilinear patches of the cells (divergence theorem).
+ * Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there.
+ * measures: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY,
+ * CANCELLED. O(nodes), no memory. From any thread; the same bits for any number of threads. Volumes are exact for the
+ * bilinear patches of the cells (divergence theorem).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6087,8 +6090,8 @@ gusset_status gusset_net_primitive_create(const struct gusset_context *context,
                                           struct gusset_net **net);
 
 /**
- * Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last ones stay, and new
- * nodes that fall on old ones have their bits.
+ * Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last
+ * ones stay, and new nodes that fall on old ones have their bits.
  *
  * net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal
  * bits. interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on
@@ -6320,7 +6323,8 @@ gusset_status gusset_scene_unflatten_create(const struct gusset_context *context
                                             struct gusset_scene **scene);
 
 /**
- * Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in place.
+ * Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in
+ * place.
  *
  * operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes
  * that are glued and have equal bits keep them equal; missing nodes stay missing. If the operations together mirror
