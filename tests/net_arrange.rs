@@ -2,10 +2,10 @@
 
 mod nets;
 
+use glam::DVec3;
+use gusset::Error;
 use gusset::mesh::Scalar;
 use gusset::net::{Classes, Net};
-use gusset::Error;
-use glam::DVec3;
 use nets::{Surface, any_topology, job, numbered, same, sphere, torus};
 use proptest::prelude::*;
 
@@ -121,10 +121,13 @@ fn parts_beyond_the_net_are_refused() {
     let net = sphere(5, 9, Scalar::F32, DVec3::ZERO);
     assert_eq!(net.part(0..6, 0..9, &job()).unwrap_err(), Error::OptionOutOfRange { option: "rows", value: 6.0 });
     let backwards = std::ops::Range { start: 5, end: 2 };
-    assert_eq!(net.part(0..5, backwards, &job()).unwrap_err(), Error::OptionOutOfRange { option: "columns", value: 5.0 });
+    assert_eq!(
+        net.part(0..5, backwards, &job()).unwrap_err(),
+        Error::OptionOutOfRange { option: "columns", value: 5.0 }
+    );
     assert_eq!(net.part(0..5, 3..4, &job()).unwrap_err(), Error::NetTooSmall { rows: 5, columns: 1 });
-    assert_eq!(net.part(0..3, 0..9, &job()).unwrap().topology().sides().unwrap(), gusset::net::Sides {
-        pole_bottom: false,
-        ..gusset::net::Sides::TWO_POLES
-    });
+    assert_eq!(
+        net.part(0..3, 0..9, &job()).unwrap().topology().sides().unwrap(),
+        gusset::net::Sides { pole_bottom: false, ..gusset::net::Sides::TWO_POLES }
+    );
 }

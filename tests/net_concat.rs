@@ -2,12 +2,13 @@
 
 mod nets;
 
+use glam::DVec3;
+use gusset::Error;
 use gusset::mesh::Scalar;
 use gusset::net::{
-    BridgeKind, BridgeMode, Classes, Direction, JoinOptions, Net, Replication, Sides, Topology, concatenate, concatenate_all,
+    BridgeKind, BridgeMode, Classes, Direction, JoinOptions, Net, Replication, Sides, Topology, concatenate,
+    concatenate_all,
 };
-use gusset::Error;
-use glam::DVec3;
 use nets::{Surface, any_topology, job, numbered, same, shape, sphere, torus};
 use proptest::prelude::*;
 

@@ -5,14 +5,14 @@ mod grids;
 mod nets;
 
 use common::{edge_counts, euler, faces_of};
+use glam::DVec3;
+use gusset::Error;
 use gusset::boundary::boundary_loops;
 use gusset::check::check;
 use gusset::mesh::{NONE, PositionBuffer, Positions, Scalar};
 use gusset::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights, net_of_points};
 use gusset::net::topology::{Links, Run};
 use gusset::net::{BridgeMode, Classes, Direction, JoinOptions, Net, Seam, Sides, Topology, concatenate};
-use gusset::Error;
-use glam::DVec3;
 use nets::{Surface, any_topology, job, same, shape, sphere, torus};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
@@ -198,7 +198,11 @@ fn closed_nets_become_closed_manifolds() {
     for (net, chi) in &nets {
         for reformat in [false, true] {
             let (h, w) = (net.shape().rows(), net.shape().columns());
-            let large = if reformat { net.reformatted(h + 5, w + 3, Default::default(), &job()).unwrap() } else { net.copied().unwrap() };
+            let large = if reformat {
+                net.reformatted(h + 5, w + 3, Default::default(), &job()).unwrap()
+            } else {
+                net.copied().unwrap()
+            };
             for triangles in [None, Some(Diagonal::Fixed), Some(Diagonal::Shorter)] {
                 let options = MeshOptions { triangles, ..MeshOptions::default() };
                 let made = large.to_mesh(&options, &job()).unwrap();
@@ -286,7 +290,14 @@ fn quads_of_an_unknown_shape_do_not_hang() {
 fn heights_face_up() {
     let values: Vec<f32> = (0..12).map(|n| if n == 5 { -9999.0 } else { n as f32 }).collect();
     for spacing in [[2.0, 3.0], [2.0, -3.0], [-2.0, 3.0], [-2.0, -3.0]] {
-        let heights = Heights { shape: shape(3, 4), values: &values, stride: 0, spacing, origin: DVec3::ONE, no_data: Some(-9999.0) };
+        let heights = Heights {
+            shape: shape(3, 4),
+            values: &values,
+            stride: 0,
+            spacing,
+            origin: DVec3::ONE,
+            no_data: Some(-9999.0),
+        };
         let net = net_of_heights(&heights, &job()).unwrap();
         assert_eq!(net.get(2, 3), DVec3::new(1.0 + 3.0 * spacing[0], 1.0 + 2.0 * spacing[1], 12.0));
         assert!(net.get(1, 1).z.is_nan());
@@ -299,8 +310,18 @@ fn heights_face_up() {
             }
         }
     }
-    let heights = Heights { shape: shape(3, 4), values: &values, stride: 5, spacing: [1.0; 2], origin: DVec3::ONE, no_data: None };
-    assert!(matches!(net_of_heights(&heights, &job()), Err(Error::ArrayTooShort { what: "heights", needed: 56, given: 48 })));
+    let heights = Heights {
+        shape: shape(3, 4),
+        values: &values,
+        stride: 5,
+        spacing: [1.0; 2],
+        origin: DVec3::ONE,
+        no_data: None,
+    };
+    assert!(matches!(
+        net_of_heights(&heights, &job()),
+        Err(Error::ArrayTooShort { what: "heights", needed: 56, given: 48 })
+    ));
     let flat = Heights { stride: 0, spacing: [0.0, 1.0], ..heights };
     assert!(matches!(net_of_heights(&flat, &job()), Err(Error::OptionOutOfRange { option: "spacing", .. })));
 }
@@ -350,8 +371,14 @@ fn a_range_image() {
 fn a_volcano() {
     let Some(rows) = grids::csv("volcano_maunga_whau_61x87.csv") else { return };
     let size = shape(rows.len(), rows[0].len());
-    let heights =
-        Heights { shape: size, values: &rows.concat(), stride: 0, spacing: [10.0; 2], origin: DVec3::ZERO, no_data: None };
+    let heights = Heights {
+        shape: size,
+        values: &rows.concat(),
+        stride: 0,
+        spacing: [10.0; 2],
+        origin: DVec3::ZERO,
+        no_data: None,
+    };
     let mesh = net_of_heights(&heights, &job()).unwrap().to_mesh(&MeshOptions::default(), &job()).unwrap().mesh;
     assert_eq!((mesh.positions.len(), mesh.face_count()), (61 * 87, 60 * 86));
 }

@@ -2,11 +2,11 @@
 
 mod nets;
 
+use glam::DVec3;
+use gusset::Error;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{Links, Run};
 use gusset::net::{Classes, Net, Replication, Seam, Sides, Topology};
-use gusset::Error;
-use glam::DVec3;
 use nets::{Surface, any_topology, job, numbered, same, shape, sphere, torus};
 use proptest::prelude::*;
 
@@ -87,7 +87,9 @@ proptest! {
 #[test]
 fn closed_nets_stay_closed() {
     for net in [sphere(5, 9, Scalar::F32, DVec3::ZERO), torus(5, 9, Scalar::F32, DVec3::ZERO)] {
-        for how in [Replication::First, Replication::Last, Replication::At(3), Replication::Uniform, Replication::AtPoles] {
+        for how in
+            [Replication::First, Replication::Last, Replication::At(3), Replication::Uniform, Replication::AtPoles]
+        {
             let large = net.reformatted(11, 20, [how; 2], &job()).unwrap();
             let surface = Surface::of(&large);
             assert_eq!(surface.euler(), Surface::of(&net).euler());

@@ -277,8 +277,7 @@ pub unsafe extern "C" fn gusset_net_set_bridge(
 ) -> gusset_status {
     guard(context, |_| {
         let mode = self::mode(mode)?;
-        let given =
-            (!properties.is_null()).then(|| input::reference(properties, "properties")).transpose()?;
+        let given = (!properties.is_null()).then(|| input::reference(properties, "properties")).transpose()?;
         let net = edit(net)?;
         net.set_bridge_mode(index, mode, tolerance)?;
         if let Some(&given) = given {

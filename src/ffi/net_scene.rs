@@ -261,7 +261,13 @@ pub unsafe extern "C" fn gusset_scene_entry_view(
             Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
         };
         let (transform, visible) = (scene.transform(entry)?.into(), scene.is_visible(entry)?.into());
-        out.write(gusset_scene_entry { struct_size: size_of::<gusset_scene_entry>(), transform, child_count, kind, visible });
+        out.write(gusset_scene_entry {
+            struct_size: size_of::<gusset_scene_entry>(),
+            transform,
+            child_count,
+            kind,
+            visible,
+        });
         Ok(())
     })
 }

@@ -1,11 +1,11 @@
 //! Nets at random and by formula, and what is independently known of them, for the tests of nets.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
+use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{Links, Matrix, Reduced, Run};
 use gusset::net::{Classes, Net, Seam, Shape, Sides, Topology};
 use gusset::{Error, Job};
-use glam::DVec3;
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
@@ -22,7 +22,8 @@ pub fn job() -> Job<'static> {
 pub fn sphere(h: usize, w: usize, scalar: Scalar, centre: DVec3) -> Net<'static> {
     let topology = Topology::of_sides(shape(h, w), Sides::TWO_POLES);
     Net::from_fn(topology, scalar, |i, j| {
-        let (latitude, longitude) = (PI * i as f64 / (h - 1) as f64 - PI / 2.0, TAU * (j % (w - 1)) as f64 / (w - 1) as f64);
+        let (latitude, longitude) =
+            (PI * i as f64 / (h - 1) as f64 - PI / 2.0, TAU * (j % (w - 1)) as f64 / (w - 1) as f64);
         let radius = if i == 0 || i + 1 == h { 0.0 } else { latitude.cos() };
         centre + DVec3::new(radius * longitude.cos(), radius * longitude.sin(), latitude.sin())
     })
@@ -86,7 +87,8 @@ impl Surface {
                 reduced => polygons.extend(reduced.polygon().map(<[u32]>::to_vec)),
             }
         }
-        let used: BTreeSet<[u32; 2]> = polygons.iter().flat_map(|p| sides(p)).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        let used: BTreeSet<[u32; 2]> =
+            polygons.iter().flat_map(|p| sides(p)).map(|[a, b]| [a.min(b), a.max(b)]).collect();
         let wires = edges.difference(&used).copied().collect();
         Surface { polygons, wires, classes: classes.table().unwrap() }
     }
@@ -121,9 +123,8 @@ impl Surface {
             let (i, j) = net.shape().place(class);
             net.get(i, j)
         };
-        let fan = |p: &Vec<u32>| {
-            (1..p.len() - 1).map(|k| at(p[0]).dot(at(p[k]).cross(at(p[k + 1])))).sum::<f64>() / 6.0
-        };
+        let fan =
+            |p: &Vec<u32>| (1..p.len() - 1).map(|k| at(p[0]).dot(at(p[k]).cross(at(p[k + 1])))).sum::<f64>() / 6.0;
         self.polygons.iter().map(fan).sum::<f64>() * if net.topology().is_reversed() { -1.0 } else { 1.0 }
     }
 }

@@ -19,12 +19,22 @@ impl Collected {
     }
 
     pub(crate) fn add(&mut self, link: u32) -> Result<()> {
-        let matrix = match &mut self.matrix {
+        self.matrix()?.set(link, true);
+        Ok(())
+    }
+
+    /// All links from row i to the next.
+    pub(crate) fn add_row_down(&mut self, i: usize) -> Result<()> {
+        let columns = self.shape.columns();
+        self.matrix()?.contract_down(i * columns..(i + 1) * columns);
+        Ok(())
+    }
+
+    fn matrix(&mut self) -> Result<&mut Matrix> {
+        Ok(match &mut self.matrix {
             Some(matrix) => matrix,
             empty => empty.insert(Matrix::empty(self.shape)?),
-        };
-        matrix.set(link, true);
-        Ok(())
+        })
     }
 
     pub(crate) fn links(self) -> Links {
@@ -62,12 +72,8 @@ impl Topology {
             let (i, j) = old.place(link / 2);
             2 * shape.node(j, i) + (1 - link % 2)
         };
-        let run = |run: Run| Run {
-            row: run.column,
-            column: run.row,
-            row_step: run.column_step,
-            column_step: run.row_step,
-        };
+        let run =
+            |run: Run| Run { row: run.column, column: run.row, row_step: run.column_step, column_step: run.row_step };
         self.exchanged(shape, Sides::transposed, link, run)
     }
 
@@ -85,11 +91,7 @@ impl Topology {
             }
         };
         let sides = |sides: Sides| Sides { pole_top: sides.pole_bottom, pole_bottom: sides.pole_top, ..sides };
-        self.exchanged(shape, sides, link, |run| Run {
-            row: last as u32 - run.row,
-            row_step: -run.row_step,
-            ..run
-        })
+        self.exchanged(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
     }
 
     /// The last column first.

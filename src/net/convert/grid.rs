@@ -140,22 +140,16 @@ struct Grid {
 impl Grid {
     fn find(walker: &Walker<'_>, seed: Option<u32>) -> Result<Grid> {
         let head = Grid::head(walker, seed)?;
-        let mut grid =
-            Grid { cells: Vec::new(), columns: 0, rows_closed: false, shift: None, poles: [None, None] };
+        let mut grid = Grid { cells: Vec::new(), columns: 0, rows_closed: false, shift: None, poles: [None, None] };
         grid.add_row(walker, head)?;
         let mut row = head;
-        loop {
-            match walker.step(row, Way::Down)? {
-                Step::Cell(next) => {
-                    if let Some(shift) = grid.cells[..grid.columns].iter().position(|&cell| cell == next) {
-                        grid.shift = Some(shift);
-                        break;
-                    }
-                    grid.add_row(walker, next)?;
-                    row = next;
-                }
-                _ => break,
+        while let Step::Cell(next) = walker.step(row, Way::Down)? {
+            grid.shift = grid.cells[..grid.columns].iter().position(|&cell| cell == next);
+            if grid.shift.is_some() {
+                break;
             }
+            grid.add_row(walker, next)?;
+            row = next;
             // Rows are no more than faces; a way that never ends is none of a grid.
             if grid.cells.len() > walker.mesh.faces().len() {
                 return Err(walker.no_grid(row));
@@ -267,7 +261,9 @@ impl Grid {
         let mut apex = None;
         for &cell in &self.cells[first..first + self.columns] {
             match walker.step(cell, way)? {
-                Step::Triangle(h) if *apex.get_or_insert(walker.start(walker.on(h, 2))) == walker.start(walker.on(h, 2)) => {
+                Step::Triangle(h)
+                    if *apex.get_or_insert(walker.start(walker.on(h, 2))) == walker.start(walker.on(h, 2)) =>
+                {
                     // Neighbours share the edge to the pole: what is no fan would be open there.
                     alloc::push(&mut triangles, h)?;
                 }

@@ -184,9 +184,8 @@ fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> 
         let at = |i: usize| if axis == Direction::Down { (i, k) } else { (k, i) };
         let [(p, q), (r, s)] = [at(0), at(count - 1)];
         let stride = planes.stride();
-        let same = |matrix: &[T]| {
-            bytemuck::bytes_of(&matrix[p * stride + q]) == bytemuck::bytes_of(&matrix[r * stride + s])
-        };
+        let same =
+            |matrix: &[T]| bytemuck::bytes_of(&matrix[p * stride + q]) == bytemuck::bytes_of(&matrix[r * stride + s]);
         if !planes.matrices().into_iter().all(same) {
             let distance = planes.get(p, q).distance(planes.get(r, s));
             return Err(Error::SidesApart { place: k as u32, distance });

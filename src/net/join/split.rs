@@ -57,7 +57,13 @@ impl Net<'_> {
 }
 
 /// The nets before, between and behind some places, which are in order; `gone` are the bridges there.
-fn cut(net: &Net<'_>, direction: Direction, cuts: &[usize], gone: &[usize], job: &Job<'_>) -> Result<Vec<Net<'static>>> {
+fn cut(
+    net: &Net<'_>,
+    direction: Direction,
+    cuts: &[usize],
+    gone: &[usize],
+    job: &Job<'_>,
+) -> Result<Vec<Net<'static>>> {
     let count = direction.extent(net.shape()).0;
     let mut ranges: Vec<Range<usize>> = alloc::with_capacity(cuts.len() + 1)?;
     for &end in cuts.iter().chain(&[count]) {
@@ -132,7 +138,8 @@ fn bridges_cut(
             (bridge.start as usize, bridge.end as usize - 1)
         };
         let from = ranges.partition_point(|range| range.end <= low);
-        for (range, bridges) in ranges[from..].iter().zip(&mut cut[from..]).take_while(|(range, _)| range.start <= high) {
+        for (range, bridges) in ranges[from..].iter().zip(&mut cut[from..]).take_while(|(range, _)| range.start <= high)
+        {
             let within = match direction {
                 Direction::Down => bridge.within(range, &all),
                 Direction::Right => bridge.within(&all, range),
