@@ -338,6 +338,31 @@
 #define GUSSET_U64 1
 
 /**
+ * No edge has one face only.
+ */
+#define GUSSET_NET_CLOSED 1
+
+/**
+ * A surface, with or without boundary: no wires, branches and pinches.
+ */
+#define GUSSET_NET_MANIFOLD 2
+
+/**
+ * No edge that two faces run along the same way.
+ */
+#define GUSSET_NET_ORIENTED 4
+
+/**
+ * Faces can be turned over so that there is none.
+ */
+#define GUSSET_NET_ORIENTABLE 8
+
+/**
+ * No pyramid has more levels.
+ */
+#define GUSSET_PYRAMID_LEVELS 32
+
+/**
  * Closed components face as most of their faces did.
  */
 #define GUSSET_OUTWARD_KEEP 0
@@ -1008,6 +1033,14 @@ enum gusset_status
      */
     GUSSET_ERROR_EMPTY_SCENE = 1307,
     /**
+     * A field of deformation is not defined at a node.
+     */
+    GUSSET_ERROR_FIELD_UNDEFINED = 1320,
+    /**
+     * A net is glued elsewhere than along whole sides, or has bridges.
+     */
+    GUSSET_ERROR_GLUED_INSIDE = 1321,
+    /**
      * Memory could not be had.
      */
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
@@ -1081,14 +1114,34 @@ typedef struct gusset_frame gusset_frame;
 typedef struct gusset_net gusset_net;
 
 /**
+ * What a deformation does to a net. Immutable; may be read from many threads.
+ */
+typedef struct gusset_net_analysis gusset_net_analysis;
+
+/**
+ * The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_complex gusset_net_complex;
+
+/**
  * A net that was found in a mesh. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_net_grid gusset_net_grid;
 
 /**
+ * The points that are several nodes. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_groups gusset_net_groups;
+
+/**
  * The mesh of a net. Opaque and immutable; it keeps nothing of the net.
  */
 typedef struct gusset_net_mesh gusset_net_mesh;
+
+/**
+ * What a validation found. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_validation gusset_net_validation;
 
 /**
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -2605,6 +2658,144 @@ typedef struct gusset_net_gluing {
 } gusset_net_gluing;
 
 /**
+ * What a field does, and what its values are. An axis and those that follow it: y and z after x, z and x after y, x and y after z.
+ */
+typedef uint32_t gusset_field_kind;
+
+/**
+ * An axis of coordinates: 0 is x, 1 is y, 2 is z.
+ */
+typedef uint32_t gusset_axis;
+
+/**
+ * How a strength goes from one key to the next.
+ */
+typedef uint32_t gusset_easing;
+
+/**
+ * A field of deformation: a map of space, of which a part is done.
+ */
+typedef struct gusset_field {
+    /**
+     * sizeof(gusset_field), set by the caller; in an array the same for all.
+     */
+    size_t struct_size;
+    /**
+     * One of GUSSET_FIELD_...
+     */
+    gusset_field_kind kind;
+    /**
+     * For kinds that have one; else 0.
+     */
+    gusset_axis axis;
+    /**
+     * For GUSSET_FIELD_SHEAR; else 0.
+     */
+    gusset_axis other_axis;
+    /**
+     * Between keys; one of GUSSET_EASING_...
+     */
+    gusset_easing easing;
+    /**
+     * How much of the map is done: 0 nothing at all, 1 all of it. With keys, it multiplies what they say.
+     */
+    double strength;
+    /**
+     * What the kind says; the rest is not read.
+     */
+    double values[16];
+    /**
+     * Pairs of time and strength, times increasing; before the first and after the last time the strength is that there. NULL: the
+     * strength does not depend on the time.
+     */
+    const double *keys;
+    /**
+     * The number of pairs.
+     */
+    size_t key_count;
+    /**
+     * For GUSSET_FIELD_LATTICE, three numbers for each control point; else NULL.
+     */
+    const double *offsets;
+    /**
+     * For GUSSET_FIELD_LATTICE; else 0.
+     */
+    uint32_t counts[3];
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_field;
+
+/**
+ * An analysis, lent: valid until gusset_net_analysis_destroy.
+ */
+typedef struct gusset_net_analysis_parts {
+    /**
+     * sizeof(gusset_net_analysis_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its new length
+     * divided by its old one; NaN if it had none, or an end is missing.
+     */
+    const double *links;
+    /**
+     * 2 * rows * columns.
+     */
+    size_t link_count;
+    /**
+     * Of each cell, its new area divided by its old one; negative where the surface is folded over or, after
+     * gusset_net_analyse_fields_create, space is mirrored; NaN if it had none, or is not there.
+     */
+    const double *cells;
+    /**
+     * Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analyse_create.
+     */
+    const double *determinants;
+    /**
+     * (rows - 1) * (columns - 1).
+     */
+    size_t cell_count;
+    /**
+     * The links that have become a point and are not glued: see gusset_net_absorb.
+     */
+    const uint32_t *contracted;
+    /**
+     * Of each of them, what the star of its first node has become with all of them contracted: the number of the local gluing, 0 to 17.
+     */
+    const uint32_t *stars;
+    /**
+     * How many.
+     */
+    size_t contracted_count;
+    /**
+     * The glued links whose ends have come apart.
+     */
+    const uint32_t *torn;
+    /**
+     * How many.
+     */
+    size_t torn_count;
+    /**
+     * The cells that are turned the other way than most.
+     */
+    const uint32_t *folded;
+    /**
+     * How many.
+     */
+    size_t folded_count;
+    /**
+     * 1 if nothing is newly glued, torn or folded: the paper's soft deformation; else it is hard.
+     */
+    uint32_t soft;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_analysis_parts;
+
+/**
  * A direction within a net.
  */
 typedef uint32_t gusset_direction;
@@ -2647,6 +2838,144 @@ typedef struct gusset_reformat_options {
      */
     uint32_t column_index;
 } gusset_reformat_options;
+
+/**
+ * Which cells count.
+ */
+typedef uint32_t gusset_net_cells;
+
+/**
+ * Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are given by their smallest nodes, edges as pairs of
+ * them, one pair after the other, in order. Pointers are valid until the complex is destroyed.
+ */
+typedef struct gusset_net_complex_report {
+    /**
+     * sizeof(gusset_net_complex_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Vertices.
+     */
+    uint64_t vertex_count;
+    /**
+     * Edges: pairs of vertices that links join.
+     */
+    uint64_t edge_count;
+    /**
+     * Faces of four corners.
+     */
+    uint64_t quad_count;
+    /**
+     * Faces of three.
+     */
+    uint64_t triangle_count;
+    /**
+     * Cells that have become an edge.
+     */
+    uint64_t digon_count;
+    /**
+     * Cells that have become a point.
+     */
+    uint64_t point_count;
+    /**
+     * Cells that are folded along a diagonal to two edges.
+     */
+    uint64_t fold_count;
+    /**
+     * Edges of one face.
+     */
+    uint64_t boundary_edge_count;
+    /**
+     * Pieces that do not hang together.
+     */
+    uint64_t component_count;
+    /**
+     * Vertices - edges + faces.
+     */
+    int64_t euler;
+    /**
+     * Handles if it is orientable, else crosscaps, of all pieces together; -1 if it is no surface.
+     */
+    int64_t genus;
+    /**
+     * GUSSET_NET_CLOSED, ..._MANIFOLD, ..._ORIENTED, ..._ORIENTABLE.
+     */
+    uint32_t properties;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * 0, then the end of each chain of boundary edges in boundary_nodes: one more than there are chains.
+     */
+    struct gusset_indices boundary_offsets;
+    /**
+     * The vertices of all chains, with the faces on the left; the last of a chain is followed by its first.
+     */
+    struct gusset_indices boundary_nodes;
+    /**
+     * For each chain 0, or 1 if it is no loop: it ends at edges of three faces and more, and its last vertex is followed by none.
+     */
+    struct gusset_indices boundary_open;
+    /**
+     * Edges of no face.
+     */
+    struct gusset_indices wires;
+    /**
+     * Edges of three faces and more.
+     */
+    struct gusset_indices branches;
+    /**
+     * Vertices whose faces are several fans that meet nowhere else.
+     */
+    struct gusset_indices pinches;
+    /**
+     * Edges that two faces run along the same way.
+     */
+    struct gusset_indices conflicts;
+} gusset_net_complex_report;
+
+/**
+ * Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z: their coordinates, float or double as
+ * the net's are, to be changed in place. Return nonzero to stop. It must neither use the net or the context nor throw nor longjmp.
+ */
+typedef int (*gusset_rows_fn)(void *user, size_t first, size_t count, void *x, void *y, void *z);
+
+/**
+ * What a gusset_gluing glues.
+ */
+typedef uint32_t gusset_gluing_kind;
+
+/**
+ * Nodes to be glued, or no longer to be.
+ */
+typedef struct gusset_gluing {
+    /**
+     * One of GUSSET_GLUING_...
+     */
+    gusset_gluing_kind kind;
+    /**
+     * The link, node or cell; 0 for a seam.
+     */
+    uint32_t element;
+    /**
+     * See the kinds; 0 where none is said to have one.
+     */
+    uint32_t mask;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * Read for GUSSET_GLUING_SEAM only.
+     */
+    struct gusset_seam seam;
+} gusset_gluing;
+
+/**
+ * One of the 18 local gluings (the paper's Fig. 4), or GUSSET_TYPE_NONE.
+ */
+typedef uint32_t gusset_gluing_type;
 
 /**
  * The physical properties of a bridge: kept for the host, and not used.
@@ -2759,6 +3088,85 @@ typedef struct gusset_bridge {
      */
     gusset_bridge_mode mode;
 } gusset_bridge;
+
+/**
+ * What gusset_net_measure finds.
+ */
+typedef struct gusset_measures {
+    /**
+     * sizeof(gusset_measures), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
+     */
+    double area;
+    /**
+     * What the net encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the first node.
+     */
+    double volume;
+    /**
+     * The sum of the cells' area vectors; 0 for closed nets.
+     */
+    double area_vector[3];
+    /**
+     * The smallest coordinates of the nodes that are there; infinite if there are none.
+     */
+    double low[3];
+    /**
+     * The largest.
+     */
+    double high[3];
+} gusset_measures;
+
+/**
+ * The body, of density 1, that a closed net encloses.
+ */
+typedef struct gusset_moments {
+    /**
+     * sizeof(gusset_moments), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The volume; negative if the normals look inwards.
+     */
+    double volume;
+    /**
+     * The centre of mass; NaN if the volume is 0.
+     */
+    double centroid[3];
+    /**
+     * The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it those of -x y and
+     * so on.
+     */
+    double inertia[9];
+} gusset_moments;
+
+/**
+ * How plane the cells of a net are.
+ */
+typedef struct gusset_planarity {
+    /**
+     * sizeof(gusset_planarity), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no cells.
+     */
+    double worst;
+    /**
+     * Its cell; 2^64 - 1 if there are no cells.
+     */
+    uint64_t worst_cell;
+    /**
+     * The mean; NaN if there are no cells.
+     */
+    double mean;
+    /**
+     * How many cells are above the tolerance.
+     */
+    uint64_t above;
+} gusset_planarity;
 
 /**
  * What the faces of the mesh of a net are.
@@ -2902,6 +3310,88 @@ typedef struct gusset_net_grid_parts {
 } gusset_net_grid_parts;
 
 /**
+ * A shape.
+ */
+typedef uint32_t gusset_net_shape;
+
+/**
+ * How the two caps of a box are covered.
+ */
+typedef uint32_t gusset_net_box;
+
+/**
+ * A net that is wanted. Measures that the shape does not name are not read.
+ */
+typedef struct gusset_net_primitive {
+    /**
+     * sizeof(gusset_net_primitive), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One of GUSSET_NET_PLANE to GUSSET_NET_PILLOW.
+     */
+    gusset_net_shape shape;
+    /**
+     * GUSSET_F32 or GUSSET_F64.
+     */
+    uint32_t scalar;
+    /**
+     * Rows of nodes; 0 for 33. Not read for boxes and lathes.
+     */
+    size_t rows;
+    /**
+     * Columns of nodes; 0 for 65. Not read for boxes.
+     */
+    size_t columns;
+    /**
+     * See the shapes; above 0, in the unit of the coordinates.
+     */
+    double radius;
+    /**
+     * See the shapes; above 0.
+     */
+    double minor_radius;
+    /**
+     * See the shapes; above 0, along z.
+     */
+    double height;
+    /**
+     * See the shapes; above 0, along x, y and z.
+     */
+    double size[3];
+    /**
+     * Distance from the axis, at least 0, and height of each point, from below to above, at any alignment. A row on the axis is a pole; a
+     * profile that ends where it begins makes a ring.
+     */
+    const double *profile;
+    /**
+     * The number of points, twice as many numbers; at least 2.
+     */
+    size_t profile_count;
+    /**
+     * Lateral faces of a prism or pyramid, at least 3.
+     */
+    uint32_t sides;
+    /**
+     * GUSSET_NET_BOX_...
+     */
+    gusset_net_box box_kind;
+    /**
+     * Cells of a box along x, y and z, at least 1 each.
+     */
+    uint32_t cells[3];
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_primitive;
+
+/**
+ * How positions between nodes are found.
+ */
+typedef uint32_t gusset_interpolation;
+
+/**
  * An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
  */
 typedef struct gusset_transform {
@@ -3001,6 +3491,78 @@ typedef struct gusset_scene_instance {
      */
     uint32_t reserved;
 } gusset_scene_instance;
+
+/**
+ * What an operation does.
+ */
+typedef uint32_t gusset_operation_kind;
+
+/**
+ * A spatial operation.
+ */
+typedef struct gusset_operation {
+    /**
+     * One of GUSSET_OPERATION_...
+     */
+    gusset_operation_kind kind;
+    /**
+     * For GUSSET_OPERATION_COMPRESS; else 0.
+     */
+    gusset_axis axis;
+    /**
+     * What the kind says; the rest is not read.
+     */
+    double values[12];
+} gusset_operation;
+
+/**
+ * What is found.
+ */
+typedef uint32_t gusset_net_finding_kind;
+
+/**
+ * One finding.
+ */
+typedef struct gusset_net_finding {
+    /**
+     * One of GUSSET_NET_FINDING_...
+     */
+    gusset_net_finding_kind kind;
+    /**
+     * The link, or the number of the seam.
+     */
+    uint32_t element;
+    /**
+     * The two nodes.
+     */
+    uint32_t nodes[2];
+    /**
+     * How far they are apart; NaN if one is missing.
+     */
+    double distance;
+} gusset_net_finding;
+
+/**
+ * All findings: violations first, then warnings, each kind in the order of its elements.
+ */
+typedef struct gusset_net_validation_report {
+    /**
+     * sizeof(gusset_net_validation_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The findings, valid until the validation is destroyed; NULL if there are none.
+     */
+    const struct gusset_net_finding *findings;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * How many of them are violations; they come first.
+     */
+    size_t violation_count;
+} gusset_net_validation_report;
 
 /**
  * How to orient; all zero is the default.
@@ -3504,6 +4066,228 @@ typedef struct gusset_winged_view {
 #define GUSSET_REPLICATE_REFUSE 5
 
 /**
+ * All.
+ */
+#define GUSSET_NET_CELLS_ALL 0
+
+/**
+ * Those whose four nodes have finite coordinates and that no hidden bridge has.
+ */
+#define GUSSET_NET_CELLS_PRESENT 1
+
+/**
+ * An affine map: values[0] to values[11], three rows of four. In part: that part of the straight way.
+ */
+#define GUSSET_FIELD_AFFINE 1
+
+/**
+ * Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the coordinate values[1] on. In
+ * part: by that part of the angle.
+ */
+#define GUSSET_FIELD_TWIST 2
+
+/**
+ * Distances from `axis` grow by values[0] times themselves for each unit along it from the coordinate values[1] on. In part: at that
+ * part of the rate.
+ */
+#define GUSSET_FIELD_TAPER 3
+
+/**
+ * Bends `axis` from its coordinate values[1] to values[2], which may be infinite, to an arc of the curvature values[0], towards the axis
+ * that follows; what lies beyond goes on straight. In part: with that part of the curvature.
+ */
+#define GUSSET_FIELD_BEND 4
+
+/**
+ * The coordinate on `axis` grows by values[0] times that on `other_axis`. In part: at that part of the rate.
+ */
+#define GUSSET_FIELD_SHEAR 5
+
+/**
+ * Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] > 0, straight from its centre, where
+ * it is not defined. In part: that part of the way.
+ */
+#define GUSSET_FIELD_SPHERIFY 6
+
+/**
+ * Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the second the height above a cylinder of
+ * the radius values[0] > 0. In part: that part of the straight way.
+ */
+#define GUSSET_FIELD_CYLINDER_WRAP 7
+
+/**
+ * Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube) and values[1] > 0 (of the tube): of
+ * the two axes that follow, the first goes round the axis and the second round the tube; the axis itself becomes the height above
+ * the torus. In part: that part of the straight way.
+ */
+#define GUSSET_FIELD_TORUS_WRAP 8
+
+/**
+ * Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x counts[2] control points, 2 to 32
+ * each way; offsets: how far each is moved, x, y, z, from its place in the even grid, x running first, then y. Outside the
+ * box nothing moves. In part: that part of the way.
+ */
+#define GUSSET_FIELD_LATTICE 9
+
+/**
+ * A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate becomes 0. In part: that part of
+ * the straight way, as for the other projections.
+ */
+#define GUSSET_FIELD_PROJECTION 10
+
+/**
+ * Onto the plane through values[0..2] with the normal values[3..5], along the direction values[6..8].
+ */
+#define GUSSET_FIELD_PARALLEL 11
+
+/**
+ * Onto the plane through values[3..5] with the normal values[6..8], along the lines through the eye values[0..2]. Not defined
+ * level with the eye.
+ */
+#define GUSSET_FIELD_PERSPECTIVE 12
+
+/**
+ * Evenly.
+ */
+#define GUSSET_EASING_LINEAR 0
+
+/**
+ * Starting and ending at rest.
+ */
+#define GUSSET_EASING_SMOOTH 1
+
+/**
+ * Stays until it jumps.
+ */
+#define GUSSET_EASING_HOLD 2
+
+/**
+ * The two ends of link `element`. Links are numbered by nodes: 2 * node is that to the next node of the row (of the last one to the first),
+ * 2 * node + 1 that to the next of the column; node (i, j) is i * columns + j.
+ */
+#define GUSSET_GLUING_LINK 0
+
+/**
+ * Node `element` and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8, round the sides of the net.
+ */
+#define GUSSET_GLUING_STAR 1
+
+/**
+ * The ends of the links of cell `element` that are in the mask: top 1, right 2, bottom 4, left 8. Cell (i, j) is i * (columns - 1) + j.
+ */
+#define GUSSET_GLUING_CELL 2
+
+/**
+ * Opposite corners of cell `element`: mask 1 for the first and the third, 2 for the second and the fourth.
+ */
+#define GUSSET_GLUING_DIAGONAL 3
+
+/**
+ * The two runs of nodes of the seam.
+ */
+#define GUSSET_GLUING_SEAM 4
+
+/**
+ * The local gluing of type `mask`, one of GUSSET_TYPE_..., at node `element`; at cell `element` from GUSSET_TYPE_TOP_BOTTOM on.
+ */
+#define GUSSET_GLUING_TYPE 5
+
+/**
+ * Nothing is glued here.
+ */
+#define GUSSET_TYPE_NONE 4294967295
+
+/**
+ * n(1): one horizontal link.
+ */
+#define GUSSET_TYPE_HORIZONTAL 0
+
+/**
+ * n(1): one vertical link.
+ */
+#define GUSSET_TYPE_VERTICAL 1
+
+/**
+ * n(2,1): the links of a node to the east and the south.
+ */
+#define GUSSET_TYPE_EAST_SOUTH 2
+
+/**
+ * n(2,1): south and west.
+ */
+#define GUSSET_TYPE_SOUTH_WEST 3
+
+/**
+ * n(2,1): west and north.
+ */
+#define GUSSET_TYPE_WEST_NORTH 4
+
+/**
+ * n(2,1): north and east.
+ */
+#define GUSSET_TYPE_NORTH_EAST 5
+
+/**
+ * n(2,2): east and west.
+ */
+#define GUSSET_TYPE_EAST_WEST 6
+
+/**
+ * n(2,2): north and south.
+ */
+#define GUSSET_TYPE_NORTH_SOUTH 7
+
+/**
+ * n(3): all but north.
+ */
+#define GUSSET_TYPE_BUT_NORTH 8
+
+/**
+ * n(3): all but east.
+ */
+#define GUSSET_TYPE_BUT_EAST 9
+
+/**
+ * n(3): all but south.
+ */
+#define GUSSET_TYPE_BUT_SOUTH 10
+
+/**
+ * n(3): all but west.
+ */
+#define GUSSET_TYPE_BUT_WEST 11
+
+/**
+ * n(4): all four links of a node.
+ */
+#define GUSSET_TYPE_ALL 12
+
+/**
+ * c(2,1): top and bottom of a cell.
+ */
+#define GUSSET_TYPE_TOP_BOTTOM 13
+
+/**
+ * c(2,1): right and left of a cell.
+ */
+#define GUSSET_TYPE_RIGHT_LEFT 14
+
+/**
+ * c(3): a cell is one point.
+ */
+#define GUSSET_TYPE_POINT 15
+
+/**
+ * c(1,2): the first and the third corner of a cell.
+ */
+#define GUSSET_TYPE_FALLING 16
+
+/**
+ * c(1,2): the second and the fourth corner of a cell.
+ */
+#define GUSSET_TYPE_RISING 17
+
+/**
  * Every row is closed: its last node is its first one again.
  */
 #define GUSSET_SIDES_ROWS_CLOSED 1
@@ -3604,6 +4388,106 @@ typedef struct gusset_winged_view {
 #define GUSSET_NET_TRIANGLES_FIXED 2
 
 /**
+ * A rectangle in the plane z = 0: size[0], size[1].
+ */
+#define GUSSET_NET_PLANE 0
+
+/**
+ * A sphere with two poles: radius. At least 3 rows and 4 columns.
+ */
+#define GUSSET_NET_SPHERE 1
+
+/**
+ * A sphere that is a disc whose rim is drawn together: radius. At least 3 rows and columns.
+ */
+#define GUSSET_NET_ONE_POLE_SPHERE 2
+
+/**
+ * A cylinder without caps: radius, height. At least 4 columns.
+ */
+#define GUSSET_NET_TUBE 3
+
+/**
+ * A cylinder with caps: radius, height. At least 4 rows and columns.
+ */
+#define GUSSET_NET_CYLINDER 4
+
+/**
+ * A prism over a regular polygon: sides, radius (of the circle through its corners), height. At least 4 rows, and a column more than sides.
+ */
+#define GUSSET_NET_PRISM 5
+
+/**
+ * A cone with its base: radius, height. At least 3 rows and 4 columns.
+ */
+#define GUSSET_NET_CONE 6
+
+/**
+ * A pyramid over a regular polygon: sides, radius, height. At least 3 rows, and a column more than sides.
+ */
+#define GUSSET_NET_PYRAMID 7
+
+/**
+ * A profile turned round the z axis: profile, profile_count. At least 4 columns; each point is a row.
+ */
+#define GUSSET_NET_LATHE 8
+
+/**
+ * A torus: radius, minor_radius (of the tube, the smaller). At least 4 rows and columns.
+ */
+#define GUSSET_NET_TORUS 9
+
+/**
+ * A box: size, cells, box_kind. Rows and columns are as the cells say.
+ */
+#define GUSSET_NET_BOX 10
+
+/**
+ * A Moebius strip: radius (of its middle line), size[0] (its width). At least 4 columns.
+ */
+#define GUSSET_NET_MOEBIUS 11
+
+/**
+ * A Klein bottle, a tube with a figure-eight section that makes half a turn: radius, minor_radius. At least 4 rows and columns.
+ */
+#define GUSSET_NET_KLEIN 12
+
+/**
+ * A projective plane, Boy's surface: radius (a scale). At least 4 rows and columns.
+ */
+#define GUSSET_NET_PROJECTIVE_PLANE 13
+
+/**
+ * Two sheets joined along their rim: size[0], size[1], height (their distance in the middle). At least 3 rows, and 5, 7, ... columns.
+ */
+#define GUSSET_NET_PILLOW 14
+
+/**
+ * Two rims of the cap sweep over it to a slit, which is zipped up. All faces are unit quads, and no seams are needed.
+ */
+#define GUSSET_NET_BOX_SLIT 0
+
+/**
+ * The paper's crosswise unwrapping. All faces are unit quads; two seams.
+ */
+#define GUSSET_NET_BOX_CROSS 1
+
+/**
+ * Concentric rings: fewest nodes, and triangles along the diagonals of the caps.
+ */
+#define GUSSET_NET_BOX_CONCENTRIC 2
+
+/**
+ * On cubic splines after Catmull and Rom, which pass through all nodes with one tangent, across seams too.
+ */
+#define GUSSET_INTERPOLATION_BICUBIC 0
+
+/**
+ * On the bilinear patches of the cells.
+ */
+#define GUSSET_INTERPOLATION_BILINEAR 1
+
+/**
  * A net.
  */
 #define GUSSET_SCENE_NET 0
@@ -3612,6 +4496,83 @@ typedef struct gusset_winged_view {
  * A group of entries.
  */
 #define GUSSET_SCENE_GROUP 1
+
+/**
+ * The abscissa.
+ */
+#define GUSSET_AXIS_X 0
+
+/**
+ * The ordinate.
+ */
+#define GUSSET_AXIS_Y 1
+
+/**
+ * The applicate.
+ */
+#define GUSSET_AXIS_Z 2
+
+/**
+ * Moves by the vector values[0] to values[2].
+ */
+#define GUSSET_OPERATION_TRANSLATE 1
+
+/**
+ * Turns about the axis with the direction values[0] to values[2], of any length but 0, by values[3] radians, by the right
+ * hand; the axis passes through the point values[4] to values[6].
+ */
+#define GUSSET_OPERATION_ROTATE 2
+
+/**
+ * The same by the left hand, as Deryagin's formula is printed.
+ */
+#define GUSSET_OPERATION_ROTATE_AS_PRINTED 3
+
+/**
+ * Scales about the origin: values[0] is the ratio of new distance to old.
+ */
+#define GUSSET_OPERATION_SCALE 4
+
+/**
+ * Scales about the axis of coordinates `axis`, which stays: values[0] is the ratio of new distance to old.
+ */
+#define GUSSET_OPERATION_COMPRESS 5
+
+/**
+ * Scales x, y and z by values[0], values[1] and values[2].
+ */
+#define GUSSET_OPERATION_STRETCH 6
+
+/**
+ * Any affine map: three rows of four numbers, the fourth of each the displacement.
+ */
+#define GUSSET_OPERATION_MATRIX 7
+
+/**
+ * A violation: the ends of contracted link `element` are apart, or one of them is missing.
+ */
+#define GUSSET_NET_FINDING_LINK_APART 0
+
+/**
+ * A violation: two nodes that seam `element` glues are apart, or one of them is missing.
+ */
+#define GUSSET_NET_FINDING_SEAM_APART 1
+
+/**
+ * A warning: the ends of link `element`, between neighbours, are one point by way of others, and it is not contracted itself: see
+ * gusset_net_saturate.
+ */
+#define GUSSET_NET_FINDING_LOOP 2
+
+/**
+ * A warning: the ends of link `element` lie on each other and are not glued.
+ */
+#define GUSSET_NET_FINDING_ZERO_LENGTH 3
+
+/**
+ * A warning: link `element` closes a row or column of fewer than four nodes, which has no inside then.
+ */
+#define GUSSET_NET_FINDING_FEW_NODES 4
 
 /**
  * The report's index means nothing.
@@ -4500,6 +5461,64 @@ gusset_status gusset_net_read(const struct gusset_context *context,
                               const struct gusset_net_arrays *arrays);
 
 /**
+ * Compares a net after a deformation with what it was before: what is newly glued, torn, folded over, stretched.
+ *
+ * before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are none.
+ * analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT, OUT_OF_RANGE, SIDES_DIFFER (other
+ * sizes), CROSSING_CELL with the cell (what is newly glued is no surface), OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From
+ * any thread. Source: Deryagin, soft and hard deformations; links are measured, as a zero of the Jacobian neither follows from gluing nor
+ * implies it.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_analyse_create(const struct gusset_context *context,
+                                        const struct gusset_net *before,
+                                        const struct gusset_net *after,
+                                        double tolerance,
+                                        struct gusset_net_analysis **analysis);
+
+/**
+ * The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields, count, time: as for
+ * gusset_net_deform, and its errors too. Also 8 bytes a cell, and a copy of the net.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_analyse_fields_create(const struct gusset_context *context,
+                                               const struct gusset_net *net,
+                                               const struct gusset_field *fields,
+                                               size_t count,
+                                               double time,
+                                               double tolerance,
+                                               struct gusset_net_analysis **analysis);
+
+/**
+ * Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_analysis_view(const struct gusset_net_analysis *analysis,
+                                       struct gusset_net_analysis_parts *parts);
+
+/**
+ * Destroys an analysis; NULL is allowed.
+ */
+GUSSET_API void gusset_net_analysis_destroy(struct gusset_net_analysis *analysis);
+
+/**
+ * Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what they are: follow
+ * it with gusset_net_snap.
+ *
+ * links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT, SIZE_OVERFLOW,
+ * NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_absorb(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const uint32_t *links,
+                                size_t count);
+
+/**
  * The net within row_count rows from row_first on and column_count columns from column_first on: coordinates bit for bit, the links
  * and runs of seams within it, the bridges that cross it. Links that lead back are within it if all rows, or all columns, are.
  * part: receives it, for gusset_net_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
@@ -4580,6 +5599,202 @@ GUSSET_MUST_USE
 gusset_status gusset_net_clear_no_data(const struct gusset_context *context,
                                        struct gusset_net *net,
                                        double value);
+
+/**
+ * Finds out what surface a net is once glued nodes are one. What it finds is no error.
+ *
+ * cells: GUSSET_NET_CELLS_... complex: receives the result, for gusset_net_complex_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of what belongs to each
+ * glued node; linear extra memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_complex_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        gusset_net_cells cells,
+                                        struct gusset_net_complex **complex);
+
+/**
+ * Lends what is known of a complex. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_complex_view(const struct gusset_net_complex *complex,
+                                      struct gusset_net_complex_report *report);
+
+/**
+ * Destroys a complex; NULL is allowed.
+ */
+GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *complex);
+
+/**
+ * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping, animation and projection.
+ *
+ * fields: `count` of them. time: for fields with keys; a net is deformed from what it is now, so that animations deform a copy of
+ * the net at rest. The fields work in double; the result is rounded once. Fields of strength 0 do nothing at all, to the bit. Nodes
+ * that are glued and have equal bits keep them equal; missing nodes stay missing. Whatever the error, no node is moved. Errors:
+ * NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis, easing), OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the
+ * node, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes x fields), twice that if a field is not defined everywhere. The same bits for any
+ * number of threads. Sources: Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_deform(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const struct gusset_field *fields,
+                                size_t count,
+                                double time);
+
+/**
+ * Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as gusset_net_snap does.
+ *
+ * map: called on this thread, from the first node to the last, each time for consecutive nodes: as many as a row or a few thousand.
+ * user: passed on. If it stops, the status is CANCELLED and what was done stays done. Errors: NULL_ARGUMENT (map),
+ * OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_deform_rows(const struct gusset_context *context,
+                                     struct gusset_net *net,
+                                     gusset_rows_fn map,
+                                     void *user);
+
+/**
+ * Moves every node of a net along its normal by `distance`, which may be negative; glued nodes stay together, nodes without a normal stay.
+ * Errors: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY, CANCELLED. O(nodes), and as much memory as the coordinates take.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_displace(const struct gusset_context *context,
+                                  struct gusset_net *net,
+                                  double distance);
+
+/**
+ * Gives all nodes that are glued to each other the position of the first of them, bit for bit. moved: receives how many nodes got other
+ * bits; may be NULL. Errors: NULL_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) if the net is glued along its sides alone, else
+ * O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_snap(const struct gusset_context *context,
+                              struct gusset_net *net,
+                              uint64_t *moved);
+
+/**
+ * Glues nodes of a net; positions stay what they are. gluings: count of them, done as a whole or not at all; at any alignment. On failure the net
+ * is as it was. Errors: UNKNOWN_VALUE (kind, mask, reserved), OUT_OF_RANGE (a mask above 15), NO_SUCH_ELEMENT (the link, node or
+ * cell), BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell (both pairs of opposite corners would be glued: the nineteenth
+ * local gluing, which no surface allows), OUT_OF_MEMORY. O(nodes + glued pairs). Source: Deryagin, "Local gluings of nodes".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_glue(const struct gusset_context *context,
+                              struct gusset_net *net,
+                              const struct gusset_gluing *gluings,
+                              size_t count);
+
+/**
+ * Unglues pairs of nodes: their links are free, and seams that have them are cut there. Nodes that are still glued by way of others stay
+ * one point; pairs that are not glued are left alone. gluings, count: as for gusset_net_glue.
+ *
+ * separation: 0, or how far apart what becomes separate is moved, in the unit of the coordinates: each piece of a point that falls
+ * apart moves by half of it towards the mean of its neighbours (of those that do not fall apart themselves, if there are any);
+ * one without neighbours, or in the middle of them, stays. moved: receives the number of pieces that moved; NULL if it is not wanted.
+ * On failure the net is as it was. Errors: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite number from 0 on). O(nodes), and a
+ * sort of the pairs.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_unglue(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const struct gusset_gluing *gluings,
+                                size_t count,
+                                double separation,
+                                size_t *moved);
+
+/**
+ * Contracts every link whose ends are one point already, by way of others, and drops seams that links then say: the canonical form, in which nets that
+ * glue the same neighbours have the same matrix. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_saturate(const struct gusset_context *context,
+                                  struct gusset_net *net);
+
+/**
+ * Writes for each node the smallest node that is the same point. classes: room for capacity numbers, of which rows * columns are written;
+ * written: receives that number. NULL and 0 ask for it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is written but
+ * the number), OUT_OF_MEMORY. O(nodes); 4 bytes a node. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_classes(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 uint32_t *classes,
+                                 size_t capacity,
+                                 size_t *written);
+
+/**
+ * Finds the points that are several nodes. groups: receives the result, for gusset_net_groups_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
+ * the glued nodes.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_groups_create(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       struct gusset_net_groups **groups);
+
+/**
+ * Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the latter; its nodes are in order, and groups are in the
+ * order of their first nodes. offsets.count is one more than the number of groups. Valid until the groups are destroyed. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_groups_view(const struct gusset_net_groups *groups,
+                                     struct gusset_indices *offsets,
+                                     struct gusset_indices *members);
+
+/**
+ * Destroys groups; NULL is allowed.
+ */
+GUSSET_API void gusset_net_groups_destroy(struct gusset_net_groups *groups);
+
+/**
+ * The local gluing at a node: which of its links have become a point. cyclic: 0, or 1 to count links that lead back to the first row or
+ * column too. found: receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * UNKNOWN_VALUE, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for all. Source: Deryagin, Fig. 4.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_classify_node(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       uint32_t node,
+                                       uint32_t cyclic,
+                                       gusset_gluing_type *found);
+
+/**
+ * What a cell has become. found: receives one of GUSSET_TYPE_..., or GUSSET_TYPE_NONE for a quad. Errors and complexity: as
+ * gusset_net_classify_node.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_classify_cell(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       uint32_t cell,
+                                       gusset_gluing_type *found);
+
+/**
+ * Counts the local gluings of a net by type. nodes, cells: receive 18 numbers each, how many nodes (without links that lead back) and how many
+ * cells have each type; NULL for what is not wanted. Errors: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes); 4 bytes a node.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_histogram(const struct gusset_context *context,
+                                   const struct gusset_net *net,
+                                   uint64_t *nodes,
+                                   uint64_t *cells);
 
 /**
  * Glues a net otherwise; positions stay what they are. gluing: NULL for a sheet; it replaces what was glued. On failure the net is as it was.
@@ -4696,6 +5911,46 @@ gusset_status gusset_net_set_bridge(const struct gusset_context *context,
                                     const struct gusset_bridge_properties *properties);
 
 /**
+ * Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there. measures: its struct_size
+ * set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY, CANCELLED. O(nodes), no memory. From any thread;
+ * the same bits for any number of threads. Volumes are exact for the bilinear patches of the cells (divergence theorem).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_measure(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 struct gusset_measures *measures);
+
+/**
+ * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for the bilinear
+ * patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten times the work.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_moments(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 struct gusset_moments *moments);
+
+/**
+ * Tells how plane the cells of a net are: whether it can be clad with plane quads.
+ *
+ * tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each cell, how far its
+ * corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for triangles and less, NaN for cells that
+ * are not there. capacity: its size; NULL and 0 if it is not wanted. written: receives the number of cells. summary: its struct_size
+ * set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY,
+ * CANCELLED. O(nodes), 8 bytes a cell. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_planarity(const struct gusset_context *context,
+                                   const struct gusset_net *net,
+                                   double tolerance,
+                                   double *cells,
+                                   size_t capacity,
+                                   size_t *written,
+                                   struct gusset_planarity *summary);
+
+/**
  * Makes the mesh of a net. Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so that
  * closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh without faces is no failure.
  *
@@ -4782,6 +6037,98 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_grid_view(const struct gusset_net_grid *grid,
                                    struct gusset_net_grid_parts *parts);
+
+/**
+ * Computes the unit normal of every node of a net.
+ *
+ * x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row after row without
+ * gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each has room for. without: receives the number
+ * of nodes that have no normal and get zeros: missing ones, and those whose cells have no area or cancel out; may be NULL. Columns go with the
+ * fingers of the right hand towards rows, and the normal with the thumb; the other way for nets that are reversed. Nodes that are glued get
+ * the same bits, poles and seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there
+ * decide. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are filled in
+ * part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any number of threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_normals(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 void *x,
+                                 void *y,
+                                 void *z,
+                                 size_t capacity,
+                                 uint64_t *without);
+
+/**
+ * Makes a net of a standard shape, centred at the origin, its axis along z.
+ *
+ * Nodes that are one point have the same bits; closed surfaces have their faces counter-clockwise seen from outside. primitive: what is
+ * wanted. net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
+ * OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too few rows, columns, sides or cells), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
+ * CANCELLED. O(nodes); 12 or 24 bytes a node, and 1/4 for boxes. Source: Deryagin, "Closures of nets".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_primitive_create(const struct gusset_context *context,
+                                          const struct gusset_net_primitive *primitive,
+                                          struct gusset_net **net);
+
+/**
+ * Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last ones stay, and new
+ * nodes that fall on old ones have their bits.
+ *
+ * net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal bits.
+ * interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. O(nodes of both). From any thread;
+ * the same bits for any number of threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_resample_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         size_t rows,
+                                         size_t columns,
+                                         gusset_interpolation interpolation,
+                                         struct gusset_net **resampled);
+
+/**
+ * Makes a net of the rows and columns of another that matter most: rows, and then columns, are left out, always the one whose loss costs
+ * least, as long as the tolerance allows.
+ *
+ * net: glued along whole sides only, without bridges. tolerance: at least 0, may be infinite; nodes are at most half of it away from
+ * the segments that replace their columns, and as much from those that replace their rows. rows, columns: receive the indices of what was
+ * kept, as many as the new net has; each has room for as many as the old net has; NULL if not wanted. deviation: receives what was
+ * reached; may be NULL. decimated: receives the net; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE,
+ * GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. About O(nodes x log rows). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_decimate_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         double tolerance,
+                                         uint32_t *rows,
+                                         uint32_t *columns,
+                                         double *deviation,
+                                         struct gusset_net **decimated);
+
+/**
+ * Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the others every second row and column of the one
+ * before, bit for bit.
+ *
+ * net: glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the first level is a copy, else it is
+ * resampled to the next sizes. interpolation: as for gusset_net_resample_create. levels: receives the nets, each for gusset_net_destroy;
+ * all NULL on failure. capacity: how many it has room for; GUSSET_PYRAMID_LEVELS is always enough. count: receives how many there are, also
+ * with BUFFER_TOO_SMALL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE,
+ * OUT_OF_MEMORY, CANCELLED. O(nodes), memory for 4/3 of the first. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_pyramid_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        gusset_interpolation interpolation,
+                                        struct gusset_net **levels,
+                                        size_t capacity,
+                                        size_t *count);
 
 /**
  * Makes an empty scene. scene: receives it, for gusset_scene_destroy. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
@@ -4956,6 +6303,63 @@ gusset_status gusset_scene_unflatten_create(const struct gusset_context *context
                                             const struct gusset_net *net,
                                             gusset_direction direction,
                                             struct gusset_scene **scene);
+
+/**
+ * Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in place.
+ *
+ * operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes that are glued
+ * and have equal bits keep them equal; missing nodes stay missing. If the operations together mirror (odd numbers of reflections) the
+ * surface would be turned inside out: the net's flag `reversed` changes then, so that faces look outwards as before. A cancel is
+ * heard before the first node is moved; whatever the error, none is moved. Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis),
+ * OUT_OF_RANGE (a number that is not finite, an axis of length 0, a product that overflows), SIZE_OVERFLOW, OUT_OF_MEMORY (a net
+ * that shares its memory), CANCELLED. O(nodes), no memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_transform(const struct gusset_context *context,
+                                   struct gusset_net *net,
+                                   const struct gusset_operation *operations,
+                                   size_t count);
+
+/**
+ * Checks that glued nodes lie together, and looks for what is suspicious. What it finds is no error.
+ *
+ * tolerance: how far two nodes may be apart, at least 0; for 0 their coordinates must be equal (0 and -0 are). Two missing nodes are no
+ * violation. validation: receives the result, for gusset_net_validate_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the findings. Source: Deryagin, "Non-spatial operations".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_validate_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         double tolerance,
+                                         struct gusset_net_validation **validation);
+
+/**
+ * Lends the findings. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(log findings). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_validate_view(const struct gusset_net_validation *validation,
+                                       struct gusset_net_validation_report *report);
+
+/**
+ * Destroys a validation; NULL is allowed.
+ */
+GUSSET_API void gusset_net_validate_destroy(struct gusset_net_validation *validation);
+
+/**
+ * Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more nodes of its sides that do, forwards or backwards.
+ *
+ * It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are taken stays. tolerance: as for
+ * gusset_net_validate_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+ * CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the nodes of the sides.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_derive(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                double tolerance);
 
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.

@@ -342,9 +342,9 @@ impl Grid {
         let mut forest = Forest::new(shape.node_count())?;
         closed.each_contracted(|link| {
             let [a, b] = shape.ends(link);
-            forest.join(a, b);
+            forest.join([a, b]);
         });
-        seams.iter().flat_map(|seam| seam.pairs(shape)).for_each(|[a, b]| forest.join(a, b));
+        seams.iter().flat_map(|seam| seam.pairs(shape)).for_each(|[a, b]| forest.join([a, b]));
         let mut first = alloc::filled(NONE, vertex_count)?;
         let mut touches = false;
         for (node, &vertex) in (0..).zip(vertices) {
@@ -352,7 +352,7 @@ impl Grid {
             if *first == NONE {
                 *first = node;
             } else if forest.find(*first) != forest.find(node) {
-                forest.join(*first, node);
+                forest.join([*first, node]);
                 let place = |node: u32| {
                     let (i, j) = shape.place(node);
                     Run::along_row(i as u32, j as u32, 0)

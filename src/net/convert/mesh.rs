@@ -3,13 +3,13 @@
 //! Classes of glued nodes become vertices, so that closed nets become closed meshes; cells become what is left of them when
 //! glued corners are one (paper, Fig. 4): quads, triangles, or nothing.
 
-use super::hidden::Hidden;
 use super::texture::Texture;
 use super::wires;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh, NONE, PositionBuffer, Scalar};
+use crate::net::hidden::Hidden;
 use crate::net::topology::Reduced;
 use crate::net::{Classes, Net, Planes, Real, each};
 use glam::DVec3;

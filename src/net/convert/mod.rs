@@ -5,7 +5,6 @@
 
 mod grid;
 mod heights;
-mod hidden;
 mod mesh;
 mod texture;
 mod wires;

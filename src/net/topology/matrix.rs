@@ -91,6 +91,58 @@ impl Matrix {
         bits(&self.words[words], first).skip_while(move |&link| link < range.start).take_while(move |&l| l < range.end)
     }
 
+    /// The two bits of a node: 1 for its horizontal link, 2 for its vertical one.
+    pub(super) fn pair(&self, node: usize) -> usize {
+        (self.words[2 * node / WORD] >> (2 * node % WORD)) as usize & 3
+    }
+
+    /// 64 bits from one on; those after the end are 0.
+    pub(super) fn bits(&self, from: usize) -> u64 {
+        let (word, shift) = (from / WORD, from % WORD);
+        let next = self.words.get(word + 1).map_or(0, |&next| next << 1 << (WORD - 1 - shift));
+        self.words[word] >> shift | next
+    }
+
+    /// Every link contracted whose ends have the same entry of a table of nodes. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub(super) fn of_table(shape: Shape, table: &[u32]) -> Result<Self> {
+        let mut matrix = Matrix::empty(shape)?;
+        let (h, w) = (shape.rows(), shape.columns());
+        for i in 0..h {
+            let row = &table[i * w..(i + 1) * w];
+            let below = &table[(i + 1) % h * w..][..w];
+            for j in (0..w).step_by(WORD / 2) {
+                let count = (w - j).min(WORD / 2);
+                let pairs = row[j..j + count].iter().zip(&below[j..j + count]);
+                let bits = pairs.enumerate().fold(0, |bits, (k, (here, below))| {
+                    let east = if j + k + 1 < w { row[j + k + 1] } else { row[0] };
+                    bits | u64::from(*here == east) << (2 * k) | u64::from(here == below) << (2 * k + 1)
+                });
+                matrix.put(2 * (i * w + j), bits);
+            }
+        }
+        Ok(matrix)
+    }
+
+    /// Sets those of 64 bits from one on that are 1.
+    fn put(&mut self, from: usize, bits: u64) {
+        let (word, shift) = (from / WORD, from % WORD);
+        self.words[word] |= bits << shift;
+        if let Some(next) = self.words.get_mut(word + 1) {
+            *next |= bits >> 1 >> (WORD - 1 - shift);
+        }
+    }
+
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub(super) fn copied(&self) -> Result<Self> {
+        Ok(Matrix { words: alloc::copied(&self.words)? })
+    }
+
     /// The sides that say the same, if there are any.
     pub(super) fn as_sides(&self, shape: Shape) -> Result<Option<Sides>> {
         let (h, w) = (shape.rows(), shape.columns());

@@ -3,6 +3,7 @@
 use crate::alloc;
 use crate::error::Result;
 use crate::net::{Bridge, Direction, Net};
+use std::ops::Range;
 
 /// Ranges of hidden cells, sorted into the rows of cells that they are in. [`Net::is_hidden`] asks every bridge for every cell;
 /// this asks every bridge once.
@@ -10,6 +11,8 @@ pub(crate) struct Hidden {
     offsets: Vec<u32>,
     /// The first column of cells and one past the last.
     ranges: Vec<[u32; 2]>,
+    /// Cells in a row.
+    columns: usize,
 }
 
 impl Hidden {
@@ -29,12 +32,37 @@ impl Hidden {
             sorted[*at as usize] = range;
             *at += 1;
         }
-        Ok(Hidden { offsets, ranges: sorted })
+        offsets.truncate(rows + 1);
+        for row in 0..rows {
+            sorted[offsets[row] as usize..offsets[row + 1] as usize].sort_unstable();
+        }
+        Ok(Hidden { offsets, ranges: sorted, columns: net.shape().columns() - 1 })
     }
 
-    /// Those of a row of cells, in no order; they may overlap.
+    /// True if no cell is hidden.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.ranges.is_empty()
+    }
+
+    /// Those of a row of cells, in order; they may overlap.
     pub(crate) fn row(&self, i: usize) -> &[[u32; 2]] {
         &self.ranges[self.offsets[i] as usize..self.offsets[i + 1] as usize]
+    }
+
+    /// True if the cell at (i, j) is hidden.
+    pub(crate) fn contains(&self, i: usize, j: usize) -> bool {
+        !self.is_empty() && self.row(i).iter().any(|&[from, to]| (from as usize..to as usize).contains(&j))
+    }
+
+    /// The runs of cells of row i that are not hidden, in order.
+    pub(crate) fn runs(&self, i: usize) -> impl Iterator<Item = Range<usize>> {
+        let end = [self.columns as u32, self.columns as u32];
+        let mut next = 0;
+        self.row(i).iter().copied().chain([end]).filter_map(move |[from, to]| {
+            let run = next..from as usize;
+            next = next.max(to as usize);
+            (!run.is_empty()).then_some(run)
+        })
     }
 }
 
