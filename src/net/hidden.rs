@@ -22,7 +22,7 @@ impl Hidden {
         let mut offsets: Vec<u32> = alloc::filled(0, rows + 2)?;
         let hidden = || net.bridges().iter().filter(|bridge| bridge.is_hidden());
         // Counted two rows further on, so that the sums are the starts of rows one further on while they are filled.
-        hidden().flat_map(|bridge| ranges(bridge)).for_each(|(row, _)| offsets[row as usize + 2] += 1);
+        hidden().flat_map(ranges).for_each(|(row, _)| offsets[row as usize + 2] += 1);
         for row in 0..rows {
             offsets[row + 2] += offsets[row + 1];
         }

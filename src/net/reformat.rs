@@ -84,9 +84,9 @@ impl Net<'_> {
             }
         }
         let mut found = Vec::new();
-        for i in 1..count {
+        for (i, &needed) in needed.iter().enumerate().skip(1) {
             if count - found.len() > 2
-                && !needed[i]
+                && !needed
                 && self.topology().repeats(axis, i)
                 && each!(self.coordinates(), planes => planes.repeats(axis, i))
             {
@@ -269,12 +269,8 @@ impl Topology {
                 add(&mut links, starts[i + 1] - 1, j, 1);
             }
         });
-        for ends in starts.windows(2) {
-            for i in ends[0]..ends[1] - 1 {
-                (0..shape.columns()).for_each(|j| add(&mut links, i, j, 1));
-            }
-        }
         done?;
+        copies(starts)?.into_iter().try_for_each(|i| links.add_row_down(i as usize - 1))?;
         let mut seams = Vec::new();
         for &seam in self.seams() {
             if let Some(seam) = along_rows(seam, starts) {

@@ -187,5 +187,5 @@ fn seam(shape: Shape, n: [u16; 8]) -> Option<Seam> {
         room(run.row, run.row_step, h).min(room(run.column, run.column_step, w))
     };
     let count = 1 + i32::from(n[6]) % reach(a).min(reach(b));
-    Some(Seam { a, b, count: count as u32 }).filter(|_| n[7] % 3 > 0)
+    Some(Seam { a, b, count: count as u32 }).filter(|_| !n[7].is_multiple_of(3))
 }

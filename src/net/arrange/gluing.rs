@@ -19,12 +19,22 @@ impl Collected {
     }
 
     pub(crate) fn add(&mut self, link: u32) -> Result<()> {
-        let matrix = match &mut self.matrix {
+        self.matrix()?.set(link, true);
+        Ok(())
+    }
+
+    /// All links from row i to the next.
+    pub(crate) fn add_row_down(&mut self, i: usize) -> Result<()> {
+        let columns = self.shape.columns();
+        self.matrix()?.contract_down(i * columns..(i + 1) * columns);
+        Ok(())
+    }
+
+    fn matrix(&mut self) -> Result<&mut Matrix> {
+        Ok(match &mut self.matrix {
             Some(matrix) => matrix,
             empty => empty.insert(Matrix::empty(self.shape)?),
-        };
-        matrix.set(link, true);
-        Ok(())
+        })
     }
 
     pub(crate) fn links(self) -> Links {

@@ -10,23 +10,30 @@ use std::ops::Range;
 /// Numbers that one thread writes at a time: enough for starting it to be worth while.
 const BLOCK: usize = 1 << 16;
 
+/// Bytes from which on the system gives out memory that is zero and was not used before; below, one thread is enough too.
+const FRESH: usize = 1 << 25;
+
 /// New matrices of one type: `write` fills the rows of a range, one after the other, of matrix X, Y or Z (0, 1, 2).
 pub(crate) fn planes<T: Real>(
     shape: Shape,
     job: &Job<'_>,
     write: impl Fn(usize, Range<usize>, &mut [T]) + Sync,
 ) -> Result<Planes<'static, T>> {
-    let mut planes = Planes::zeroed(shape)?;
     let columns = shape.columns();
+    if 3 * shape.node_count() * size_of::<T>() < FRESH && columns <= BLOCK {
+        job.step(0.0, "nodes")?;
+        let planes = Planes::written(shape, write)?;
+        job.step(1.0, "nodes")?;
+        return Ok(planes);
+    }
+    let mut planes = Planes::zeroed(shape)?;
     let height = (BLOCK / columns).clamp(1, shape.rows());
     let mut blocks = alloc::with_capacity(3 * shape.rows().div_ceil(height))?;
     for (axis, matrix) in planes.matrices_mut().into_iter().enumerate() {
         blocks.extend(matrix.chunks_mut(height * columns).enumerate().map(|(k, block)| (axis, k * height, block)));
     }
     job.step(0.0, "nodes")?;
-    // Starting a thread takes longer than writing one block.
-    let threads = if shape.node_count() < BLOCK { 1 } else { job.threads() };
-    par::map(threads, blocks.into_iter(), |(axis, first, block)| {
+    par::map(job.threads(), blocks.into_iter(), |(axis, first, block)| {
         write(axis, first..first + block.len() / columns, block);
     });
     job.step(1.0, "nodes")?;

@@ -143,18 +143,13 @@ impl Grid {
         let mut grid = Grid { cells: Vec::new(), columns: 0, rows_closed: false, shift: None, poles: [None, None] };
         grid.add_row(walker, head)?;
         let mut row = head;
-        loop {
-            match walker.step(row, Way::Down)? {
-                Step::Cell(next) => {
-                    if let Some(shift) = grid.cells[..grid.columns].iter().position(|&cell| cell == next) {
-                        grid.shift = Some(shift);
-                        break;
-                    }
-                    grid.add_row(walker, next)?;
-                    row = next;
-                }
-                _ => break,
+        while let Step::Cell(next) = walker.step(row, Way::Down)? {
+            grid.shift = grid.cells[..grid.columns].iter().position(|&cell| cell == next);
+            if grid.shift.is_some() {
+                break;
             }
+            grid.add_row(walker, next)?;
+            row = next;
             // Rows are no more than faces; a way that never ends is none of a grid.
             if grid.cells.len() > walker.mesh.faces().len() {
                 return Err(walker.no_grid(row));

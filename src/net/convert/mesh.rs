@@ -118,8 +118,8 @@ fn finite<T: Real>(planes: &Planes<'_, T>, classes: &[u32]) -> Result<Vec<bool>>
     let zero = T::of(0.0);
     for (i, finite) in finite.chunks_exact_mut(columns).enumerate() {
         for row in planes.row(i) {
-            // x - x is 0 but for infinities and NaN.
-            finite.iter_mut().zip(row).for_each(|(finite, &x)| *finite &= x - x == zero);
+            // x * 0 is 0 but for infinities and NaN.
+            finite.iter_mut().zip(row).for_each(|(finite, &x)| *finite &= x * zero == zero);
         }
     }
     // Representatives come before the others of their classes: each is final when it is asked.

@@ -126,7 +126,35 @@ pub(super) fn kind(a: &Topology, b: &Topology, direction: Direction) -> Result<B
     })
 }
 
-/// What a side is, as the links along it say, and those that lead back to it from the opposite one.
+/// True if a seam says that a side is nodes that contracted links make a point: the side of a net whose links led back to its
+/// opposite pole, before it was joined to others.
+fn is_sewn_to_a_point(topology: &Topology, direction: Direction, i: usize) -> bool {
+    let shape = topology.shape();
+    let along = direction.extent(shape).1;
+    let is_side = |run: Run| {
+        let ends = [run.place(0), run.place(along as u32 - 1)];
+        let [p, q] = ends.map(|(row, column)| if direction == Direction::Down { (row, column) } else { (column, row) });
+        p.0 == i as i64 && q.0 == i as i64 && (p.1 - q.1).unsigned_abs() as usize == along - 1
+    };
+    let contracts = |[a, b]: [u32; 2]| {
+        let links = [2 * a, 2 * a + 1, 2 * b, 2 * b + 1];
+        links.into_iter().any(|link| {
+            let [p, q] = shape.ends(link);
+            ([p, q] == [a, b] || [q, p] == [a, b]) && topology.contracts(link)
+        })
+    };
+    let is_point = |run: Run| {
+        let node = |k: u32| {
+            let (i, j) = run.place(k);
+            shape.node(i as usize, j as usize)
+        };
+        (1..along as u32).all(|k| contracts([node(k - 1), node(k)]))
+    };
+    let mut seams = topology.seams().iter().filter(|seam| seam.count as usize == along);
+    seams.any(|seam| (is_side(seam.a) && is_point(seam.b)) || (is_side(seam.b) && is_point(seam.a)))
+}
+
+/// What a side is, as the links along it say, and the links and seams that glue it to others.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Side {
     Open,
@@ -148,7 +176,10 @@ impl Side {
         };
         let opposite = count - 1 - i;
         let same = || (0..along).all(|k| topology.contracts(back(k)));
-        if topology.is_point(direction, i) || (topology.is_point(direction, opposite) && same()) {
+        let point = topology.is_point(direction, i)
+            || (topology.is_point(direction, opposite) && same())
+            || is_sewn_to_a_point(topology, direction, i);
+        if point {
             Side::Point
         } else if topology.contracts(closes) {
             Side::Closed

@@ -17,6 +17,7 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::scale::distance;
 use crate::job::Job;
+use glam::DVec3;
 use prepare::Prepared;
 
 /// How nets are joined.
@@ -80,9 +81,7 @@ pub(crate) fn join_mirrored(
     job: &Job<'_>,
 ) -> Result<Net<'static>> {
     let Some(first) = nets.first() else { return Err(Error::EmptyScene) };
-    if !(options.tolerance >= 0.0) {
-        return Err(Error::OptionOutOfRange { option: "tolerance", value: options.tolerance });
-    }
+    check_tolerance(options.tolerance)?;
     let mut along = 0;
     for net in nets {
         if net.coordinates().scalar() != first.coordinates().scalar() {
@@ -172,12 +171,20 @@ fn check_together(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolerance: f64
             Direction::Right => [a.get(k, across - 1), b.get(k, 0)],
             Direction::Down => [a.get(across - 1, k), b.get(0, k)],
         };
-        let distance = distance(p, q);
-        if !(distance <= tolerance) && (p.is_finite() || q.is_finite()) {
-            return Err(Error::SidesApart { place: k as u32, distance });
-        }
+        check_pair(p, q, k as u32, tolerance)?;
     }
     Ok(())
+}
+
+/// [`Error::SidesApart`] unless two nodes are within the tolerance, or both are missing.
+fn check_pair(p: DVec3, q: DVec3, place: u32, tolerance: f64) -> Result<()> {
+    let distance = distance(p, q);
+    let together = distance <= tolerance || !(p.is_finite() || q.is_finite());
+    if together { Ok(()) } else { Err(Error::SidesApart { place, distance }) }
+}
+
+fn check_tolerance(value: f64) -> Result<()> {
+    if value >= 0.0 { Ok(()) } else { Err(Error::OptionOutOfRange { option: "tolerance", value }) }
 }
 
 impl Net<'_> {
@@ -190,9 +197,7 @@ impl Net<'_> {
     pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
         let no_such = Error::NoSuchBridge { bridge: index as u64 };
         let bridge = self.bridges().get(index).ok_or(no_such)?.clone();
-        if !(tolerance >= 0.0) {
-            return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
-        }
+        check_tolerance(tolerance)?;
         let (welded, weld) = (bridge.mode == BridgeMode::Weld, mode == BridgeMode::Weld);
         if weld && !welded {
             for k in bridge.start as usize..bridge.end as usize {
@@ -200,10 +205,7 @@ impl Net<'_> {
                     let (i, j) = self.shape().place(node);
                     self.get(i, j)
                 });
-                let distance = distance(p, q);
-                if !(distance <= tolerance) && (p.is_finite() || q.is_finite()) {
-                    return Err(Error::SidesApart { place: k as u32 - bridge.start, distance });
-                }
+                check_pair(p, q, k as u32 - bridge.start, tolerance)?;
             }
         }
         if weld != welded {

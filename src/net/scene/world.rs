@@ -89,7 +89,7 @@ impl Scene {
         for (root, _) in self.roots() {
             alloc::push(&mut open, (root, NONE))?;
             while let Some((index, parent)) = open.pop() {
-                if instances.len() % (1 << 16) == 0 {
+                if instances.len().is_multiple_of(1 << 16) {
                     job.step(instances.len() as f64 / count as f64, "finding instances")?;
                 }
                 let entry = self.entry(index)?;

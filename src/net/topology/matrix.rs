@@ -73,6 +73,17 @@ impl Matrix {
         bits(&self.words, 0)
     }
 
+    /// Contracts the vertical links of a range of nodes.
+    pub(crate) fn contract_down(&mut self, nodes: Range<usize>) {
+        const VERTICAL: u64 = 0xAAAA_AAAA_AAAA_AAAA;
+        let (start, end) = (2 * nodes.start, 2 * nodes.end);
+        for at in start / WORD..end.div_ceil(WORD) {
+            let from = u64::MAX << start.saturating_sub(at * WORD).min(WORD - 1);
+            let to = u64::MAX >> ((at + 1) * WORD).saturating_sub(end).min(WORD - 1);
+            self.words[at] |= VERTICAL & from & to;
+        }
+    }
+
     /// Those of them in a range.
     pub(crate) fn links_in(&self, range: Range<u32>) -> impl Iterator<Item = u32> {
         let words = range.start as usize / WORD..(range.end as usize).div_ceil(WORD);
