@@ -6,7 +6,7 @@ use glam::{DAffine3, DVec3};
 use gusset::Error;
 use gusset::mesh::Scalar;
 use gusset::net::scene::{Instance, MAX_INSTANCES, Scene};
-use gusset::net::{BridgeMode, Direction, JoinOptions, Net, Sides, Topology};
+use gusset::net::{BridgeMode, Direction, JoinOptions, Net, Sides, Topology, concatenate};
 use nets::{Surface, any_topology, job, numbered, same, shape, sphere, torus};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -72,6 +72,27 @@ proptest! {
         let (before, after): (Vec<_>, Vec<_>) = (scene.nets().collect(), back.nets().collect());
         prop_assert_eq!(before.len(), after.len());
         prop_assert!(before.iter().zip(&after).all(|((_, a), (_, b))| same(a, b)));
+    }
+}
+
+#[test]
+fn nets_that_were_joined_before_stay_joined() {
+    for direction in [Direction::Right, Direction::Down] {
+        let two = [sphere(5, 7, Scalar::F64, DVec3::ZERO), torus(5, 7, Scalar::F64, DVec3::X)];
+        let pair = concatenate(&two[0], &two[1], &JoinOptions::new(direction), &job()).unwrap();
+        let mut scene = Scene::new();
+        let group = scene.add_group().unwrap();
+        for net in [pair.copied().unwrap(), sphere(4, 7, Scalar::F64, DVec3::Y), pair.copied().unwrap()] {
+            let net = scene.add_net(Arc::new(net)).unwrap();
+            scene.add_child(group, net).unwrap();
+        }
+        let flat = scene.flatten(&hidden(direction), &job()).unwrap();
+        let back = Scene::of_flat(&flat.net, direction, &job()).unwrap();
+        let nets: Vec<_> = back.nets().map(|(_, net)| net).collect();
+        assert_eq!(nets.len(), 3);
+        assert!(same(nets[0], &pair) && same(nets[2], &pair));
+        let [a, b] = nets[0].split(0, &job()).unwrap();
+        assert!(same(&a, &two[0]) && same(&b, &two[1]));
     }
 }
 

@@ -379,7 +379,8 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
     })
 }
 
-/// A scene of the nets between all bridges of a direction that run from side to side, in one group (entry 0). Nets come back as they
+/// A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once: the inverse of
+/// gusset_scene_flatten_create, in one group (entry 0). Nets come back as they
 /// are in the space of the flat one, bit for bit; copies that were made to equalise sizes are removed. scene: receives it, for
 /// gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY,
 /// CANCELLED. O(nodes).

@@ -103,13 +103,15 @@ pub struct Bridge {
     pub properties: BridgeProperties,
     /// What was done to the first net and to the second, if anything.
     pub(crate) origins: [Option<Arc<Origin>>; 2],
+    /// How often the net was joined to others since: what was joined last is taken apart first.
+    pub(crate) nesting: u32,
 }
 
 impl Bridge {
     /// A bridge along a whole side of `count` nodes.
     pub fn new(direction: Direction, at: u32, count: u32, kind: BridgeKind, mode: BridgeMode) -> Self {
         let (properties, origins) = (BridgeProperties::default(), [None, None]);
-        Bridge { direction, at, start: 0, end: count, kind, mode, properties, origins }
+        Bridge { direction, at, start: 0, end: count, kind, mode, properties, origins, nesting: 0 }
     }
 
     /// True if its cells are not there.

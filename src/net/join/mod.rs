@@ -134,7 +134,8 @@ fn add_bridges(net: &mut Net<'_>, prepared: &[Prepared<'_, '_>], options: &JoinO
     let mut at = 0;
     for (k, part) in prepared.iter().enumerate() {
         for bridge in part.net().bridges() {
-            alloc::push(net.bridges_mut(), bridge.shifted(direction, at))?;
+            let bridge = bridge.shifted(direction, at);
+            alloc::push(net.bridges_mut(), Bridge { nesting: bridge.nesting.saturating_add(1), ..bridge })?;
         }
         if let Some(before) = k.checked_sub(1).and_then(|k| prepared.get(k)) {
             let kind = gluing::kind(before.net().topology(), part.net().topology(), direction)?;

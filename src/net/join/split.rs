@@ -28,13 +28,15 @@ impl Net<'_> {
         Ok([restored(first, a, bridge.direction)?, restored(second, b, bridge.direction)?])
     }
 
-    /// The nets between all bridges of a direction that run from side to side: the inverse of
+    /// The nets between the bridges of a direction that run from side to side and were made last, all at once: the inverse of
     /// [`concatenate_all`](super::concatenate_all). O(nodes).
     ///
     /// # Errors
     /// As [`Net::split`].
     pub fn split_all(&self, direction: Direction, job: &Job<'_>) -> Result<Vec<Net<'static>>> {
         let whole = |bridge: &Bridge| bridge.direction == direction && bridge.is_whole(self.shape());
+        let last = self.bridges().iter().filter(|bridge| whole(bridge)).map(|bridge| bridge.nesting).min();
+        let whole = |bridge: &Bridge| whole(bridge) && Some(bridge.nesting) == last;
         let mut indices = Vec::new();
         for (index, _) in self.bridges().iter().enumerate().filter(|(_, bridge)| whole(bridge)) {
             alloc::push(&mut indices, index)?;
@@ -95,6 +97,8 @@ fn cut(
         let how = Band { shape: topology.shape(), direction, first: range.start };
         let mut part = Net::new(rearranged(net.coordinates(), &how, &Job::default())?, topology);
         *part.bridges_mut() = bridges.next().unwrap_or_default();
+        let least = part.bridges().iter().map(|bridge| bridge.nesting).min().unwrap_or(0);
+        part.bridges_mut().iter_mut().for_each(|bridge| bridge.nesting -= least);
         parts.push(part);
     }
     job.step(1.0, "taking nets apart")?;
