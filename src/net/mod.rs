@@ -6,12 +6,14 @@
 //! * [`Shape`]: size and numbering. [`Planes`], [`Coordinates`]: the matrices. [`Net`]: all together.
 //! * [`topology`]: what is glued to what, the classes of glued nodes, the 18 local gluings.
 //! * [`Bridge`]: what lies between nets that were joined.
+//! * [`stream`]: nets as bytes.
 
 mod bridge;
 mod model;
 mod planes;
 mod real;
 mod shape;
+pub mod stream;
 pub mod topology;
 
 pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction};
