@@ -291,6 +291,13 @@ pub enum Error {
     },
     /// A scene without nets, where one is needed.
     EmptyScene,
+    /// A field of deformation is not defined at a node: the centre of a sphere, the plane of the eye of a projection.
+    FieldUndefined {
+        /// The first such node.
+        node: u32,
+    },
+    /// A net is glued elsewhere than along whole sides, or has bridges: rows and columns cannot be added or left out evenly.
+    GluedInside,
     /// An option is outside its range.
     OptionOutOfRange {
         /// The option's name.
@@ -415,6 +422,8 @@ impl fmt::Display for Error {
             Error::SceneCycle { entry } => write!(f, "entry {entry} of the scene would contain itself"),
             Error::NoSuchEntry { entry } => write!(f, "the scene has no entry {entry} of this kind"),
             Error::EmptyScene => f.write_str("the scene has no nets"),
+            Error::FieldUndefined { node } => write!(f, "the field is not defined at node {node}"),
+            Error::GluedInside => f.write_str("the net is glued elsewhere than along whole sides, or has bridges"),
             Error::OptionOutOfRange { option, value } => {
                 write!(f, "option {option} is out of range: {value}")
             }

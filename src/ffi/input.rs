@@ -25,6 +25,13 @@ pub(super) fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<
     Ok(unsafe { &*pointer })
 }
 
+/// A handle that the call changes.
+pub(super) fn exclusive<'a, T>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
+    aligned(pointer, name)?;
+    // SAFETY: not NULL and aligned; that it points to a live T that nobody else uses now is the caller's promise.
+    Ok(unsafe { &mut *pointer })
+}
+
 /// Where a result goes; `cleared` is written at once, so that a failure leaves nothing old behind.
 pub(super) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> Result<&'a mut T, Failure> {
     aligned(pointer, name)?;
@@ -71,6 +78,25 @@ pub(super) fn results<'a, T: bytemuck::Pod>(
     // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the caller's promise. Plain
     // numbers may hold anything.
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
+}
+
+/// A buffer of the caller's for `count` handles.
+pub(super) fn handles<'a, T>(
+    pointer: *mut *mut T,
+    count: usize,
+    name: &'static str,
+) -> Result<&'a mut [*mut T], Failure> {
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    aligned(pointer, name)?;
+    bytes(pointer.cast_const().cast(), count, size_of::<*mut T>(), name)?;
+    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the caller's promise. They are
+    // written before they are read.
+    Ok(unsafe {
+        pointer.write_bytes(0, count);
+        std::slice::from_raw_parts_mut(pointer, count)
+    })
 }
 
 /// Frees what a `_create` function gave out; NULL is allowed.

@@ -30,6 +30,8 @@ pub enum gusset_status {
     GUSSET_ERROR_BAD_STRIDE = 9,
     /// Exactly one of face_offsets and face_size must be given.
     GUSSET_ERROR_BAD_FACE_LAYOUT = 10,
+    /// Arrays that the library would write to overlap.
+    GUSSET_ERROR_OVERLAP = 11,
     /// More vertices, faces or half-edges than this version takes.
     GUSSET_ERROR_TOO_LARGE = 1000,
     /// The bytes of an array exceed the address space.
@@ -90,6 +92,10 @@ pub enum gusset_status {
     GUSSET_ERROR_SCENE_CYCLE = 1306,
     /// A scene without nets.
     GUSSET_ERROR_EMPTY_SCENE = 1307,
+    /// A field of deformation is not defined at a node.
+    GUSSET_ERROR_FIELD_UNDEFINED = 1320,
+    /// A net is glued elsewhere than along whole sides, or has bridges.
+    GUSSET_ERROR_GLUED_INSIDE = 1321,
     /// Memory could not be had.
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
     /// The host cancelled.
@@ -256,6 +262,8 @@ impl From<Error> for Failure {
             Error::BadStream { byte, .. } => (GUSSET_ERROR_BAD_STREAM, GUSSET_ELEMENT_BYTE, byte, 0.0),
             Error::SceneCycle { entry } => at(GUSSET_ERROR_SCENE_CYCLE, GUSSET_ELEMENT_ENTRY, entry),
             Error::EmptyScene => none(GUSSET_ERROR_EMPTY_SCENE),
+            Error::FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node),
+            Error::GluedInside => none(GUSSET_ERROR_GLUED_INSIDE),
             Error::OptionOutOfRange { value, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, value),
             Error::OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Error::Cancelled => none(GUSSET_ERROR_CANCELLED),
@@ -290,6 +298,7 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         8 => c"there is no such element",
         9 => c"the position stride is too small",
         10 => c"exactly one of face_offsets and face_size must be given",
+        11 => c"arrays overlap",
         1000 => c"the mesh is too large",
         1001 => c"an array exceeds the address space",
         1002 => c"the mesh is empty",
@@ -320,6 +329,8 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         1305 => c"the stream is damaged",
         1306 => c"a group would contain itself",
         1307 => c"the scene has no nets",
+        1320 => c"field not defined at a node",
+        1321 => c"glued elsewhere than along sides",
         2000 => c"out of memory",
         2001 => c"cancelled",
         9999 => c"internal error",

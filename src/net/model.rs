@@ -178,7 +178,7 @@ impl<'a> Net<'a> {
     pub fn copied(&self) -> Result<Net<'static>> {
         Ok(Net {
             coordinates: self.coordinates.copied()?,
-            topology: self.topology.clone(),
+            topology: self.topology.copied()?,
             bridges: alloc::collect(self.bridges.iter().cloned())?,
         })
     }

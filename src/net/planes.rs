@@ -44,7 +44,7 @@ impl<'a, T: Real> Planes<'a, T> {
     pub fn borrowed(shape: Shape, stride: usize, matrices: [&'a mut [T]; 3]) -> Result<Self> {
         let needed = Self::length(shape, stride)?;
         if let Some(short) = matrices.iter().find(|matrix| matrix.len() < needed) {
-            let (needed, given) = ((needed * size_of::<T>()) as u64, size_of_val::<[T]>(short) as u64);
+            let (needed, given) = ((needed * size_of::<T>()) as u64, size_of_val::<[T]>(*short) as u64);
             return Err(Error::ArrayTooShort { what: "coordinates", needed, given });
         }
         let stride = if stride == 0 { shape.columns() } else { stride };

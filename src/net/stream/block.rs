@@ -7,9 +7,9 @@ use super::header::{Mode, StreamInfo};
 use super::levels::{Bits, Levels};
 use super::predict::{Predictor, place};
 use super::rows::{Node, Row, Rows};
+use crate::alloc;
 use crate::error::Result;
-use crate::net::topology::Classes;
-use crate::net::{Planes, Shape};
+use crate::net::{Classes, Planes, Shape, Topology};
 use std::ops::Range;
 
 /// Nodes that the fit of a block's predictors looks at, and the choice of the order of coordinates.
@@ -17,32 +17,38 @@ const SAMPLE: usize = 4096;
 const ORDER_SAMPLE: usize = 1024;
 
 /// Nodes that are not stored, as they have the coordinates of one that comes before them.
-#[derive(Clone, Copy)]
-pub(super) struct Duplicates<'a> {
-    /// `None`: all nodes are stored.
-    pub(super) classes: Option<&'a Classes>,
-    pub(super) shape: Shape,
+#[derive(Debug)]
+pub(super) struct Duplicates {
+    shape: Shape,
+    /// Each with the node that it repeats, in order.
+    pairs: Vec<[u32; 2]>,
 }
 
-impl Duplicates<'_> {
+impl Duplicates {
+    pub(super) fn none(shape: Shape) -> Self {
+        Duplicates { shape, pairs: Vec::new() }
+    }
+
+    /// All nodes but the first of each class.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub(super) fn of(topology: &Topology) -> Result<Self> {
+        let mut duplicates = Duplicates::none(topology.shape());
+        let pairs = &mut duplicates.pairs;
+        Classes::of(topology)?.glued(|node, first| alloc::push(pairs, [node, first]))?;
+        pairs.sort_unstable();
+        pairs.dedup();
+        Ok(duplicates)
+    }
+
     /// Calls `each` with the columns of the duplicates of row `i` and the node that each repeats.
     pub(super) fn in_row(&self, i: usize, mut each: impl FnMut(usize, u32)) {
-        let Some(classes) = self.classes else { return };
-        let (h, w) = (self.shape.rows(), self.shape.columns());
-        let mut look = |j: usize| {
-            let node = self.shape.node(i, j);
-            let first = classes.representative(node);
-            if first != node {
-                each(j, first);
-            }
-        };
-        if classes.is_of_sides() && i > 0 && i + 1 < h {
-            // Only nodes on the sides are glued.
-            look(0);
-            look(w - 1);
-        } else {
-            (0..w).for_each(look);
-        }
+        let start = self.shape.node(i, 0);
+        let end = start + self.shape.columns() as u32;
+        let from = self.pairs.partition_point(|pair| pair[0] < start);
+        let row = self.pairs[from..].iter().take_while(|pair| pair[0] < end);
+        row.for_each(|&[node, first]| each((node - start) as usize, first));
     }
 
     /// True if duplicates are bit for bit what they repeat.
@@ -74,7 +80,7 @@ impl Duplicates<'_> {
 pub(super) struct Blocks<'a, T, L> {
     pub(super) info: &'a StreamInfo,
     pub(super) planes: &'a Planes<'a, T>,
-    pub(super) duplicates: Duplicates<'a>,
+    pub(super) duplicates: &'a Duplicates,
     pub(super) levels: L,
 }
 
@@ -137,7 +143,7 @@ impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
 /// [`Error::BadStream`](crate::Error::BadStream), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub(super) fn decode<T: Bits>(
     info: &StreamInfo,
-    duplicates: Duplicates<'_>,
+    duplicates: &Duplicates,
     levels: &impl Levels<T>,
     block: usize,
     mut from: Reader<'_>,

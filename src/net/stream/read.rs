@@ -8,7 +8,7 @@ use super::{raw, structure};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::{Bridge, Classes, Coordinates, Net, Planes, Topology, each};
+use crate::net::{Bridge, Coordinates, Net, Planes, Real, Shape, Sides, Topology, each};
 use crate::par;
 use std::ops::Range;
 
@@ -26,8 +26,7 @@ pub(super) struct Prelude {
     pub(super) info: StreamInfo,
     pub(super) topology: Topology,
     pub(super) bridges: Vec<Bridge>,
-    /// Needed if there are duplicates to restore.
-    pub(super) classes: Option<Classes>,
+    duplicates: Duplicates,
     pub(super) entries: Vec<Entry>,
 }
 
@@ -57,16 +56,9 @@ impl Prelude {
         }
         let limit = end.saturating_mul(NODES_A_BYTE);
         let from = Reader::new(structure, HEADER_SIZE as u64);
-        if info.shape.node_count() as u64 > limit {
-            return Err(from.bad("it is too short for so many nodes"));
-        }
         let (topology, bridges) = structure::read(info.shape, limit, from)?;
-        let classes = if info.folded { Some(Classes::of(&topology)?) } else { None };
-        Ok(Prelude { info, topology, bridges, classes, entries })
-    }
-
-    fn duplicates(&self) -> Duplicates<'_> {
-        Duplicates { classes: self.classes.as_ref(), shape: self.info.shape }
+        let duplicates = if info.folded { Duplicates::of(&topology)? } else { Duplicates::none(info.shape) };
+        Ok(Prelude { info, topology, bridges, duplicates, entries })
     }
 
     /// Decodes a block into its rows of the three matrices, all but duplicates.
@@ -76,7 +68,7 @@ impl Prelude {
             return Err(Error::BadStream { what: "the checksum of a block is wrong", byte: offset });
         }
         let from = Reader::new(bytes, offset);
-        let (info, duplicates) = (&self.info, self.duplicates());
+        let (info, duplicates) = (&self.info, &self.duplicates);
         match info.mode {
             Mode::Raw => raw::decode(info, block, from, to),
             Mode::Lossless => {
@@ -94,7 +86,7 @@ impl Prelude {
 
     /// Gives duplicates in some rows the coordinates of what they repeat.
     fn restore(&self, coordinates: &mut Coordinates<'_>, rows: Range<usize>) {
-        each!(coordinates, planes => self.duplicates().restore(planes, rows));
+        each!(coordinates, planes => self.duplicates.restore(planes, rows));
     }
 
     fn into_net(self, coordinates: Coordinates<'static>) -> Net<'static> {
@@ -252,18 +244,44 @@ impl StreamDecoder {
         self.state.as_ref().map(|(_, coordinates)| coordinates)
     }
 
-    /// The net, once the stream is complete.
+    /// The rows so far as a net of their own: a sheet without bridges.
+    ///
+    /// # Errors
+    /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`].
+    pub fn preview(&self) -> Result<Net<'static>> {
+        let Some((prelude, coordinates)) = &self.state else {
+            return Err(Error::NetTooSmall { rows: 0, columns: 0 });
+        };
+        let shape = Shape::new(self.rows_done(), prelude.info.shape.columns())?;
+        let mut part = Coordinates::zeroed(shape, prelude.info.scalar)?;
+        match (&mut part, coordinates) {
+            (Coordinates::F32(to), Coordinates::F32(from)) => copy_rows(to, from),
+            (Coordinates::F64(to), Coordinates::F64(from)) => copy_rows(to, from),
+            _ => {}
+        }
+        Ok(Net::new(part, Topology::of_sides(shape, Sides::SHEET)))
+    }
+
+    /// The net, once the stream is complete; the decoder begins anew then.
     ///
     /// # Errors
     /// [`Error::BadStream`] if it is not, or what [`StreamDecoder::push`] failed with.
-    pub fn finish(self) -> Result<Net<'static>> {
+    pub fn finish(&mut self) -> Result<Net<'static>> {
         if let Some(error) = self.failed {
             return Err(error);
         }
         let end = self.offset + self.pending.len() as u64;
-        match self.state {
-            Some((prelude, coordinates)) if self.next == prelude.entries.len() => Ok(prelude.into_net(coordinates)),
-            _ => Err(Error::BadStream { what: "it is cut off", byte: end }),
-        }
+        let whole = self.state.take_if(|(prelude, _)| self.next == prelude.entries.len());
+        let (prelude, coordinates) = whole.ok_or(Error::BadStream { what: "it is cut off", byte: end })?;
+        *self = StreamDecoder::new(self.node_limit);
+        Ok(prelude.into_net(coordinates))
+    }
+}
+
+/// The first rows of matrices.
+fn copy_rows<T: Real>(to: &mut Planes<'_, T>, from: &Planes<'_, T>) {
+    for (to, from) in to.matrices_mut().into_iter().zip(from.matrices()) {
+        let count = to.len();
+        to.copy_from_slice(&from[..count]);
     }
 }

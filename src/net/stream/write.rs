@@ -8,7 +8,7 @@ use super::{quantise, raw, structure};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::{Classes, Net, Planes, each};
+use crate::net::{Net, Planes, each};
 use crate::par;
 
 /// How a net is to be stored.
@@ -40,7 +40,7 @@ impl StreamOptions {
 
 /// The stream of a net: see the module.
 ///
-/// O(nodes); blocks are coded in parallel. Extra memory: the stream, and that of [`Classes`].
+/// O(nodes); blocks are coded in parallel. Extra memory: the stream, and that of [`Classes`](crate::net::Classes).
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] (bits; coordinates above a quarter of the largest number, to be quantised),
@@ -80,19 +80,17 @@ fn encode_planes<T: Bits>(
         let blocks = in_parallel(&info, job, |info, block| raw::encode(info, planes, block))?;
         return assemble(net, info, blocks);
     }
-    let classes = Classes::of(net.topology())?;
-    let mut duplicates = Duplicates { classes: Some(&classes), shape };
+    let all = Duplicates::of(net.topology())?;
     let blocks = match info.mode {
         Mode::Quantised { bits } => {
             let levels = quantise::grid(planes, bits, options.per_axis)?;
             (info.folded, info.origin, info.step) = (true, levels.origin, levels.step);
-            compress(&mut info, planes, duplicates, levels, job)?
+            compress(&mut info, planes, &all, levels, job)?
         }
         _ => {
-            info.folded = duplicates.are_exact(planes);
-            if !info.folded {
-                duplicates.classes = None;
-            }
+            info.folded = all.are_exact(planes);
+            let none = Duplicates::none(shape);
+            let duplicates = if info.folded { &all } else { &none };
             let levels = Exact { missing: first_gap(planes) };
             info.missing = levels.missing.map(|number| number.level() as u64);
             compress(&mut info, planes, duplicates, levels, job)?
@@ -104,7 +102,7 @@ fn encode_planes<T: Bits>(
 fn compress<T: Bits, L: Levels<T> + Copy>(
     info: &mut StreamInfo,
     planes: &Planes<'_, T>,
-    duplicates: Duplicates<'_>,
+    duplicates: &Duplicates,
     levels: L,
     job: &Job<'_>,
 ) -> Result<Vec<Vec<u8>>> {
@@ -142,13 +140,13 @@ fn in_parallel(
 /// Header, structure, table, blocks.
 fn assemble(net: &Net<'_>, mut info: StreamInfo, mut blocks: Vec<Vec<u8>>) -> Result<Vec<u8>> {
     let mut body = Writer::default();
-    structure::write(net, &mut body)?;
+    let work = structure::write(net, &mut body)?;
     info.structure_size = body.bytes.len() as u64;
     let overflow = Error::SizeOverflow { what: "bytes of a stream", count: info.shape.node_count() as u64 };
     let prelude = info.prelude().and_then(|size| usize::try_from(size).ok()).ok_or(overflow)?;
     // A stream says no more than it may, see NODES_A_BYTE.
     let size = prelude + blocks.iter().map(Vec::len).sum::<usize>();
-    let least = structure::work(net.topology()).div_ceil(NODES_A_BYTE) as usize;
+    let least = work.div_ceil(NODES_A_BYTE) as usize;
     if let Some(last) = blocks.last_mut()
         && size < least
     {

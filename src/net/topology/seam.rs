@@ -86,6 +86,15 @@ impl Seam {
         Seam { a, b, count }
     }
 
+    /// Its pairs `from..to`, of which there are some.
+    pub(super) fn part(self, from: u32, to: u32) -> Self {
+        let at = |run: Run| {
+            let (row, column) = run.place(from);
+            Run { row: row as u32, column: column as u32, ..run }
+        };
+        Seam { a: at(self.a), b: at(self.b), count: to - from }
+    }
+
     /// The pairs of nodes.
     pub fn pairs(self, shape: Shape) -> impl ExactSizeIterator<Item = [u32; 2]> {
         (0..self.count).map(move |k| [self.a.node(shape, k), self.b.node(shape, k)])

@@ -1,0 +1,217 @@
+/* The handle of a net: what a host can get wrong, and what it gets if it does not. */
+#include "check.h"
+#include <math.h>
+
+static gusset_context *context;
+static float x[12], y[12], z[12];
+
+/* 3 x 4 nodes: x = column, y = row, z = 0. */
+static gusset_net_arrays grid(void) {
+    gusset_net_arrays arrays = {sizeof arrays, 3, 4, x, y, z, 0, 0, GUSSET_F32, 0};
+    for (int k = 0; k < 12; k++) {
+        x[k] = (float)(k % 4);
+        y[k] = (float)(k / 4);
+        z[k] = 0;
+    }
+    return arrays;
+}
+
+static gusset_net *net_of(const gusset_net_gluing *gluing) {
+    gusset_net *net = NULL;
+    const gusset_net_arrays arrays = grid();
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, gluing, &net));
+    return net;
+}
+
+static void creation(void) {
+    gusset_net *net = (gusset_net *)misaligned();
+    gusset_net_arrays arrays = grid(), bad;
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, NULL, NULL, &net));
+    CHECK(net == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &arrays, NULL, NULL));
+    bad = arrays, bad.rows = 1;
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_create(context, &bad, NULL, &net));
+    bad = arrays, bad.columns = 0;
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_create(context, &bad, NULL, &net));
+    bad = arrays, bad.rows = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_create(context, &bad, NULL, &net));
+    bad = arrays, bad.scalar = 0;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &bad, NULL, &net));
+    bad = arrays, bad.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &bad, NULL, &net));
+    bad = arrays, bad.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_create(context, &bad, NULL, &net));
+    bad = arrays, bad.y = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &bad, NULL, &net));
+    bad = arrays, bad.row_stride = 15;
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_create(context, &bad, NULL, &net));
+    bad = arrays, bad.column_stride = 3;
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_create(context, &bad, NULL, &net));
+    bad = arrays, bad.row_stride = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_create(context, &bad, NULL, &net));
+    CHECK(net == NULL);
+    gusset_net_destroy(NULL);
+}
+
+/* Points that lie as x, y, z, at an odd address. */
+static void layouts(void) {
+    unsigned char bytes[12 * 24 + 1], out[12 * 24];
+    gusset_net_arrays arrays = {sizeof arrays, 3, 4, bytes + 1, bytes + 9, bytes + 17, 0, 24, GUSSET_F64, 0}, view;
+    gusset_net *net = NULL;
+
+    for (int k = 0; k < 36; k++) {
+        const double value = k;
+        memcpy(bytes + 1 + 8 * k, &value, 8);
+    }
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    CHECK(view.rows == 3 && view.columns == 4 && view.scalar == GUSSET_F64 && view.column_stride == 8);
+    CHECK(((const double *)view.y)[5] == 16.0 && ((const double *)view.z)[11] == 35.0);
+    arrays.x = out, arrays.y = out + 8, arrays.z = out + 16;
+    EXPECT(GUSSET_OK, gusset_net_read(context, net, &arrays));
+    CHECK(memcmp(out, bytes + 1, sizeof out) == 0);
+    arrays.rows = 4;
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_read(context, net, &arrays));
+    arrays = grid();
+    EXPECT(GUSSET_OK, gusset_net_read(context, net, &arrays));
+    CHECK(x[1] == 3.0f && y[11] == 34.0f);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_read(context, NULL, &arrays));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_view(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_view(net, NULL));
+    gusset_net_destroy(net);
+}
+
+static void borrowing(void) {
+    gusset_net_arrays arrays = grid(), bad = arrays, view = arrays;
+    gusset_net *net = NULL, *copy = NULL;
+
+    bad.y = x + 4;
+    EXPECT(GUSSET_ERROR_OVERLAP, gusset_net_borrow(context, &bad, NULL, &net));
+    bad = arrays, bad.x = (char *)x + 1;
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_net_borrow(context, &bad, NULL, &net));
+    bad = arrays, bad.column_stride = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_borrow(context, &bad, NULL, &net));
+    bad = arrays, bad.z = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_borrow(context, &bad, NULL, &net));
+    EXPECT(GUSSET_OK, gusset_net_borrow(context, &arrays, NULL, &net));
+    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    CHECK(view.x == x && view.y == y && view.z == z && view.row_stride == 16);
+    EXPECT(GUSSET_OK, gusset_net_clone(context, net, &copy));
+    EXPECT(GUSSET_OK, gusset_net_edit(context, net, &view));
+    CHECK(view.x == x);
+    ((float *)view.x)[0] = 7;
+    CHECK(x[0] == 7.0f);
+    EXPECT(GUSSET_OK, gusset_net_view(copy, &view));
+    CHECK(view.x != x && ((const float *)view.x)[0] == 0.0f);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_edit(context, NULL, &view));
+    gusset_net_destroy(copy);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_clone(context, NULL, &copy));
+    CHECK(copy == NULL);
+    gusset_net_destroy(net);
+}
+
+/* A copy shares memory until one of the two is changed. */
+static void sharing(void) {
+    gusset_net *net = net_of(NULL), *copy = NULL;
+    gusset_net_arrays first = {0}, second = {0};
+    first.struct_size = second.struct_size = sizeof first;
+
+    EXPECT(GUSSET_OK, gusset_net_clone(context, net, &copy));
+    EXPECT(GUSSET_OK, gusset_net_view(net, &first));
+    EXPECT(GUSSET_OK, gusset_net_view(copy, &second));
+    CHECK(first.x == second.x);
+    EXPECT(GUSSET_OK, gusset_net_edit(context, copy, &second));
+    CHECK(first.x != second.x);
+    ((float *)second.x)[3] = -1;
+    CHECK(((const float *)first.x)[3] == 3.0f);
+    gusset_net_destroy(net);
+    CHECK(((const float *)second.x)[3] == -1.0f);
+    gusset_net_destroy(copy);
+}
+
+static void gluing(void) {
+    gusset_net_gluing gluing = {0};
+    gusset_seam seam = {0, 0, 1, 0, 2, 3, -1, 0, 3, 0}, read[1];
+    gusset_net *net = NULL;
+    gusset_net_arrays arrays = grid();
+    uint8_t matrix[24] = {0}, got[24];
+    uint32_t sides = 5, reversed = 5;
+    size_t count = 5;
+
+    gluing.struct_size = sizeof gluing;
+    gluing.sides = 64;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, &net));
+    gluing.sides = GUSSET_SIDES_TUBE, gluing.matrix = matrix;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, &net));
+    gluing.sides = 0, matrix[0] = 2;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_create(context, &arrays, &gluing, &net));
+    matrix[0] = 0, gluing.matrix = NULL, gluing.reversed = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, &net));
+    gluing.reversed = 0, gluing.seam_count = 1;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, &arrays, &gluing, &net));
+    gluing.seams = &seam, seam.count = 4;
+    EXPECT(GUSSET_ERROR_BAD_SEAM, gusset_net_create(context, &arrays, &gluing, &net));
+    seam.count = 3, seam.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_create(context, &arrays, &gluing, &net));
+    seam.reserved = 0;
+
+    /* A Moebius strip. */
+    net = net_of(&gluing);
+    EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, &count, &reversed));
+    CHECK(sides == GUSSET_SIDES_SHEET && count == 1 && reversed == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_seams(net, NULL, 1, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_seams(net, NULL, 1, &count));
+    EXPECT(GUSSET_OK, gusset_net_seams(net, NULL, 0, &count));
+    CHECK(count == 1);
+    EXPECT(GUSSET_OK, gusset_net_seams(net, read, 1, &count));
+    CHECK(read[0].count == 3);
+
+    /* Closed rows, said by the matrix, are sides. */
+    memset(&gluing, 0, sizeof gluing);
+    gluing.struct_size = sizeof gluing;
+    gluing.matrix = matrix;
+    matrix[3] = matrix[11] = matrix[19] = 1;
+    EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, &gluing));
+    EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, &count, NULL));
+    CHECK(sides == GUSSET_SIDES_TUBE && count == 0);
+    EXPECT(GUSSET_OK, gusset_net_matrix(net, NULL, 0, &count));
+    CHECK(count == 24);
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_matrix(net, got, 23, &count));
+    EXPECT(GUSSET_OK, gusset_net_matrix(net, got, 24, &count));
+    CHECK(memcmp(got, matrix, 24) == 0);
+
+    /* Both diagonals of a cell: refused, and nothing is lost. */
+    {
+        const gusset_seam cross[2] = {{0, 0, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 1, 0, 0, 1, 0, 0, 0, 1, 0}};
+        gluing.matrix = NULL, gluing.seams = cross, gluing.seam_count = 2;
+        EXPECT(GUSSET_ERROR_CROSSING_CELL, gusset_net_set_gluing(context, net, &gluing));
+        gluing.seam_count = 1;
+        EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, NULL, NULL));
+        CHECK(sides == GUSSET_SIDES_TUBE);
+        EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, &gluing));
+        EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, &count, NULL));
+        CHECK(sides == GUSSET_SIDES_SHEET && count == 1);
+    }
+    EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_set_gluing(context, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_topology(NULL, &sides, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_matrix(NULL, NULL, 0, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_seams(NULL, NULL, 0, &count));
+    gusset_net_destroy(net);
+}
+
+int main(void) {
+    const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
+    if (gusset_context_create(&context) != GUSSET_OK || up.face_count != down.face_count) {
+        return 1;
+    }
+    creation();
+    layouts();
+    borrowing();
+    sharing();
+    gluing();
+    gusset_context_destroy(context);
+    return failures != 0;
+}

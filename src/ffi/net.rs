@@ -1,0 +1,384 @@
+//! The handle of a net: its coordinates, and what is glued to what.
+
+use super::context::gusset_context;
+use super::guard::{create, guard};
+use super::input::{self, Versioned};
+use super::mesh::{GUSSET_F32, GUSSET_F64};
+use super::net_gluing::{gusset_net_gluing, topology};
+use super::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
+use super::status::{Failure, gusset_status};
+use crate::error::Error;
+use crate::mesh::Scalar;
+use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
+use libc::c_void;
+use std::ptr;
+use std::sync::Arc;
+
+/// A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take it as const may run at the same
+/// time in many threads; those that change it need it for themselves.
+pub struct gusset_net(Arc<Net<'static>>);
+
+/// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
+/// x, y, z one after the other are matrices whose column_stride is three numbers.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_arrays {
+    /// sizeof(gusset_net_arrays), set by the caller.
+    pub struct_size: usize,
+    /// The number of rows of nodes, H; at least 2.
+    pub rows: usize,
+    /// The number of columns, W; at least 2. rows * columns is at most 2^31 - 1.
+    pub columns: usize,
+    /// X.
+    pub x: *mut c_void,
+    /// Y.
+    pub y: *mut c_void,
+    /// Z.
+    pub z: *mut c_void,
+    /// Bytes from row to row; 0 for rows without gaps.
+    pub row_stride: usize,
+    /// Bytes from number to number in a row; 0 for numbers without gaps.
+    pub column_stride: usize,
+    /// GUSSET_F32 or GUSSET_F64.
+    pub scalar: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_net_arrays {
+    const LEAST_SIZE: usize = 72;
+}
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_arrays>() == 72);
+
+impl gusset_net {
+    /// A handle of a net that owns its memory, or of the host's.
+    pub(super) fn new(net: Net<'static>) -> Self {
+        gusset_net(Arc::new(net))
+    }
+
+    /// The net.
+    pub(super) fn net(&self) -> &Net<'static> {
+        &self.0
+    }
+
+    /// The net, to be changed: what shares it, a scene or a copy, keeps it as it is.
+    pub(super) fn edit(&mut self) -> Result<&mut Net<'static>, Failure> {
+        if Arc::get_mut(&mut self.0).is_none() {
+            self.0 = Arc::new(self.0.copied()?);
+        }
+        Ok(Arc::get_mut(&mut self.0).expect("a new Arc has one owner"))
+    }
+
+    /// The net as it is now, for somebody else to keep; a net in the host's memory is copied.
+    pub(super) fn share(&self) -> Result<Arc<Net<'static>>, Failure> {
+        if self.0.coordinates().is_borrowed() { Ok(Arc::new(self.0.copied()?)) } else { Ok(self.0.clone()) }
+    }
+
+    /// A handle of a net that somebody else keeps too.
+    pub(super) fn of_shared(net: Arc<Net<'static>>) -> Self {
+        gusset_net(net)
+    }
+}
+
+/// The net of a handle.
+pub(super) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failure> {
+    Ok(input::reference(net, "net")?.net())
+}
+
+/// The net of a handle, to be changed.
+pub(super) fn edit<'a>(net: *mut gusset_net) -> Result<&'a mut Net<'static>, Failure> {
+    input::exclusive(net, "net")?.edit()
+}
+
+/// A scalar type of the caller's.
+pub(super) fn scalar(value: u32) -> Result<Scalar, Failure> {
+    match value {
+        GUSSET_F32 => Ok(Scalar::F32),
+        GUSSET_F64 => Ok(Scalar::F64),
+        other => Err(Failure::unknown("scalar", other.into())),
+    }
+}
+
+/// A flag of the caller's.
+pub(super) fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
+    match value {
+        0 | 1 => Ok(value == 1),
+        other => Err(Failure::unknown(name, other.into())),
+    }
+}
+
+/// How the caller's matrices lie: bytes from row to row, from number to number, and all that one matrix spans.
+struct Layout {
+    row: usize,
+    column: usize,
+    span: usize,
+}
+
+impl Layout {
+    fn of(shape: Shape, arrays: &gusset_net_arrays, size: usize) -> Result<Self, Failure> {
+        let column = if arrays.column_stride == 0 { size } else { arrays.column_stride };
+        let width = (shape.columns() - 1).checked_mul(column).and_then(|n| n.checked_add(size));
+        let row = if arrays.row_stride == 0 { shape.columns().checked_mul(column) } else { Some(arrays.row_stride) };
+        let span = row.zip(width).and_then(|(row, width)| (shape.rows() - 1).checked_mul(row)?.checked_add(width));
+        let (Some(row), Some(width), Some(span)) = (row, width, span.filter(|&span| span <= isize::MAX as usize))
+        else {
+            return Err(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 }.into());
+        };
+        if column < size || row < width {
+            let (stride, least) = if column < size { (column, size) } else { (row, width) };
+            return Err(Error::StrideTooSmall { stride: stride as u64, least: least as u64 }.into());
+        }
+        Ok(Layout { row, column, span })
+    }
+
+    /// Where number (i, j) begins.
+    fn at(&self, i: usize, j: usize) -> usize {
+        i * self.row + j * self.column
+    }
+}
+
+/// A copy of the caller's matrices, which may lie at any alignment.
+fn copied<T: Real>(shape: Shape, arrays: &gusset_net_arrays) -> Result<Planes<'static, T>, Failure> {
+    let size = size_of::<T>();
+    let layout = Layout::of(shape, arrays, size)?;
+    let mut planes = Planes::zeroed(shape)?;
+    for (axis, (from, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
+        let from = input::bytes(from, layout.span, 1, name)?;
+        for i in 0..shape.rows() {
+            let to = &mut planes.row_mut(i)[axis];
+            let from = &from[layout.at(i, 0)..];
+            if layout.column == size {
+                bytemuck::cast_slice_mut::<T, u8>(to).copy_from_slice(&from[..shape.columns() * size]);
+            } else {
+                let numbers = from.chunks(layout.column).map(|bytes| bytemuck::pod_read_unaligned(&bytes[..size]));
+                to.iter_mut().zip(numbers).for_each(|(to, number)| *to = number);
+            }
+        }
+    }
+    Ok(planes)
+}
+
+/// The caller's matrices themselves.
+fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_arrays) -> Result<Planes<'static, T>, Failure> {
+    let size = size_of::<T>();
+    let layout = Layout::of(shape, arrays, size)?;
+    if layout.column != size || !layout.row.is_multiple_of(size) {
+        let message = "a net in the caller's memory has rows of numbers without gaps, whole numbers apart";
+        return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
+    }
+    let starts = [arrays.x, arrays.y, arrays.z].map(|matrix| matrix as usize);
+    if (0..3).any(|k| starts[k].abs_diff(starts[(k + 1) % 3]) < layout.span) && starts.iter().all(|&start| start != 0) {
+        return Err(Failure::new(GUSSET_ERROR_OVERLAP, "the matrices x, y and z overlap"));
+    }
+    let matrix = |data: *mut c_void, name| input::results::<T>(data.cast(), layout.span / size, name);
+    let matrices = [matrix(arrays.x, "x")?, matrix(arrays.y, "y")?, matrix(arrays.z, "z")?];
+    Ok(Planes::borrowed(shape, layout.row / size, matrices)?)
+}
+
+/// Copies coordinates to the caller's matrices, which may lie at any alignment.
+fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_arrays) -> Result<(), Failure> {
+    let (shape, size) = (net.shape(), size_of::<T>());
+    let layout = Layout::of(shape, arrays, size)?;
+    for (axis, (to, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
+        let to = input::results::<u8>(to.cast(), layout.span, name)?;
+        for i in 0..shape.rows() {
+            each!(net.coordinates(), planes => {
+                for (j, &value) in planes.row(i)[axis].iter().enumerate() {
+                    let at = layout.at(i, j);
+                    put::<T>(&mut to[at..at + size], value);
+                }
+            });
+        }
+    }
+    Ok(())
+}
+
+/// A number in another type; in its own bit for bit.
+fn put<T: Real>(to: &mut [u8], value: impl Real) {
+    if size_of_val(&value) == size_of::<T>() {
+        to.copy_from_slice(bytemuck::bytes_of(&value));
+    } else {
+        to.copy_from_slice(bytemuck::bytes_of(&T::of(value.into())));
+    }
+}
+
+/// Makes a net of a copy of the caller's coordinates.
+///
+/// arrays: the coordinates, rows x columns numbers each, at any alignment; any numbers: a node with one that is NaN or infinite is
+/// missing. gluing: NULL for a sheet. net: receives the net, for gusset_net_destroy; NULL on failure. Errors: NET_TOO_SMALL,
+/// TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
+/// with the cell, OUT_OF_MEMORY. O(nodes); 12 or 24 bytes a node, and 1/4 where sides do not say it all. Source: Deryagin, "Model of
+/// the tetragonal regular network".
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_create(
+    context: *const gusset_context,
+    arrays: *const gusset_net_arrays,
+    gluing: *const gusset_net_gluing,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| {
+        let (arrays, shape) = read_arrays(arrays)?;
+        let coordinates = match scalar(arrays.scalar)? {
+            Scalar::F32 => Coordinates::F32(copied(shape, &arrays)?),
+            Scalar::F64 => Coordinates::F64(copied(shape, &arrays)?),
+        };
+        Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing)?)))
+    })
+}
+
+/// Makes a net in the caller's own memory: operations that change coordinates change the caller's.
+///
+/// arrays: as for gusset_net_create, but aligned to their scalar type, without gaps in rows, row_stride a multiple of the scalar's
+/// size; the three must not overlap, and must stay valid and unmoved until the net is destroyed. The rest is as there; also
+/// MISALIGNED_ARGUMENT, NULL_ARGUMENT, OVERLAP. O(nodes) if there are a matrix or seams, else
+/// O(1); no memory a node, or 1/4 byte.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_borrow(
+    context: *const gusset_context,
+    arrays: *const gusset_net_arrays,
+    gluing: *const gusset_net_gluing,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| {
+        let (arrays, shape) = read_arrays(arrays)?;
+        let coordinates = match scalar(arrays.scalar)? {
+            Scalar::F32 => Coordinates::F32(borrowed(shape, &arrays)?),
+            Scalar::F64 => Coordinates::F64(borrowed(shape, &arrays)?),
+        };
+        Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing)?)))
+    })
+}
+
+fn read_arrays(arrays: *const gusset_net_arrays) -> Result<(gusset_net_arrays, Shape), Failure> {
+    let arrays = input::read(arrays, false, "arrays")?;
+    if arrays.reserved != 0 {
+        return Err(Failure::unknown("reserved", arrays.reserved.into()));
+    }
+    Ok((arrays, Shape::new(arrays.rows, arrays.columns)?))
+}
+
+/// Makes a copy of a net, with its bridges, in memory of the library's. net: unchanged. copy: receives it. O(nodes), or O(1) where nobody
+/// can tell the difference: memory is shared until one of the two is changed. Errors: OUT_OF_MEMORY.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_clone(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    copy: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, copy, "copy", |_| Ok(gusset_net::of_shared(input::reference(net, "net")?.share()?)))
+}
+
+/// Destroys a net; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
+    input::destroy(net);
+}
+
+fn lend(planes: &Planes<'_, impl Real>, scalar: u32) -> gusset_net_arrays {
+    let [x, y, z] = planes.matrices().map(|matrix| matrix.as_ptr().cast_mut().cast());
+    let size = size_of_val(&planes.matrices()[0][0]);
+    gusset_net_arrays {
+        struct_size: size_of::<gusset_net_arrays>(),
+        rows: planes.shape().rows(),
+        columns: planes.shape().columns(),
+        x,
+        y,
+        z,
+        row_stride: planes.stride() * size,
+        column_stride: size,
+        scalar,
+        reserved: 0,
+    }
+}
+
+fn lend_all(net: &Net<'_>) -> gusset_net_arrays {
+    let scalar = match net.coordinates().scalar() {
+        Scalar::F32 => GUSSET_F32,
+        Scalar::F64 => GUSSET_F64,
+    };
+    each!(net.coordinates(), planes => lend(planes, scalar))
+}
+
+/// Lends size and coordinates to be read, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_view(net: *const gusset_net, arrays: *mut gusset_net_arrays) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(arrays, "arrays")?;
+        out.write(lend_all(read(net)?));
+        Ok(())
+    })
+}
+
+/// Lends the coordinates to be written, valid until the next call with this net. Nodes that are glued must be kept equal: see
+/// gusset_net_snap. Memory shared with a copy or a scene is copied first: O(nodes) then, else O(1). Errors: as gusset_net_view,
+/// OUT_OF_MEMORY.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_edit(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    arrays: *mut gusset_net_arrays,
+) -> gusset_status {
+    guard(context, |_| {
+        let out = input::output_struct(arrays, "arrays")?;
+        let net = edit(net)?;
+        let mut lent = lend_all(net);
+        // The pointers must come from where they may be written through.
+        let pointers: [*mut c_void; 3] = each!(net.coordinates_mut(), planes => {
+            planes.matrices_mut().map(|matrix| matrix.as_mut_ptr().cast())
+        });
+        [lent.x, lent.y, lent.z] = pointers;
+        out.write(lent);
+        Ok(())
+    })
+}
+
+/// Copies the coordinates of a net to the caller's matrices. arrays: where they go, of the net's rows and columns, in any layout and of either
+/// scalar type: double to float is rounded. Bytes between the numbers stay as they are. Errors: SIDES_DIFFER (other rows or columns),
+/// UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW. O(nodes). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_read(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    arrays: *const gusset_net_arrays,
+) -> gusset_status {
+    guard(context, |_| {
+        let net = read(net)?;
+        let (arrays, shape) = read_arrays(arrays)?;
+        let (given, needed) = ([shape.rows(), shape.columns()], [net.shape().rows(), net.shape().columns()]);
+        if let Some(k) = (0..2).find(|&k| given[k] != needed[k]) {
+            return Err(Error::SidesDiffer { a: needed[k] as u32, b: given[k] as u32 }.into());
+        }
+        match scalar(arrays.scalar)? {
+            Scalar::F32 => write::<f32>(net, &arrays),
+            Scalar::F64 => write::<f64>(net, &arrays),
+        }
+    })
+}
+
+/// Fills the caller's buffer of `capacity` numbers with `needed` ones, or only tells their number if there is no buffer.
+pub(super) fn fill<T: bytemuck::Pod>(
+    buffer: *mut T,
+    capacity: usize,
+    needed: usize,
+    written: &mut usize,
+    name: &'static str,
+    write: impl FnOnce(&mut [T]) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    *written = needed;
+    if buffer.is_null() && capacity == 0 {
+        return Ok(());
+    }
+    if capacity < needed {
+        let message = format!("{name} has room for {capacity} and {needed} are needed");
+        return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
+    }
+    write(input::results(buffer, needed, name)?)
+}
