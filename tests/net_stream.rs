@@ -9,8 +9,8 @@ use gusset::mesh::Scalar;
 use gusset::net::stream::{HEADER_SIZE, Mode, StreamDecoder, StreamInfo, StreamOptions, decode, encode};
 use gusset::net::topology::{Links, Matrix, Run};
 use gusset::net::{
-    Bridge, BridgeKind, BridgeMode, BridgeProperties, Classes, Coordinates, Direction, JoinOptions, Net, Planes,
-    Seam, Shape, Sides, Topology, concatenate,
+    Bridge, BridgeKind, BridgeMode, BridgeProperties, Classes, Coordinates, Direction, JoinOptions, Net, Planes, Seam,
+    Shape, Sides, Topology, concatenate,
 };
 use proptest::prelude::*;
 
@@ -105,7 +105,8 @@ fn odd_nets() -> Vec<Net<'static>> {
     let mut nets = Vec::new();
     for (seed, topology) in topologies.into_iter().enumerate() {
         for scalar in [Scalar::F32, Scalar::F64] {
-            let wild = |i: usize, j: usize| DVec3::from_array([0, 1, 2].map(|k| value(seed as u64, 27 * i + 3 * j + k)));
+            let wild =
+                |i: usize, j: usize| DVec3::from_array([0, 1, 2].map(|k| value(seed as u64, 27 * i + 3 * j + k)));
             nets.push(Net::from_fn(topology.clone(), scalar, wild).unwrap());
             let mut tame = Net::from_fn(topology.clone(), scalar, |i, j| {
                 let gap = if (i + 2 * j) % 11 == 3 { f64::NAN } else { 0.0 };

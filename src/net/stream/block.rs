@@ -213,5 +213,6 @@ fn fraction(info: &StreamInfo) -> u32 {
 /// True if a number of a row is no number.
 fn has_gaps<T: Bits>(row: [&[T]; 3]) -> bool {
     // Counted, not searched: without branches it is a matter of vectors.
-    row.into_iter().any(|numbers| numbers.iter().map(|&x| u32::from(!Into::<f64>::into(x).is_finite())).sum::<u32>() > 0)
+    row.into_iter()
+        .any(|numbers| numbers.iter().map(|&x| u32::from(!Into::<f64>::into(x).is_finite())).sum::<u32>() > 0)
 }

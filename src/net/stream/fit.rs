@@ -98,12 +98,7 @@ impl Sample {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-    pub(super) fn predictors(
-        &self,
-        order: [usize; 3],
-        fraction: u32,
-        rounds: usize,
-    ) -> Result<([Predictor; 3], f64)> {
+    pub(super) fn predictors(&self, order: [usize; 3], fraction: u32, rounds: usize) -> Result<([Predictor; 3], f64)> {
         let mut fits: Vec<Fit> = alloc::with_capacity(3)?;
         for axis in order {
             let fit = self.fit(axis, &fits, rounds)?;

@@ -85,10 +85,7 @@ impl<const N: usize> EntropyModel<PRECISION> for &Model<N> {
 
 impl<const N: usize> EncoderModel<PRECISION> for &Model<N> {
     #[inline(always)]
-    fn left_cumulative_and_probability(
-        &self,
-        symbol: impl std::borrow::Borrow<usize>,
-    ) -> Option<(u32, NonZeroU32)> {
+    fn left_cumulative_and_probability(&self, symbol: impl std::borrow::Borrow<usize>) -> Option<(u32, NonZeroU32)> {
         let symbol = *symbol.borrow();
         Some((self.lower[symbol].into(), self.width(symbol)))
     }

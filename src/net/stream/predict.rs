@@ -102,7 +102,8 @@ impl Line {
         let columns = base.len();
         let (north, north2) = (&self.north[..], &self.north2[..]);
         let (a, b, c) = (&north[BEFORE..][..columns], &north[BEFORE - 1..][..columns], &north[BEFORE + 1..][..columns]);
-        let (d, e, f) = (&north2[BEFORE..][..columns], &north[BEFORE + 2..][..columns], &north[BEFORE - 2..][..columns]);
+        let (d, e, f) =
+            (&north2[BEFORE..][..columns], &north[BEFORE + 2..][..columns], &north[BEFORE - 2..][..columns]);
         for j in 0..columns {
             base[j] = ((n * a[j] + nw * b[j]) + (ne * c[j] + nee * e[j])) + (nww * f[j] + nn * d[j]);
         }

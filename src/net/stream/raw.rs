@@ -31,12 +31,7 @@ pub(super) fn encode<T: Bits>(info: &StreamInfo, planes: &Planes<'_, T>, block: 
 
 /// # Errors
 /// [`Error::BadStream`](crate::Error::BadStream).
-pub(super) fn decode<T: Bits>(
-    info: &StreamInfo,
-    block: usize,
-    mut from: Reader<'_>,
-    to: [&mut [T]; 3],
-) -> Result<()> {
+pub(super) fn decode<T: Bits>(info: &StreamInfo, block: usize, mut from: Reader<'_>, to: [&mut [T]; 3]) -> Result<()> {
     let [size, aligned] = sizes::<T>(info, block);
     for matrix in to {
         let numbers = from.raw(size)?;

@@ -52,7 +52,10 @@ impl Prelude {
         }
         let (entries, end) = read_table(&info, Reader::new(table, table_at))?;
         if let Some(total) = total.filter(|&total| total != end) {
-            return Err(Error::BadStream { what: "its blocks are not as long as the table says", byte: end.min(total) });
+            return Err(Error::BadStream {
+                what: "its blocks are not as long as the table says",
+                byte: end.min(total),
+            });
         }
         let limit = end.saturating_mul(NODES_A_BYTE);
         let from = Reader::new(structure, HEADER_SIZE as u64);
@@ -234,9 +237,12 @@ impl StreamDecoder {
 
     /// The rows that are complete: those of all blocks so far.
     pub fn rows_done(&self) -> usize {
-        self.state.as_ref().map_or(0, |(prelude, _)| {
-            if self.next == 0 { 0 } else { prelude.info.block_rows(self.next - 1).end }
-        })
+        self.state.as_ref().map_or(
+            0,
+            |(prelude, _)| {
+                if self.next == 0 { 0 } else { prelude.info.block_rows(self.next - 1).end }
+            },
+        )
     }
 
     /// The coordinates; rows that are not complete are anything.

@@ -219,8 +219,7 @@ impl Channel {
             let guess = base[j] + (west * w + west2 * ww);
             let guess = if guess.is_finite() { guess } else { w };
             let nearest = levels.nearest(self.axis, guess);
-            let residual =
-                self.residuals.code(coder, row[j].wrapping_sub(nearest), expectation, surprises[j].into());
+            let residual = self.residuals.code(coder, row[j].wrapping_sub(nearest), expectation, surprises[j].into());
             row[j] = nearest.wrapping_add(residual);
             let value = levels.value(row[j]);
             let value = if value.is_finite() { value } else { guess };
