@@ -1175,6 +1175,16 @@ typedef struct gusset_sections gusset_sections;
 typedef struct gusset_stitch gusset_stitch;
 
 /**
+ * The bytes of a stream. Opaque and immutable; may be used from many threads.
+ */
+typedef struct gusset_stream gusset_stream;
+
+/**
+ * A stream that is decoded while it arrives. Opaque; used by one thread at a time.
+ */
+typedef struct gusset_stream_decoder gusset_stream_decoder;
+
+/**
  * A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_strip gusset_strip;
@@ -3498,6 +3508,93 @@ typedef struct gusset_scene_instance {
 } gusset_scene_instance;
 
 /**
+ * How a stream stores coordinates.
+ */
+typedef uint32_t gusset_stream_mode;
+
+/**
+ * How a net is to be stored.
+ */
+typedef struct gusset_stream_options {
+    /**
+     * sizeof(gusset_stream_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Rows in a block, which is coded without knowledge of other blocks; 0 for about 2^17 nodes in each, and for one block of all
+     * rows if the mode is RAW.
+     */
+    size_t rows_per_block;
+    /**
+     * How coordinates are stored.
+     */
+    gusset_stream_mode mode;
+    /**
+     * For QUANTISED, the bits of a coordinate, 8 to 24; 0 for 14. Else 0.
+     */
+    uint32_t bits;
+    /**
+     * For QUANTISED: 1 if the step of each axis follows from its own extent, 0 if that of all follows from the longest. Else 0.
+     */
+    uint32_t per_axis;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_stream_options;
+
+/**
+ * What the first bytes of a stream say.
+ */
+typedef struct gusset_stream_info {
+    /**
+     * sizeof(gusset_stream_info), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The rows of nodes.
+     */
+    size_t rows;
+    /**
+     * The columns of nodes.
+     */
+    size_t columns;
+    /**
+     * Rows in each block; the last one may have fewer.
+     */
+    size_t rows_per_block;
+    /**
+     * The bytes before the first block.
+     */
+    uint64_t prelude_size;
+    /**
+     * QUANTISED: the coordinates of level 0; a coordinate of level k is origin + k * step. Else 0.
+     */
+    double origin[3];
+    /**
+     * QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it is rounded to its type, half a unit
+     * in its last place. Else 0.
+     */
+    double step[3];
+    /**
+     * GUSSET_F32 or GUSSET_F64.
+     */
+    uint32_t scalar;
+    /**
+     * How coordinates are stored.
+     */
+    gusset_stream_mode mode;
+    /**
+     * QUANTISED: the bits of a coordinate. Else 0.
+     */
+    uint32_t bits;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_stream_info;
+
+/**
  * What an operation does.
  */
 typedef uint32_t gusset_operation_kind;
@@ -4502,6 +4599,21 @@ typedef struct gusset_winged_view {
  * A group of entries.
  */
 #define GUSSET_SCENE_GROUP 1
+
+/**
+ * Rounded to some number of bits, and compressed.
+ */
+#define GUSSET_STREAM_QUANTISED 0
+
+/**
+ * Compressed, bit for bit, NaN too.
+ */
+#define GUSSET_STREAM_LOSSLESS 1
+
+/**
+ * As they are: little-endian matrices that begin at multiples of 64 bytes, for files that are mapped into memory.
+ */
+#define GUSSET_STREAM_RAW 2
 
 /**
  * The abscissa.
@@ -6310,7 +6422,8 @@ gusset_status gusset_scene_flatten_create(const struct gusset_context *context,
                                           struct gusset_net **net);
 
 /**
- * A scene of the nets between all bridges of a direction that run from side to side, in one group (entry 0). Nets come back as they
+ * A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once: the inverse of
+ * gusset_scene_flatten_create, in one group (entry 0). Nets come back as they
  * are in the space of the flat one, bit for bit; copies that were made to equalise sizes are removed. scene: receives it, for
  * gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY,
  * CANCELLED. O(nodes).
@@ -6321,6 +6434,111 @@ gusset_status gusset_scene_unflatten_create(const struct gusset_context *context
                                             const struct gusset_net *net,
                                             gusset_direction direction,
                                             struct gusset_scene **scene);
+
+/**
+ * Makes a stream of a net: its coordinates, what is glued to what, its bridges.
+ *
+ * options: NULL for 14 bits a coordinate. stream: receives the bytes, for gusset_stream_destroy; NULL on failure. QUANTISED and
+ * LOSSLESS do not store nodes that are glued to others; decoding gives them the same bits (LOSSLESS stores all if the net's
+ * differ). QUANTISED gives nodes with a coordinate that is NaN or infinite three NaN. Errors: UNKNOWN_VALUE, OUT_OF_RANGE (bits;
+ * QUANTISED: a coordinate above a quarter of the largest double), OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks coded by the
+ * context's threads; the same bytes for any number of them. From any thread. Method: linear prediction with weights fitted to
+ * each block, and a range coder with adaptive models.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_encode_create(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       const struct gusset_stream_options *options,
+                                       struct gusset_stream **stream);
+
+/**
+ * Lends the bytes of a stream, valid until it is destroyed. data, size: receive where they are and how many. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_view(const struct gusset_stream *stream,
+                                 const void **data,
+                                 size_t *size);
+
+/**
+ * Destroys a stream; NULL is allowed.
+ */
+GUSSET_API void gusset_stream_destroy(struct gusset_stream *stream);
+
+/**
+ * Reads the header of a stream. data: its first 128 bytes, or more; size: how many there are. info: its struct_size set. Errors:
+ * BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_inspect(const struct gusset_context *context,
+                                    const void *data,
+                                    size_t size,
+                                    struct gusset_stream_info *info);
+
+/**
+ * Makes the net of a stream. data: all its bytes, at any alignment; size: how many. net: receives the net, for gusset_net_destroy;
+ * NULL on failure. A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one of its size can
+ * need it: 4096 nodes a byte at most. Errors: BAD_STREAM with the byte, OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks decoded by
+ * the context's threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_decode_create(const struct gusset_context *context,
+                                       const void *data,
+                                       size_t size,
+                                       struct gusset_net **net);
+
+/**
+ * Begins to decode a stream that arrives in pieces. node_limit: a net of more nodes is refused, as its memory is taken before all of
+ * the stream is there; 0 for no limit but the library's, 2^31 - 1. decoder: receives the decoder, for gusset_stream_decoder_destroy;
+ * NULL on failure. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_decoder_create(const struct gusset_context *context,
+                                           uint64_t node_limit,
+                                           struct gusset_stream_decoder **decoder);
+
+/**
+ * Gives a decoder the next bytes of its stream, any number of them. rows_done: receives how many rows are complete, those of all
+ * blocks so far; NULL if it is not wanted. After a failure every call fails alike. Errors: BAD_STREAM with the byte, TOO_LARGE,
+ * OUT_OF_MEMORY. O(bytes + nodes of the blocks that they complete).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_decoder_push(const struct gusset_context *context,
+                                         struct gusset_stream_decoder *decoder,
+                                         const void *data,
+                                         size_t size,
+                                         size_t *rows_done);
+
+/**
+ * Makes the net of the rows that a decoder has so far, at least two: open on all sides, without gluing and bridges, for a preview.
+ * net: receives it. Errors: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_decoder_preview(const struct gusset_context *context,
+                                            const struct gusset_stream_decoder *decoder,
+                                            struct gusset_net **net);
+
+/**
+ * Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing had been pushed. net: receives it.
+ * Errors: BAD_STREAM if the stream is not complete, or what pushing failed with. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_decoder_finish(const struct gusset_context *context,
+                                           struct gusset_stream_decoder *decoder,
+                                           struct gusset_net **net);
+
+/**
+ * Destroys a decoder; NULL is allowed.
+ */
+GUSSET_API void gusset_stream_decoder_destroy(struct gusset_stream_decoder *decoder);
 
 /**
  * Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in

@@ -17,7 +17,7 @@
 //! | [`net_transform`], [`net_field`], [`net_analyse`] | how nets are moved and deformed, and what that does to them |
 //! | [`net_normals`], [`net_measure`], [`net_resample`] | normals, areas and volumes, other sizes |
 //! | [`net_arrange`], [`net_join`] | nets arranged anew; nets joined and taken apart |
-//! | [`net_mesh`], [`net_scene`] | nets to meshes and back; nets in groups |
+//! | [`net_mesh`], [`net_scene`], [`net_stream`] | nets to meshes and back; nets in groups; nets as bytes |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -58,6 +58,7 @@ pub mod net_normals;
 pub mod net_primitive;
 pub mod net_resample;
 pub mod net_scene;
+pub mod net_stream;
 pub mod net_transform;
 pub mod net_validate;
 pub mod orient;

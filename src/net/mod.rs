@@ -9,6 +9,7 @@
 //! * [`closure`]: boxes, and surfaces with a side turned round. [`primitive`]: whole nets of standard shapes.
 //! * [`Bridge`]: what lies between nets that were joined.
 //! * Parts, flips, quarter turns, reformatting: methods of [`Net`]. [`concatenate`], [`Net::split`]: joining, taking apart.
+//! * [`stream`]: nets as bytes.
 
 pub mod analyse;
 mod arrange;
@@ -33,6 +34,7 @@ pub mod resample;
 pub mod scene;
 mod separate;
 mod shape;
+pub mod stream;
 pub mod topology;
 pub mod transform;
 mod validate;

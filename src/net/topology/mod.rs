@@ -102,6 +102,26 @@ impl Topology {
         Ok(Topology { shape, links, seams, reversed })
     }
 
+    /// From the parts of a topology in its one form, as somebody else has kept them; `None` if they are in another one.
+    /// O(nodes + pairs of seams).
+    ///
+    /// # Errors
+    /// [`Error::BadSeam`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
+    pub(crate) fn canonical(shape: Shape, links: Links, seams: Vec<Seam>) -> Result<Option<Self>> {
+        seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
+        if !seams.is_sorted_by(|a, b| a < b) || seams.iter().any(|seam| seam.canonical() != *seam) {
+            return Ok(None);
+        }
+        if let Links::Matrix(matrix) = &links
+            && matrix.as_sides(shape)?.is_some()
+        {
+            return Ok(None);
+        }
+        let topology = Topology { shape, links, seams, reversed: false };
+        topology.check_crossings()?;
+        Ok(Some(topology))
+    }
+
     /// Shows every link that is contracted by name, in no particular order.
     pub(crate) fn each_contracted(&self, show: impl FnMut(u32)) {
         match &self.links {
