@@ -58,7 +58,7 @@ Net hills() {
     Net ground = Net::of_shape(Shape::plane(8, 5).with(41, 65));
     ground.deform_rows<double>([](std::size_t, gusset::Span<double> x, gusset::Span<double> y, gusset::Span<double> z) {
         for (std::size_t k = 0; k < x.size(); ++k) {
-            const double distance = std::max(0.0, std::hypot(0.55 * x[k], y[k]) - 1.1);
+            const double distance = std::max(0.0, std::hypot(0.36 * x[k], y[k]) - 1.25);
             z[k] = 0.14 * distance * (1 + std::sin(2.3 * x[k]) * std::cos(2.9 * y[k]));
         }
         return true;
@@ -86,9 +86,9 @@ std::vector<Part> parts(double time) {
     horn.transform(Operation::translate({0, 0, 1.0}));
     horn.deform(Field::bend(Axis::z, 0.9));
 
-    return {{"twisted column", "#b3400e", column, {-2.6, 0, 0}}, {"cube to ball", "#2f6db5", ball, {-1.2, -0.2, 0}},
+    return {{"twisted column", "#b3400e", column, {-2.7, 0, 0}}, {"cube to ball", "#2f6db5", ball, {-1.2, -0.2, 0}},
             {"ring", "#8a5fb0", ring, {0.1, 0, 0}},             {"bottle", "#2e8b57", bottle(), {1.4, -0.1, 0}},
-            {"bent cone", "#c2932b", horn, {2.5, 0, 0}},        {"hills", "#8f948a", hills(), {0, 0, 0}}};
+            {"bent cone", "#c2932b", horn, {2.35, 0.2, 0}},        {"hills", "#8f948a", hills(), {0, 0, 0}}};
 }
 
 /// One line about a net.
@@ -117,6 +117,7 @@ struct Drawn {
 void draw(const Part &part, Net net, const Point3 &eye, const Point3 &aim, std::vector<Drawn> &out) {
     const Point3 view = unit(minus(eye, aim)), right = unit(cross({0, 0, 1}, view)), up = cross(view, right);
     const Point3 light = unit({-1.0, -1.6, 2.2});
+    const bool closed = gusset::Complex(net).is_closed();
     const gusset::NetMesh solid(net);
     net.deform(Field::perspective(eye, aim, view));
     const gusset::NetMesh flat(net);
@@ -128,15 +129,17 @@ void draw(const Part &part, Net net, const Point3 &eye, const Point3 &aim, std::
         }
         const Point3 normal = unit(cross(minus(points[2], points[0]), minus(points.back(), points[1])));
         const Point3 to_eye = minus(eye, points[0]);
-        // The back of a closed surface is not seen; open ones are seen from both sides.
         const double front = dot(normal, to_eye) >= 0 ? 1.0 : -1.0;
+        if (closed && front < 0) {
+            continue; // The back of a closed surface is not seen; open ones are seen from both sides.
+        }
         const double shade = 0.45 + 0.55 * std::max(0.0, front * dot(normal, light));
         double depth = 0;
         std::ostringstream path;
         path << std::fixed << std::setprecision(1) << "<path d=\"";
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const Point3 at = minus(flat.mesh().position(corners[k]), aim);
-            path << (k == 0 ? 'M' : 'L') << 480 + 150 * dot(at, right) << ' ' << 250 - 150 * dot(at, up);
+            path << (k == 0 ? 'M' : 'L') << 465 + 128 * dot(at, right) << ' ' << 250 - 128 * dot(at, up);
             depth += std::sqrt(dot(minus(eye, points[k]), minus(eye, points[k]))) / static_cast<double>(corners.size());
         }
         const int red = std::stoi(part.colour.substr(1, 2), nullptr, 16), green = std::stoi(part.colour.substr(3, 2), nullptr, 16),
@@ -149,18 +152,23 @@ void draw(const Part &part, Net net, const Point3 &eye, const Point3 &aim, std::
 
 bool write_picture(const std::string &file, const std::vector<Part> &all) {
     const Point3 eye{1.2, -7.5, 3.6}, aim{0, 0, 0.7};
-    std::vector<Drawn> faces;
+    // The last part is the ground, which all others stand on: it is drawn first.
+    std::vector<Drawn> ground, faces;
     for (const Part &part : all) {
         Net net = part.net;
         net.transform(Operation::translate(part.place));
-        draw(part, std::move(net), eye, aim, faces);
+        draw(part, std::move(net), eye, aim, &part == &all.back() ? ground : faces);
     }
-    std::stable_sort(faces.begin(), faces.end(), [](const Drawn &a, const Drawn &b) { return a.depth > b.depth; });
+    const auto farther = [](const Drawn &a, const Drawn &b) { return a.depth > b.depth; };
+    std::stable_sort(ground.begin(), ground.end(), farther);
+    std::stable_sort(faces.begin(), faces.end(), farther);
     std::ofstream out(file);
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 960 480\" stroke=\"#fff\" stroke-width=\"0.4\" "
            "stroke-linejoin=\"round\">\n";
-    for (const Drawn &face : faces) {
-        out << face.path;
+    for (const auto *drawn : {&ground, &faces}) {
+        for (const Drawn &face : *drawn) {
+            out << face.path;
+        }
     }
     out << "</svg>\n";
     return out.good();
