@@ -62,6 +62,17 @@ inline double distance(const Net &a, const Net &b) {
     return p.size() == q.size() ? worst : INFINITY;
 }
 
+/// A sheet of rows x columns nodes in the plane z = 0, one unit apart.
+inline Net sheet(std::size_t rows, std::size_t columns, const gusset::Gluing &gluing = {}) {
+    std::vector<Point3> points;
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t j = 0; j < columns; ++j) {
+            points.push_back({static_cast<double>(j), static_cast<double>(i), 0.0});
+        }
+    }
+    return Net::of_points(rows, columns, points, gluing);
+}
+
 struct Named {
     std::string name;
     Shape shape;

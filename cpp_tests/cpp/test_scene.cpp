@@ -80,7 +80,8 @@ TEST_CASE("spatial operations") {
     const Transform map{{1, 2, 0, 3, 0, 1, 0, 1, 0.5, 0, 1, 0}};
     test(Operation::matrix(map), [&](Point3 p) { return image(map, p); });
     CHECK(identical(moved(net, Operation::matrix(gusset::identity())), net));
-    CHECK(distance(moved(net, Operation::matrix(gusset::translation({1, 2, 3}))), moved(net, Operation::translate({1, 2, 3}))) == 0.0);
+    CHECK(distance(moved(net, Operation::matrix(gusset::translation({1, 2, 3}))),
+                   moved(net, Operation::translate({1, 2, 3}))) == 0.0);
     // The first one first.
     CHECK(deviation(moved(net, Operation::translate({1, 0, 0}), Operation::scale(2.0)), net,
                     [](Point3 p) { return Point3{2 * p[0] + 2, 2 * p[1], 2 * p[2]}; }) < 1e-14);
@@ -153,8 +154,12 @@ TEST_CASE("fields of deformation") {
     CHECK(distance(deformed(net, twist.keyed({{0.0, 0.0}, {2.0, 1.0}}, gusset::Easing::smooth), 1.0),
                    deformed(net, twist.in_part(0.5))) < 1e-14);
     const std::vector<Field> both{Field::shear(Axis::x, Axis::z, 0.3), twist};
-    Net one = net;
+    Net one = net, listed = net;
     one.deform(both);
+    listed.deform({both[0], both[1]});
+    CHECK(identical(one, listed));
+    listed.transform({Operation::scale(2.0), Operation::scale(0.5)});
+    CHECK(identical(one, listed));
     CHECK(distance(one, deformed(deformed(net, both[0]), both[1])) < 1e-14);
 }
 
@@ -164,7 +169,9 @@ TEST_CASE("what a deformation does") {
     const gusset::Analysis analysis(net, fields);
     CHECK(analysis.is_soft());
     CHECK(analysis.determinants().size() == 8 * 16);
-    CHECK(std::all_of(analysis.determinants().begin(), analysis.determinants().end(), [](double d) { return std::abs(d - 8) < 1e-9; }));
+    for (double determinant : analysis.determinants()) {
+        CHECK(determinant == doctest::Approx(8.0).epsilon(1e-12));
+    }
     Net after = net;
     after.deform(fields);
     CHECK(after.measure().volume == doctest::Approx(8 * net.measure().volume).epsilon(1e-12));
@@ -218,8 +225,8 @@ TEST_CASE("a function of the caller's") {
     CHECK(gusset::Validation(net).is_valid());
 
     const gusset::Context context;
-    CHECK_THROWS_WITH(net.deform_rows<double>([](std::size_t, auto, auto, auto) -> bool { throw std::runtime_error("no more"); }, context),
-                      "no more");
+    const auto throws = [](std::size_t, auto, auto, auto) -> bool { throw std::runtime_error("no more"); };
+    CHECK_THROWS_WITH(net.deform_rows<double>(throws, context), "no more");
     CHECK(refusal([&] { net.deform_rows<double>([](std::size_t, auto, auto, auto) { return false; }, context); }).status ==
           GUSSET_ERROR_CANCELLED);
     // Neither keeps the context from going on.
@@ -233,7 +240,8 @@ TEST_CASE("a function of the caller's") {
 }
 
 TEST_CASE("enlarged, turned, and made smaller") {
-    std::vector<Net> nets{plane(), torus(), Net::of_shape(Shape::sphere(1.0).with(6, 9)), Net::of_shape(Shape::moebius(2.0, 1.0).with(4, 11))};
+    std::vector<Net> nets{plane(), torus(), Net::of_shape(Shape::sphere(1.0).with(6, 9)),
+                          Net::of_shape(Shape::moebius(2.0, 1.0).with(4, 11))};
     for (const auto &[name, shape, euler] : closed_shapes()) {
         nets.push_back(Net::of_shape(shape));
     }
@@ -335,6 +343,7 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
     CHECK(judge(NetMesh(three).mesh(), false).components == 3);
     CHECK(three.measure().area == doctest::Approx(torus().measure().area + sphere.measure().area + tube.measure().area));
     const std::vector<const Net *> twice{&sphere, &sphere};
+    CHECK(identical(gusset::concatenate(twice), gusset::concatenate({&sphere, &sphere})));
     CHECK(gusset::concatenate(twice).columns() == 2 * sphere.columns());
 
     // Two halves of a tube, welded: one tube, and a mesh like any other.

@@ -5,6 +5,8 @@
 #include <gusset/net_field.hpp>
 #include <gusset/net_shape.hpp>
 
+#include <initializer_list>
+
 namespace gusset {
 
 struct Decimated;
@@ -139,9 +141,10 @@ public:
     template <class T>
     void read(const Coordinates<T> &out, const Context &context = Context()) const {
         static_assert(!std::is_const_v<T>, "to be written");
-        const bool alike = out.x.rows() == out.y.rows() && out.x.rows() == out.z.rows() && out.x.columns() == out.y.columns() &&
-                           out.x.columns() == out.z.columns() && out.x.stride() == out.y.stride() && out.x.stride() == out.z.stride();
-        if (!alike) {
+        const auto like_x = [&](const MatrixView<T> &other) {
+            return other.rows() == out.x.rows() && other.columns() == out.x.columns() && other.stride() == out.x.stride();
+        };
+        if (!like_x(out.y) || !like_x(out.z)) {
             throw std::invalid_argument("gusset: matrices of different sizes");
         }
         gusset_net_arrays arrays = of_pointers(out.x.rows(), out.x.columns(), out.x.data(), out.y.data(), out.z.data());
@@ -189,6 +192,9 @@ public:
         context.call([&](gusset_context *c) { return gusset_net_glue(c, get(), gluings.data(), gluings.size()); });
     }
     void glue(const LocalGluing &gluing, const Context &context = Context()) { glue({&gluing, 1}, context); }
+    void glue(std::initializer_list<LocalGluing> gluings, const Context &context = Context()) {
+        glue({gluings.begin(), gluings.size()}, context);
+    }
     /// Unglues pairs of nodes, and moves what becomes separate apart; returns how many pieces moved. See gusset_net_unglue.
     std::size_t unglue(Span<const LocalGluing> gluings, double separation = 0.0, const Context &context = Context()) {
         std::size_t moved = 0;
@@ -199,6 +205,10 @@ public:
     }
     std::size_t unglue(const LocalGluing &gluing, double separation = 0.0, const Context &context = Context()) {
         return unglue({&gluing, 1}, separation, context);
+    }
+    std::size_t unglue(std::initializer_list<LocalGluing> gluings, double separation = 0.0,
+                       const Context &context = Context()) {
+        return unglue({gluings.begin(), gluings.size()}, separation, context);
     }
     /// Contracts links by their numbers, such as Analysis::contracted; follow it with snap.
     void absorb(Indices links, const Context &context = Context()) {
@@ -257,7 +267,8 @@ public:
         });
     }
     Net turned(int32_t quarters, const Context &context = Context()) const {
-        return made(context, [&](gusset_context *c, gusset_net **out) { return gusset_net_turn_create(c, get(), quarters, out); });
+        return made(context,
+                    [&](gusset_context *c, gusset_net **out) { return gusset_net_turn_create(c, get(), quarters, out); });
     }
     /// A larger net that is the same surface.
     Net reformatted(const ReformatOptions &options, const Context &context = Context()) const {
@@ -303,12 +314,18 @@ public:
         context.call([&](gusset_context *c) { return gusset_net_transform(c, get(), operations.data(), operations.size()); });
     }
     void transform(const Operation &operation, const Context &context = Context()) { transform({&operation, 1}, context); }
+    void transform(std::initializer_list<Operation> operations, const Context &context = Context()) {
+        transform({operations.begin(), operations.size()}, context);
+    }
     /// Moves all nodes by fields, the first one first. time: for fields with keys.
     void deform(Span<const Field> fields, double time = 0.0, const Context &context = Context()) {
         const std::vector<gusset_field> given = detail::as_c(fields);
         context.call([&](gusset_context *c) { return gusset_net_deform(c, get(), given.data(), given.size(), time); });
     }
     void deform(const Field &field, double time = 0.0, const Context &context = Context()) { deform({&field, 1}, time, context); }
+    void deform(std::initializer_list<Field> fields, double time = 0.0, const Context &context = Context()) {
+        deform({fields.begin(), fields.size()}, time, context);
+    }
     /// Moves consecutive nodes, from node `first` on, by writing to the spans; returns false to stop. May throw: the exception
     /// comes out of the call. It must use neither the net nor the context.
     template <class T>

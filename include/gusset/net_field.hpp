@@ -97,6 +97,7 @@ public:
     static Field taper(Axis axis, double rate, double from = 0.0) {
         return Field(GUSSET_FIELD_TAPER, rate, from).about(axis);
     }
+    /// Between two coordinates on the axis, towards the axis that follows.
     static Field bend(Axis axis, double curvature, double from = 0.0,
                       double to = std::numeric_limits<double>::infinity()) {
         return Field(GUSSET_FIELD_BEND, curvature, from, to).about(axis);
@@ -108,13 +109,16 @@ public:
         return made;
     }
     static Field spherify(const Point3 &centre, double radius) { return Field(GUSSET_FIELD_SPHERIFY, centre, radius); }
+    /// Of the two axes that follow, the first becomes the arc, from the second one on, and the second the height above the
+    /// cylinder.
     static Field wrap_cylinder(Axis axis, double radius) {
         return Field(GUSSET_FIELD_CYLINDER_WRAP, radius).about(axis);
     }
     static Field wrap_torus(Axis axis, double radius, double tube_radius) {
         return Field(GUSSET_FIELD_TORUS_WRAP, radius, tube_radius).about(axis);
     }
-    /// Free-form deformation. `offsets`: how far each of counts[0] * counts[1] * counts[2] control points is moved, x running first.
+    /// Free-form deformation. `offsets`: how far each of counts[0] * counts[1] * counts[2] control points is moved, x running
+    /// first.
     static Field lattice(const Point3 &low, const Point3 &high, const std::array<uint32_t, 3> &counts,
                          std::vector<Point3> offsets) {
         std::size_t wanted = 1;

@@ -123,6 +123,10 @@ inline Net concatenate(Span<const Net> nets, const JoinOptions &options = {}, co
     }
     return concatenate(Span<const Net *const>(pointers), options, context);
 }
+inline Net concatenate(std::initializer_list<const Net *> nets, const JoinOptions &options = {},
+                       const Context &context = Context()) {
+    return concatenate(Span<const Net *const>(nets.begin(), nets.size()), options, context);
+}
 inline Net concatenate(const Net &first, const Net &second, const JoinOptions &options = {},
                        const Context &context = Context()) {
     const Net *const nets[] = {&first, &second};

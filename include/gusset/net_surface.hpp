@@ -9,8 +9,8 @@ namespace gusset {
 /// Which cells count.
 enum class NetCells : uint32_t { all = GUSSET_NET_CELLS_ALL, present = GUSSET_NET_CELLS_PRESENT };
 
-/// What surface a net is once glued nodes are one. It keeps nothing of the net. See gusset_net_complex_report, whose lists live as
-/// long as this.
+/// What surface a net is once glued nodes are one. It keeps nothing of the net. See gusset_net_complex_report, whose lists live
+/// as long as this.
 class Complex {
 public:
     explicit Complex(const Net &net, NetCells cells = NetCells::all, const Context &context = Context()) {
