@@ -14,6 +14,7 @@
 #include <gusset/frame.hpp>
 #include <gusset/net.hpp>
 #include <gusset/net_mesh.hpp>
+#include <gusset/net_stream.hpp>
 #include <gusset/net_surface.hpp>
 #include <gusset/outline.hpp>
 #include <gusset/repair.hpp>
