@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <random>
 #include <thread>
 
 namespace {
@@ -193,4 +194,58 @@ TEST_CASE("copies share and part") {
         thread.join();
     }
     CHECK(std::equal(volumes.begin() + 1, volumes.end(), volumes.begin()));
+}
+
+TEST_CASE("nets glued by chance") {
+    std::mt19937 random(7);
+    const auto pick = [&](std::size_t count) { return static_cast<uint32_t>(random() % count); };
+    for (int round = 0; round < 1000; ++round) {
+        CAPTURE(round);
+        const std::size_t rows = 2 + pick(5), columns = 2 + pick(5);
+        std::vector<Point3> points;
+        for (std::size_t k = 0; k < rows * columns; ++k) {
+            points.push_back({double(pick(1000)), double(pick(1000)), double(pick(1000))});
+        }
+        const std::array<Sides, 4> sides{Sides::sheet, Sides::tube, Sides::two_poles, Sides::torus};
+        Net net = Net::of_points(rows, columns, points, sides[pick(4)]);
+        for (uint32_t k = pick(6); k-- > 0;) {
+            const uint32_t type = pick(18);
+            const uint32_t element = pick(type < 13 ? rows * columns : (rows - 1) * (columns - 1));
+            const Refusal refused = refusal([&] { net.glue(LocalGluing::of_type(static_cast<GluingType>(type), element)); });
+            REQUIRE((refused.status == GUSSET_OK || refused.status == GUSSET_ERROR_CROSSING_CELL));
+        }
+        net.snap();
+        REQUIRE(gusset::Validation(net).is_valid());
+
+        // The mesh has the faces and wires of the complex.
+        const Complex complex(net);
+        const gusset::NetMesh mesh(net);
+        uint64_t quads = 0;
+        for (std::size_t f = 0; f < mesh.mesh().face_count(); ++f) {
+            quads += mesh.mesh().face(f).size() == 4 ? 1 : 0;
+        }
+        REQUIRE(quads == complex.report().quad_count);
+        REQUIRE(mesh.mesh().face_count() - quads == complex.report().triangle_count);
+        REQUIRE(mesh.wires().size() == complex.wires().size());
+
+        // There and back again.
+        Gluing again;
+        again.matrix = net.matrix();
+        again.seams = net.seams();
+        Net copy = net;
+        copy.set_gluing(Sides::sheet);
+        copy.set_gluing(again);
+        REQUIRE(identical(copy, net));
+        REQUIRE(identical(net.turned(1).turned(-1), net));
+        Net saturated = net;
+        saturated.saturate();
+        REQUIRE(saturated.classes() == net.classes());
+        gusset::JoinOptions options;
+        options.direction = pick(2) == 0 ? gusset::Direction::right : gusset::Direction::down;
+        options.equalise = static_cast<gusset::Replicate>(pick(3));
+        const Net torus = Net::of_shape(Shape::torus(2.0, 0.5).with(4 + pick(3), 4 + pick(3)));
+        const auto [first, second] = gusset::concatenate(net, torus, options).split(0);
+        REQUIRE(identical(first, net));
+        REQUIRE(identical(second, torus));
+    }
 }
