@@ -4481,12 +4481,12 @@ typedef struct gusset_winged_view {
 #define GUSSET_NET_QUADS 0
 
 /**
- * Triangles: quads are cut along the shorter diagonal.
+ * Triangles: quads are cut along the shorter diagonal, or where that would be an edge that there is already, the other one.
  */
 #define GUSSET_NET_TRIANGLES_SHORTER 1
 
 /**
- * Triangles: quads are cut from (i, j) to (i + 1, j + 1).
+ * Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
  */
 #define GUSSET_NET_TRIANGLES_FIXED 2
 

@@ -11,11 +11,12 @@ use gusset::boundary::boundary_loops;
 use gusset::check::check;
 use gusset::mesh::{NONE, PositionBuffer, Positions, Scalar};
 use gusset::net::convert::{Diagonal, Heights, MeshOptions, net_of_grid, net_of_heights, net_of_points};
+use gusset::net::primitive::{Primitive, Request};
 use gusset::net::topology::{Links, Run};
 use gusset::net::{BridgeMode, Classes, Direction, JoinOptions, Net, Seam, Sides, Topology, concatenate};
 use nets::{Surface, any_topology, job, same, shape, sphere, torus};
 use proptest::prelude::*;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 fn any_options() -> impl Strategy<Value = MeshOptions> {
     let triangles = prop_oneof![Just(None), Just(Some(Diagonal::Shorter)), Just(Some(Diagonal::Fixed))];
@@ -381,4 +382,36 @@ fn a_volcano() {
     };
     let mesh = net_of_heights(&heights, &job()).unwrap().to_mesh(&MeshOptions::default(), &job()).unwrap().mesh;
     assert_eq!((mesh.positions.len(), mesh.face_count()), (61 * 87, 60 * 86));
+}
+
+/// Where many nodes are one point, two cells may share three corners, and so a diagonal: then one takes the other.
+#[test]
+fn triangles_of_glued_nets_are_manifold() {
+    for (primitive, chi) in [
+        (Primitive::Pillow { size: [2.0, 1.0], thickness: 0.5 }, 2),
+        (Primitive::ProjectivePlane { radius: 1.0 }, 1),
+        (Primitive::OnePoleSphere { radius: 1.0 }, 2),
+        (Primitive::Klein { radius: 2.0, minor_radius: 0.5 }, 0),
+        (Primitive::Torus { radius: 2.0, minor_radius: 0.5 }, 0),
+    ] {
+        for (rows, columns) in [(4, 5), (5, 5), (6, 7), (9, 13)] {
+            let request = Request { rows, columns, ..Request::new(primitive) };
+            let net = request.net(&job()).unwrap();
+            for diagonal in [Diagonal::Shorter, Diagonal::Fixed] {
+                let options = MeshOptions { triangles: Some(diagonal), ..MeshOptions::default() };
+                let mesh = net.to_mesh(&options, &job()).unwrap().mesh;
+                let mut edges: BTreeMap<[u32; 2], usize> = BTreeMap::new();
+                for face in mesh.faces() {
+                    for k in 0..3 {
+                        let [a, b] = [face[k], face[(k + 1) % 3]];
+                        *edges.entry([a.min(b), a.max(b)]).or_default() += 1;
+                    }
+                }
+                let what = format!("{primitive:?} {rows} x {columns} {diagonal:?}");
+                assert!(edges.values().all(|&faces| faces == 2), "{what}");
+                let euler = mesh.positions.len() as i64 - edges.len() as i64 + mesh.face_count() as i64;
+                assert_eq!(euler, chi, "{what}");
+            }
+        }
+    }
 }

@@ -20,9 +20,9 @@ use std::sync::Arc;
 pub type gusset_net_faces = u32;
 /// Quads, and triangles where a side of a cell is one point.
 pub const GUSSET_NET_QUADS: gusset_net_faces = 0;
-/// Triangles: quads are cut along the shorter diagonal.
+/// Triangles: quads are cut along the shorter diagonal, or where that would be an edge that there is already, the other one.
 pub const GUSSET_NET_TRIANGLES_SHORTER: gusset_net_faces = 1;
-/// Triangles: quads are cut from (i, j) to (i + 1, j + 1).
+/// Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
 pub const GUSSET_NET_TRIANGLES_FIXED: gusset_net_faces = 2;
 
 /// How a net becomes a mesh. All zeros: quads, one vertex for each class of glued nodes, only vertices that something uses.

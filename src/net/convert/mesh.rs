@@ -3,6 +3,7 @@
 //! Classes of glued nodes become vertices, so that closed nets become closed meshes; cells become what is left of them when
 //! glued corners are one (paper, Fig. 4): quads, triangles, or nothing.
 
+use super::taken::Taken;
 use super::texture::Texture;
 use super::wires;
 use crate::alloc;
@@ -17,9 +18,10 @@ use glam::DVec3;
 /// How quads are cut into triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Diagonal {
-    /// The shorter diagonal; from (i, j) to (i + 1, j + 1) where they are equal.
+    /// The shorter diagonal; from (i, j) to (i + 1, j + 1) where they are equal. Where that would be an edge that there is already,
+    /// as gluing may have it, the other one.
     Shorter,
-    /// Always from (i, j) to (i + 1, j + 1).
+    /// From (i, j) to (i + 1, j + 1), with the same exception.
     Fixed,
 }
 
@@ -92,6 +94,10 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
         offsets: alloc::with_capacity(shape.cell_count() + 1)?,
         cells: alloc::with_capacity(shape.cell_count())?,
         edges: Vec::new(),
+        taken: match options.triangles {
+            Some(_) => Some(Taken::new(shape, &classes)?),
+            None => None,
+        },
         classes: &classes,
     };
     faces.offsets.push(0);
@@ -137,6 +143,8 @@ struct Faces<'a, T> {
     options: &'a MeshOptions,
     reversed: bool,
     classes: &'a [u32],
+    /// Where diagonals are drawn: the edges that none may repeat.
+    taken: Option<Taken>,
     nodes: Vec<u32>,
     offsets: Vec<u32>,
     cells: Vec<u32>,
@@ -195,7 +203,14 @@ impl<T: Real> Faces<'_, T> {
                 between(a, c) <= between(b, d)
             }
         };
-        let [first, second] = if along { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+        let ends = [[a, c], [b, d]].map(|ends| ends.map(|node| self.classes[node as usize]));
+        let is_taken = |k: usize| self.taken.as_ref().is_some_and(|taken| taken.has(ends[k]));
+        let [chosen, other] = if along { [0, 1] } else { [1, 0] };
+        let chosen = if is_taken(chosen) && !is_taken(other) { other } else { chosen };
+        if let Some(taken) = &mut self.taken {
+            taken.add(ends[chosen])?;
+        }
+        let [first, second] = if chosen == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
         self.face(&first, cell)?;
         self.face(&second, cell)
     }

@@ -6,6 +6,7 @@
 mod grid;
 mod heights;
 mod mesh;
+mod taken;
 mod texture;
 mod wires;
 

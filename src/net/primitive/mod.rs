@@ -31,7 +31,7 @@ pub enum Primitive<'a> {
         /// Radius.
         radius: f64,
     },
-    /// A disc whose rim is drawn together at the lowest point; closed by one pole. At least 3 rows and columns.
+    /// A disc whose rim is drawn together at the lowest point; closed by one pole. At least 4 rows and columns.
     OnePoleSphere {
         /// Radius.
         radius: f64,
@@ -192,7 +192,6 @@ impl Primitive<'_> {
     fn least(&self) -> (usize, usize) {
         match *self {
             Primitive::Plane { .. } => (2, 2),
-            Primitive::OnePoleSphere { .. } => (3, 3),
             Primitive::Sphere { .. } | Primitive::Cone { .. } => (3, 4),
             Primitive::Tube { .. } | Primitive::Lathe { .. } | Primitive::Moebius { .. } => (2, 4),
             Primitive::Prism { sides, .. } => (4, sides as usize + 1),
