@@ -2538,7 +2538,8 @@ typedef struct gusset_measure {
 
 /**
  * Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
- * x, y, z one after the other are matrices whose column_stride is three numbers.
+ * x, y, z one after the other are matrices whose column_stride is three numbers; matrices kept by columns have a row_stride of one
+ * number and a column_stride of a column.
  */
 typedef struct gusset_net_arrays {
     /**
@@ -3115,7 +3116,7 @@ typedef struct gusset_measures {
      */
     double area;
     /**
-     * What the net encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the
+     * What the net encloses, if it is closed and has two sides; positive if the normals look outwards. For open ones: of the cone to the
      * first node.
      */
     double volume;
@@ -4178,7 +4179,8 @@ typedef struct gusset_winged_view {
 #define GUSSET_NET_CELLS_PRESENT 1
 
 /**
- * An affine map: values[0] to values[11], three rows of four. In part: that part of the straight way.
+ * An affine map: values[0] to values[11], three rows of four. In part: that part of the straight way. Unlike gusset_net_transform it leaves
+ * the net's flag `reversed` alone where it mirrors.
  */
 #define GUSSET_FIELD_AFFINE 1
 
@@ -4195,7 +4197,7 @@ typedef struct gusset_winged_view {
 #define GUSSET_FIELD_TAPER 3
 
 /**
- * Bends `axis` from its coordinate values[1] to values[2], which may be infinite, to an arc of the curvature
+ * Bends `axis` from its coordinate values[1] to values[2] (only the latter may be infinite) to an arc of the curvature
  * values[0], towards the axis that follows; what lies beyond goes on straight. In part: with that part of the
  * curvature.
  */
@@ -4214,7 +4216,8 @@ typedef struct gusset_winged_view {
 
 /**
  * Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the second the height above
- * a cylinder of the radius values[0] > 0. In part: that part of the straight way.
+ * a cylinder of the radius values[0] > 0: with the first u and the second v they become (r + v) sin(u / r) and
+ * (r + v) cos(u / r). In part: that part of the straight way.
  */
 #define GUSSET_FIELD_CYLINDER_WRAP 7
 
@@ -4456,7 +4459,8 @@ typedef struct gusset_winged_view {
 #define GUSSET_BRIDGE_HIDE 1
 
 /**
- * The two sides coincide and are one: the links between them are contracted.
+ * The two sides coincide, to a tolerance, and are one: the links between them are contracted. Nodes stay where they are; where they
+ * coincide not quite, gusset_net_snap makes them equal.
  */
 #define GUSSET_BRIDGE_WELD 2
 
@@ -4781,6 +4785,11 @@ typedef struct gusset_winged_view {
  * A byte of a stream.
  */
 #define GUSSET_ELEMENT_BYTE 19
+
+/**
+ * One of the operations, fields or gluings that were given.
+ */
+#define GUSSET_ELEMENT_ITEM 21
 
 /**
  * A place along the side of a net; the value is a distance.
@@ -5543,12 +5552,24 @@ gusset_status gusset_net_clone(const struct gusset_context *context,
                                struct gusset_net **copy);
 
 /**
+ * Makes a copy of a net, with its gluing and its bridges, with coordinates of another type. scalar: GUSSET_F32 or GUSSET_F64. converted:
+ * receives it, for gusset_net_destroy; NULL on failure. From double to float coordinates are rounded, and nodes whose coordinates
+ * are too large for it become missing. Errors: UNKNOWN_VALUE, OUT_OF_MEMORY. O(nodes). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_convert_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        uint32_t scalar,
+                                        struct gusset_net **converted);
+
+/**
  * Destroys a net; NULL is allowed.
  */
 GUSSET_API void gusset_net_destroy(struct gusset_net *net);
 
 /**
- * Lends size and coordinates to be read, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
+ * Lends size and coordinates to be read only, as copies may share them, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
  * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
  */
 GUSSET_API
@@ -6285,6 +6306,17 @@ gusset_status gusset_scene_add_net(const struct gusset_context *context,
                                    uint32_t *entry);
 
 /**
+ * Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. Errors: NO_SUCH_ELEMENT
+ * with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_set_net(const struct gusset_context *context,
+                                   struct gusset_scene *scene,
+                                   uint32_t entry,
+                                   const struct gusset_net *net);
+
+/**
  * Adds an empty group, in no group yet. entry: receives its index. Errors: as gusset_scene_add_net. O(1).
  */
 GUSSET_API
@@ -6545,11 +6577,11 @@ GUSSET_API void gusset_stream_decoder_destroy(struct gusset_stream_decoder *deco
  * place.
  *
  * operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes
- * that are glued and have equal bits keep them equal; missing nodes stay missing. If the operations together mirror
+ * that are glued and have equal bits keep them equal; missing nodes stay missing (and may lose coordinates that were finite). If the operations together mirror
  * (odd numbers of reflections) the surface would be turned inside out: the net's flag `reversed` changes then, so that
  * faces look outwards as before. A cancel is heard before the first node is moved; whatever the error, none is moved.
  * Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a number that is not finite, an axis of length 0, a
- * product that overflows), SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its memory), CANCELLED. O(nodes), no
+ * product that overflows), FIELD_UNDEFINED with the first node that would overflow, SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its memory), CANCELLED. O(nodes), no
  * memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
  */
 GUSSET_API

@@ -64,6 +64,10 @@ static void editing(void) {
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_net(context, scene, group, &shared));
     CHECK(shared == NULL);
     EXPECT(GUSSET_OK, gusset_scene_net(context, scene, a, &shared));
+    EXPECT(GUSSET_OK, gusset_scene_set_net(context, scene, a, shared));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_set_net(context, scene, group, shared));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_net(context, scene, a, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_net(context, NULL, a, shared));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_children(context, NULL, group, children, 2, &written));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_children(context, scene, group, children, 2, NULL));
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_children(context, scene, a, children, 2, &written));

@@ -250,6 +250,12 @@ public:
         return found;
     }
 
+    /// A copy with coordinates of another type.
+    Net converted(Scalar scalar, const Context &context = Context()) const {
+        return made(context, [&](gusset_context *c, gusset_net **out) {
+            return gusset_net_convert_create(c, get(), static_cast<uint32_t>(scalar), out);
+        });
+    }
     /// The net within some rows and columns.
     Net part(std::size_t row_first, std::size_t row_count, std::size_t column_first, std::size_t column_count,
              const Context &context = Context()) const {

@@ -47,6 +47,10 @@ public:
         context.call([&](gusset_context *c) { return gusset_scene_add_net(c, get(), net.get(), &entry); });
         return entry;
     }
+    /// Puts another net in the place of one, as it is now.
+    void set_net(uint32_t entry, const Net &net, const Context &context = Context()) {
+        context.call([&](gusset_context *c) { return gusset_scene_set_net(c, get(), entry, net.get()); });
+    }
     /// Adds an empty group, in no group yet; returns its entry.
     uint32_t add_group(const Context &context = Context()) {
         uint32_t entry = 0;

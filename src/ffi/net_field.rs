@@ -15,7 +15,8 @@ use libc::{c_int, c_void};
 /// What a field does, and what its values are. An axis and those that follow it: y and z after x, z and x after y, x
 /// and y after z.
 pub type gusset_field_kind = u32;
-/// An affine map: values[0] to values[11], three rows of four. In part: that part of the straight way.
+/// An affine map: values[0] to values[11], three rows of four. In part: that part of the straight way. Unlike gusset_net_transform it leaves
+/// the net's flag `reversed` alone where it mirrors.
 pub const GUSSET_FIELD_AFFINE: gusset_field_kind = 1;
 /// Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the coordinate values[1] on.
 /// In part: by that part of the angle.
@@ -23,7 +24,7 @@ pub const GUSSET_FIELD_TWIST: gusset_field_kind = 2;
 /// Distances from `axis` grow by values[0] times themselves for each unit along it from the coordinate values[1] on. In
 /// part: at that part of the rate.
 pub const GUSSET_FIELD_TAPER: gusset_field_kind = 3;
-/// Bends `axis` from its coordinate values[1] to values[2], which may be infinite, to an arc of the curvature
+/// Bends `axis` from its coordinate values[1] to values[2] (only the latter may be infinite) to an arc of the curvature
 /// values[0], towards the axis that follows; what lies beyond goes on straight. In part: with that part of the
 /// curvature.
 pub const GUSSET_FIELD_BEND: gusset_field_kind = 4;
@@ -33,7 +34,8 @@ pub const GUSSET_FIELD_SHEAR: gusset_field_kind = 5;
 /// centre, where it is not defined. In part: that part of the way.
 pub const GUSSET_FIELD_SPHERIFY: gusset_field_kind = 6;
 /// Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the second the height above
-/// a cylinder of the radius values[0] > 0. In part: that part of the straight way.
+/// a cylinder of the radius values[0] > 0: with the first u and the second v they become (r + v) sin(u / r) and
+/// (r + v) cos(u / r). In part: that part of the straight way.
 pub const GUSSET_FIELD_CYLINDER_WRAP: gusset_field_kind = 7;
 /// Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube) and values[1] > 0
 /// (of the tube): of the two axes that follow, the first goes round the axis and the second round the tube; the axis
@@ -130,7 +132,9 @@ pub(super) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Re
     let stride = if count == 0 { 0 } else { input::read(fields, false, "fields")?.struct_size };
     for k in 0..count {
         let field = input::read(fields.wrapping_byte_add(k * stride), false, "fields")?;
-        given.push(Given { field: field.checked()?, strength: field.strength_at(time)? });
+        let of_item = |failure: Failure| failure.of_item(given.len());
+        let (checked, strength) = (field.checked().map_err(of_item)?, field.strength_at(time).map_err(of_item)?);
+        given.push(Given { field: checked, strength });
     }
     Ok(given)
 }
@@ -271,8 +275,9 @@ pub unsafe extern "C" fn gusset_net_snap(
     net: *mut gusset_net,
     moved: *mut u64,
 ) -> gusset_status {
+    let moved = input::optional_output(moved, 0, "moved");
     guard(context, |_| {
-        let moved = input::optional_output(moved, 0, "moved")?;
+        let moved = moved?;
         let count = snap(edit(net)?)?;
         moved.into_iter().for_each(|moved| *moved = count);
         Ok(())

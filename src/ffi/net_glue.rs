@@ -117,8 +117,9 @@ impl gusset_gluing {
 fn gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
     let bytes = input::bytes(data.cast(), count, size_of::<gusset_gluing>(), "gluings")?;
     let mut gluings = alloc::with_capacity(count)?;
-    for bytes in bytes.chunks_exact(size_of::<gusset_gluing>()) {
-        gluings.push(bytemuck::pod_read_unaligned::<gusset_gluing>(bytes).checked()?);
+    for (k, bytes) in bytes.chunks_exact(size_of::<gusset_gluing>()).enumerate() {
+        let gluing: gusset_gluing = bytemuck::pod_read_unaligned(bytes);
+        gluings.push(gluing.checked().map_err(|failure| failure.of_item(k))?);
     }
     Ok(gluings)
 }
@@ -166,8 +167,9 @@ pub unsafe extern "C" fn gusset_net_unglue(
     separation: f64,
     moved: *mut usize,
 ) -> gusset_status {
+    let out = input::optional_output(moved, 0, "moved");
     guard(context, |_| {
-        let out = input::optional_output(moved, 0, "moved")?;
+        let out = out?;
         let pieces = edit(net)?.unglue(&self::gluings(gluings, count)?, separation)?;
         if let Some(out) = out {
             *out = pieces;

@@ -22,7 +22,8 @@ pub type gusset_bridge_mode = u32;
 pub const GUSSET_BRIDGE_KEEP: gusset_bridge_mode = 0;
 /// They are not there.
 pub const GUSSET_BRIDGE_HIDE: gusset_bridge_mode = 1;
-/// The two sides coincide and are one: the links between them are contracted.
+/// The two sides coincide, to a tolerance, and are one: the links between them are contracted. Nodes stay where they are; where they
+/// coincide not quite, gusset_net_snap makes them equal.
 pub const GUSSET_BRIDGE_WELD: gusset_bridge_mode = 2;
 
 /// What a bridge looks like.

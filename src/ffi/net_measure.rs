@@ -15,7 +15,7 @@ pub struct gusset_measures {
     pub struct_size: usize,
     /// The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
     pub area: f64,
-    /// What the net encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to the
+    /// What the net encloses, if it is closed and has two sides; positive if the normals look outwards. For open ones: of the cone to the
     /// first node.
     pub volume: f64,
     /// The sum of the cells' area vectors; 0 for closed nets.
@@ -125,8 +125,9 @@ pub unsafe extern "C" fn gusset_net_measure(
     net: *const gusset_net,
     measures: *mut gusset_measures,
 ) -> gusset_status {
+    let out = input::output_struct(measures, "measures");
     guard(context, |job| {
-        let out = input::output_struct(measures, "measures")?;
+        let out = out?;
         out.write(measure(read(net)?, job)?.into());
         Ok(())
     })
@@ -142,8 +143,9 @@ pub unsafe extern "C" fn gusset_net_moments(
     net: *const gusset_net,
     moments: *mut gusset_moments,
 ) -> gusset_status {
+    let out = input::output_struct(moments, "moments");
     guard(context, |job| {
-        let out = input::output_struct(moments, "moments")?;
+        let out = out?;
         out.write(self::moments(read(net)?, job)?.into());
         Ok(())
     })
@@ -168,9 +170,11 @@ pub unsafe extern "C" fn gusset_net_planarity(
     written: *mut usize,
     summary: *mut gusset_planarity,
 ) -> gusset_status {
+    let written = input::output(written, 0, "written");
+    let out = input::output_struct(summary, "summary");
     guard(context, |job| {
-        let written = input::output(written, 0, "written")?;
-        let out = input::output_struct(summary, "summary")?;
+        let written = written?;
+        let out = out?;
         let found = planarity(read(net)?, tolerance, job)?;
         fill(cells, capacity, found.cells.len(), written, "cells", |buffer| {
             buffer.copy_from_slice(&found.cells);

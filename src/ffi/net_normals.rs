@@ -72,8 +72,9 @@ pub unsafe extern "C" fn gusset_net_normals(
     capacity: usize,
     without: *mut u64,
 ) -> gusset_status {
+    let without = input::optional_output(without, 0, "without");
     guard(context, |job| {
-        let without = input::optional_output(without, 0, "without")?;
+        let without = without?;
         let (net, buffers) = (read(net)?, Buffers { starts: [x, y, z], capacity });
         let mut out = match net.coordinates().scalar() {
             Scalar::F32 => Coordinates::F32(buffers.planes(net)?),

@@ -69,8 +69,9 @@ pub unsafe extern "C" fn gusset_net_decimate_create(
     deviation: *mut f64,
     decimated: *mut *mut gusset_net,
 ) -> gusset_status {
+    let deviation = input::optional_output(deviation, 0.0, "deviation");
     create(context, decimated, "decimated", |job| {
-        let deviation = input::optional_output(deviation, 0.0, "deviation")?;
+        let deviation = deviation?;
         let found = decimate(read(net)?, tolerance, job)?;
         write(&found.rows, rows, "rows")?;
         write(&found.columns, columns, "columns")?;
@@ -107,8 +108,9 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
     capacity: usize,
     count: *mut usize,
 ) -> gusset_status {
+    let count = input::output(count, 0, "count");
     guard(context, |job| {
-        let count = input::output(count, 0, "count")?;
+        let count = count?;
         let slots = input::handles(levels, capacity, "levels")?;
         let made = pyramid(read(net)?, self::interpolation(interpolation)?, job)?;
         *count = made.len();

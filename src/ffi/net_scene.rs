@@ -154,10 +154,27 @@ pub unsafe extern "C" fn gusset_scene_add_net(
     net: *const gusset_net,
     entry: *mut u32,
 ) -> gusset_status {
+    let entry = input::output(entry, u32::MAX, "entry");
     guard(context, |_| {
-        let entry = input::output(entry, u32::MAX, "entry")?;
+        let entry = entry?;
         *entry = changed(scene)?.add_net(input::reference(net, "net")?.share()?)?;
         Ok(())
+    })
+}
+
+/// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. Errors: NO_SUCH_ELEMENT
+/// with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_set_net(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: u32,
+    net: *const gusset_net,
+) -> gusset_status {
+    guard(context, |_| {
+        let net = input::reference(net, "net")?.share()?;
+        Ok(changed(scene)?.set_net(entry, net)?)
     })
 }
 
@@ -169,8 +186,9 @@ pub unsafe extern "C" fn gusset_scene_add_group(
     scene: *mut gusset_scene,
     entry: *mut u32,
 ) -> gusset_status {
+    let entry = input::output(entry, u32::MAX, "entry");
     guard(context, |_| {
-        let entry = input::output(entry, u32::MAX, "entry")?;
+        let entry = entry?;
         *entry = changed(scene)?.add_group()?;
         Ok(())
     })
@@ -297,8 +315,9 @@ pub unsafe extern "C" fn gusset_scene_children(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
+    let written = input::output(written, 0, "written");
     guard(context, |_| {
-        let written = input::output(written, 0, "written")?;
+        let written = written?;
         let list = self::scene(scene)?.children(group)?;
         fill(children, capacity, list.len(), written, "children", |to| {
             to.copy_from_slice(list);
@@ -345,8 +364,9 @@ pub unsafe extern "C" fn gusset_scene_world_transforms(
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
+    let written = input::output(written, 0, "written");
     guard(context, |job| {
-        let written = input::output(written, 0, "written")?;
+        let written = written?;
         let scene = self::scene(scene)?;
         fill(instances, capacity, scene.instance_count()?, written, "instances", |to| {
             to.iter_mut().zip(&scene.instances(job)?).for_each(|(to, instance)| *to = instance.into());

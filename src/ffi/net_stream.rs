@@ -184,8 +184,9 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     size: usize,
     info: *mut gusset_stream_info,
 ) -> gusset_status {
+    let out = input::output_struct(info, "info");
     guard(context, |_| {
-        let out = input::output_struct(info, "info")?;
+        let out = out?;
         out.write((&StreamInfo::read(input::bytes(data, size, 1, "data")?)?).into());
         Ok(())
     })

@@ -92,9 +92,10 @@ impl gusset_operation {
 fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Failure> {
     let size = size_of::<gusset_operation>();
     let bytes = input::bytes(operations.cast(), count, size, "operations")?;
-    bytes.chunks_exact(size).try_fold(Affine::IDENTITY, |chain, bytes| {
+    bytes.chunks_exact(size).enumerate().try_fold(Affine::IDENTITY, |chain, (k, bytes)| {
         let operation: gusset_operation = bytemuck::pod_read_unaligned(bytes);
-        Ok(chain.then(&operation.affine()?)?)
+        let then = |next: Affine| Ok(chain.then(&next)?);
+        operation.affine().and_then(then).map_err(|failure: Failure| failure.of_item(k))
     })
 }
 
@@ -102,11 +103,11 @@ fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Fa
 /// place.
 ///
 /// operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes
-/// that are glued and have equal bits keep them equal; missing nodes stay missing. If the operations together mirror
+/// that are glued and have equal bits keep them equal; missing nodes stay missing (and may lose coordinates that were finite). If the operations together mirror
 /// (odd numbers of reflections) the surface would be turned inside out: the net's flag `reversed` changes then, so that
 /// faces look outwards as before. A cancel is heard before the first node is moved; whatever the error, none is moved.
 /// Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a number that is not finite, an axis of length 0, a
-/// product that overflows), SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its memory), CANCELLED. O(nodes), no
+/// product that overflows), FIELD_UNDEFINED with the first node that would overflow, SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its memory), CANCELLED. O(nodes), no
 /// memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
 #[unsafe(no_mangle)]
 #[must_use]

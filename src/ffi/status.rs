@@ -144,6 +144,8 @@ pub const GUSSET_ELEMENT_BRIDGE: gusset_element = 17;
 pub const GUSSET_ELEMENT_ENTRY: gusset_element = 18;
 /// A byte of a stream.
 pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
+/// One of the operations, fields or gluings that were given.
+pub const GUSSET_ELEMENT_ITEM: gusset_element = 21;
 /// A place along the side of a net; the value is a distance.
 pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;
 
@@ -178,6 +180,14 @@ impl Failure {
     pub(super) fn no_such(what: &'static str, index: usize) -> Self {
         let message = format!("there is no {what} {index}");
         Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
+    }
+
+    /// The same failure, of item `index` of an array of the caller's, unless it is about an element already.
+    pub(super) fn of_item(self, index: usize) -> Self {
+        match self.element {
+            GUSSET_ELEMENT_NONE => Failure { element: GUSSET_ELEMENT_ITEM, index: index as u64, ..self },
+            _ => self,
+        }
     }
 
     /// The same failure, of input mesh `input`.
@@ -296,10 +306,10 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         6 => c"the buffer is too small",
         7 => c"the context is in use",
         8 => c"there is no such element",
-        9 => c"the position stride is too small",
+        9 => c"a stride does not fit",
         10 => c"exactly one of face_offsets and face_size must be given",
         11 => c"arrays overlap",
-        1000 => c"the mesh is too large",
+        1000 => c"an input is too large",
         1001 => c"an array exceeds the address space",
         1002 => c"the mesh is empty",
         1003 => c"offsets are not monotone from 0 to their elements",

@@ -171,6 +171,30 @@ impl<'a> Net<'a> {
         self.bridges.iter().any(|bridge| bridge.is_hidden() && bridge.has_cell(i, j))
     }
 
+    /// A copy with coordinates of a type, with the same gluing and the same bridges. From double to single precision they are
+    /// rounded: glued nodes stay equal. What is too large becomes infinite, and the node missing.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn converted(&self, scalar: Scalar) -> Result<Net<'static>> {
+        fn planes<A: Real, B: Real>(from: &Planes<'_, A>) -> Result<Planes<'static, B>> {
+            let mut to = Planes::zeroed(from.shape())?;
+            for i in 0..from.shape().rows() {
+                for (to, from) in to.row_mut(i).into_iter().zip(from.row(i)) {
+                    to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::of(from.into()));
+                }
+            }
+            Ok(to)
+        }
+        let coordinates = match scalar {
+            _ if scalar == self.coordinates.scalar() => self.coordinates.copied()?,
+            Scalar::F32 => Coordinates::F32(each!(&self.coordinates, from => planes(from)?)),
+            Scalar::F64 => Coordinates::F64(each!(&self.coordinates, from => planes(from)?)),
+        };
+        let bridges = alloc::collect(self.bridges.iter().cloned())?;
+        Ok(Net { coordinates, topology: self.topology.copied()?, bridges })
+    }
+
     /// A copy in memory of ours.
     ///
     /// # Errors

@@ -30,7 +30,7 @@ pub struct Heights<'a, T> {
 ///
 /// # Errors
 /// [`Error::StrideTooSmall`], [`Error::ArrayTooShort`], [`Error::SizeOverflow`]; [`Error::OptionOutOfRange`] for a spacing or an
-/// origin that is not finite, or a spacing of 0; [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// origin that is not finite, or a spacing that leaves no distance between nodes in the type of the heights; [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn net_of_heights<T: Real>(heights: &Heights<'_, T>, job: &Job<'_>) -> Result<Net<'static>>
 where
     Coordinates<'static>: From<Planes<'static, T>>,
@@ -43,6 +43,14 @@ where
     if let Some(value) = origin.to_array().into_iter().find(bad) {
         return Err(Error::OptionOutOfRange { option: "origin", value });
     }
+    // Neighbours must differ, and be finite, in the type that they are kept in.
+    for (origin, step, count) in [(origin.x, dx, shape.columns()), (origin.y, dy, shape.rows())] {
+        let at = |k: usize| T::of(origin + k as f64 * step);
+        if at(0) == at(1) || at(count - 2) == at(count - 1) || !at(count - 1).into().is_finite() {
+            return Err(Error::OptionOutOfRange { option: "spacing", value: step });
+        }
+    }
+    let no_data = no_data.map(|value| T::of(value).into());
     let needed = Planes::<T>::length(shape, stride)?;
     if values.len() < needed {
         let (needed, given) = ((needed * size_of::<T>()) as u64, size_of_val(values) as u64);
@@ -101,6 +109,7 @@ fn organised<T: Real>(
     no_data: Option<f64>,
     job: &Job<'_>,
 ) -> Result<Planes<'static, T>> {
+    let no_data = no_data.map(|value| T::of(value).into());
     planes(shape, job, |axis, rows, to: &mut [T]| {
         for (node, to) in (shape.node(rows.start, 0)..).zip(to) {
             let p = points.get(node);
@@ -111,7 +120,8 @@ fn organised<T: Real>(
 }
 
 impl Net<'_> {
-    /// Makes missing every node of which a coordinate is `value`, the number that stands for what was not seen. O(nodes).
+    /// Makes missing every node of which a coordinate is `value`, rounded to their type: the number that stands for what was not
+    /// seen. O(nodes).
     pub fn clear_no_data(&mut self, value: f64) {
         match self.coordinates_mut() {
             Coordinates::F32(planes) => clear(planes, value),
@@ -121,10 +131,11 @@ impl Net<'_> {
 }
 
 fn clear<T: Real>(planes: &mut Planes<'_, T>, value: f64) {
+    let value = T::of(value);
     for i in 0..planes.shape().rows() {
         let [x, y, z] = planes.row_mut(i);
         for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
-            if [*x, *y, *z].into_iter().any(|coordinate| coordinate.into() == value) {
+            if [*x, *y, *z].contains(&value) {
                 [*x, *y, *z] = [T::of(f64::NAN); 3];
             }
         }

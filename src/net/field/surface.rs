@@ -45,28 +45,39 @@ fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
 /// much memory as the coordinates take.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] if the distance is not finite, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] if the distance is not finite, [`Error::FieldUndefined`] for the first node whose
+/// coordinates would overflow (no node is moved), [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
     if !distance.is_finite() {
         return Err(Error::OptionOutOfRange { option: "distance", value: distance });
     }
     let (normals, _) = normals(net, job)?;
     match (net.coordinates_mut(), &normals) {
-        (Coordinates::F32(planes), Coordinates::F32(normals)) => add(planes, normals, distance),
-        (Coordinates::F64(planes), Coordinates::F64(normals)) => add(planes, normals, distance),
+        (Coordinates::F32(planes), Coordinates::F32(normals)) => add(planes, normals, distance)?,
+        (Coordinates::F64(planes), Coordinates::F64(normals)) => add(planes, normals, distance)?,
         _ => {}
     }
     // Normals of a class are equal, and so are its positions, unless they were not before.
     snap(net).map(|_| ())
 }
 
-fn add<T: Real>(planes: &mut Planes<'_, T>, normals: &Planes<'_, T>, distance: f64) {
+fn add<T: Real>(planes: &mut Planes<'_, T>, normals: &Planes<'_, T>, distance: f64) -> Result<()> {
     let distance = T::of(distance);
-    for i in 0..planes.shape().rows() {
+    let shape = planes.shape();
+    for i in 0..shape.rows() {
+        for (row, normal) in planes.row(i).into_iter().zip(normals.row(i)) {
+            let lost = |(&x, &n): (&T, &T)| x.into().is_finite() && !(x + distance * n).into().is_finite();
+            if let Some(j) = row.iter().zip(normal).position(lost) {
+                return Err(Error::FieldUndefined { node: shape.node(i, j) });
+            }
+        }
+    }
+    for i in 0..shape.rows() {
         for (row, normal) in planes.row_mut(i).into_iter().zip(normals.row(i)) {
             row.iter_mut().zip(normal).for_each(|(x, &n)| *x = *x + distance * n);
         }
     }
+    Ok(())
 }
 
 /// Coordinates of consecutive nodes, in the net's type.

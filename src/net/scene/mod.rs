@@ -169,6 +169,18 @@ impl Scene {
         Ok(())
     }
 
+    /// Puts another net in the place of one: it keeps its index, its groups and its transform.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchEntry`], also for a group.
+    pub fn set_net(&mut self, index: u32, net: Arc<Net<'static>>) -> Result<()> {
+        match &mut self.entry_mut(index)?.content {
+            Content::Net(place) => *place = net,
+            Content::Group(_) => return Err(Error::NoSuchEntry { entry: index.into() }),
+        }
+        Ok(())
+    }
+
     /// Shows an entry, or hides it and all that is in it.
     ///
     /// # Errors

@@ -10,7 +10,7 @@ pub use affine::{Affine, Axis, Sense};
 
 use super::pieces;
 use super::{Net, Planes, Real, each};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::simd::{self, Kernel};
 
@@ -22,16 +22,40 @@ use crate::simd::{self, Kernel};
 /// no memory.
 ///
 /// # Errors
-/// [`Error::Cancelled`](crate::Error::Cancelled).
+/// [`Error::FieldUndefined`] for the first node whose coordinates would overflow, and no node is moved (coordinates beyond
+/// the root of the greatest number of their type, 1e19 and 1e154, may overflow under harmless maps and are missing then);
+/// [`Error::Cancelled`].
 pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()> {
     job.step(0.0, "transform")?;
-    each!(net.coordinates_mut(), planes => apply(planes, affine, job.threads())?);
+    each!(net.coordinates_mut(), planes => {
+        check(planes, affine, job.threads())?;
+        apply(planes, affine, job.threads())?;
+    });
     if affine.determinant() < 0.0 {
         let reversed = net.topology().is_reversed();
         let topology = net.topology().clone().with_reversed(!reversed);
         net.set_topology(topology);
     }
     Ok(())
+}
+
+/// [`Error::FieldUndefined`] for the first node that overflows. Nodes are looked at only if the map is so large that common ones may.
+fn check<T: Real>(planes: &Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
+    let reach = |[a, b, c, d]: [f64; 4]| (a.abs() + b.abs() + c.abs()) * T::GREATEST.sqrt() + d.abs();
+    if affine.rows().into_iter().all(|row| reach(row) <= T::GREATEST) {
+        return Ok(());
+    }
+    let rows = affine.rows().map(|row| row.map(T::of));
+    pieces::scan(planes, threads, |first, [x, y, z]| {
+        let is_lost = |k: usize| {
+            let node = [x[k], y[k], z[k]];
+            let moved = rows.map(|[a, b, c, d]| a * node[0] + b * node[1] + c * node[2] + d);
+            let finite = |numbers: [T; 3]| numbers.into_iter().all(|x| x.into().is_finite());
+            finite(node) && !finite(moved)
+        };
+        let lost = (0..x.len()).find(|&k| is_lost(k));
+        lost.map_or(Ok(()), |k| Err(Error::FieldUndefined { node: (first + k) as u32 }))
+    })
 }
 
 fn apply<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
