@@ -13,8 +13,8 @@ use crate::net::{Classes, Planes, Shape, Topology};
 use std::ops::Range;
 
 /// Nodes that the fit of a block's predictors looks at, and the choice of the order of coordinates.
-const SAMPLE: usize = 4096;
-const ORDER_SAMPLE: usize = 1024;
+const SAMPLE: usize = 2048;
+const ORDER_SAMPLE: usize = 512;
 
 /// Nodes that are not stored, as they have the coordinates of one that comes before them.
 #[derive(Debug)]

@@ -53,14 +53,14 @@ impl Sample {
         load: impl Fn(usize, &mut Row),
     ) -> Result<Self> {
         // Every `step`-th node of a few rows: more rows than nodes in each would be a waste, as three are read for one.
-        let lines = (count / 64).clamp(1, rows.len().max(2) - 1);
+        let lines = (count / 64).clamp(1, rows.len().max(3) - 2);
         let step = (columns * lines / count).max(1);
         let mut points = alloc::with_capacity(lines * columns.div_ceil(step))?;
         let (mut row, mut known) = (Row::new(columns)?, alloc::filled(true, columns)?);
         let mut state = [Line::new(columns)?, Line::new(columns)?, Line::new(columns)?];
-        for line in 0..if rows.len() > 1 { lines } else { 0 } {
-            let at = rows.start + 1 + line * (rows.len() - 1) / lines;
-            let first = at.saturating_sub(2).max(rows.start);
+        for line in 0..if rows.len() > 2 { lines } else { 0 } {
+            let at = rows.start + 2 + line * (rows.len() - 2) / lines;
+            let first = at - 2;
             for i in first..=at {
                 load(i, &mut row);
                 known.iter_mut().zip(&row.nodes).for_each(|(known, &node)| *known = node == Node::Coded);
@@ -166,7 +166,7 @@ impl Sample {
     /// equations, with a little added to the diagonal: what the sample says nothing about stays.
     fn solved(&self, axis: usize, before: &[Fit], fit: &Fit, first: usize) -> Result<[f64; WEIGHTS]> {
         let count = NEIGHBOURS + EACH * before.len();
-        let scale = 2.0 * median(&fit.errors)? + 0.5;
+        let scale = 2.0 * median(&fit.errors)? + 1.0;
         let mut normal = [[0.0; WEIGHTS]; WEIGHTS];
         let mut right = [0.0; WEIGHTS];
         for at in 0..self.points.len() {
@@ -215,6 +215,10 @@ fn enter<T, L: Levels<T>>(line: &mut Line, i: usize, row: &[i64], known: &[bool]
         *to = last;
     }
     line.bridge_gaps(known);
+    if i == 0 {
+        let first = line.here[BEFORE];
+        line.here[..BEFORE].fill(first);
+    }
 }
 
 /// The median of magnitudes.

@@ -52,14 +52,14 @@ impl<const N: usize> Model<N> {
     fn renew(&mut self) {
         let mut total: u32 = self.counts.iter().map(|&count| u32::from(count)).sum();
         if total > LIMIT {
-            self.counts.iter_mut().for_each(|count| *count = (*count + 1) / 2);
+            self.counts.iter_mut().for_each(|count| *count = count.div_ceil(2));
             total = self.counts.iter().map(|&count| u32::from(count)).sum();
         }
         let scale = ((WHOLE - N as u32) << 16) / total;
         let mut sum = 0;
         for (lower, &count) in self.lower.iter_mut().zip(&self.counts) {
             *lower = sum;
-            sum += 1 + (u32::from(count) * scale >> 16) as u16;
+            sum += 1 + ((u32::from(count) * scale) >> 16) as u16;
         }
         self.interval = (self.interval + self.interval / 2).min(128);
         self.left = self.interval;
@@ -225,14 +225,14 @@ mod tests {
 
     #[test]
     fn probabilities_are_positive_and_whole() {
-        for level in 0..200 {
+        for level in 0..LEVELS {
             let mut model = Model::new(geometric(level));
             for k in 0..5000 {
                 let widths = (0..SYMBOLS).map(|s| model.width(s).get());
                 assert_eq!(widths.sum::<u32>(), WHOLE);
                 model.learn(if k < 3000 { 7 } else { k % SYMBOLS });
             }
-            let quantile = u32::from((&model).lower[9]);
+            let quantile = u32::from(model.lower[9]);
             assert_eq!((&model).quantile_function(quantile).0, 9);
         }
     }

@@ -77,20 +77,27 @@ impl Line {
         Ok(Line { here: row()?, north: row()?, north2: row()? })
     }
 
-    /// Goes on to row `i` of a block: the margin on the left is as if the row above were there.
+    /// Goes on to row `i` of a block. Margins go on as rows begin and end; that on the left of the new row is as far from the one
+    /// above as that is from the one before, so that whatever is plane is predicted exactly.
     pub(super) fn advance(&mut self, i: usize) {
-        if i > 0 {
-            std::mem::swap(&mut self.north, &mut self.north2);
-            std::mem::swap(&mut self.here, &mut self.north);
+        if i == 0 {
+            return;
         }
+        std::mem::swap(&mut self.north, &mut self.north2);
+        std::mem::swap(&mut self.here, &mut self.north);
         let end = self.north.len() - AFTER;
-        let last = self.north[end - 1];
-        self.north[end..].fill(last);
+        for k in (0..BEFORE).rev() {
+            self.north[k] = beyond(self.north[k + 1], self.north[k + 2]);
+        }
+        for k in end..end + AFTER {
+            self.north[k] = beyond(self.north[k - 1], self.north[k - 2]);
+        }
         if i == 1 {
             self.north2.copy_from_slice(&self.north);
         }
-        let first = self.north[BEFORE];
-        self.here[..BEFORE].fill(first);
+        for k in 0..BEFORE {
+            self.here[k] = sum(self.north[k], self.north[BEFORE] - self.north2[BEFORE]);
+        }
     }
 
     /// The part of the predictions of the row that does not depend on the row itself.
@@ -98,7 +105,7 @@ impl Line {
         if i == 0 {
             return base.fill(0.0);
         }
-        let [n, nw, ne, _, nn, nee, nww] = std::array::from_fn(|k| predictor.weight(k));
+        let [n, nw, ne, _, nn, nee, nww] = Self::weights(i, predictor);
         let columns = base.len();
         let (north, north2) = (&self.north[..], &self.north2[..]);
         let (a, b, c) = (&north[BEFORE..][..columns], &north[BEFORE - 1..][..columns], &north[BEFORE + 1..][..columns]);
@@ -107,6 +114,11 @@ impl Line {
         for j in 0..columns {
             base[j] = ((n * a[j] + nw * b[j]) + (ne * c[j] + nee * e[j])) + (nww * f[j] + nn * d[j]);
         }
+    }
+
+    /// The weights of the neighbours. In the second row there is no NN, and it is predicted by parallelograms.
+    fn weights(i: usize, predictor: &Predictor) -> [f64; NEIGHBOURS] {
+        std::array::from_fn(|k| if i == 1 { Predictor::PARALLELOGRAM[k] } else { predictor.weight(k) })
     }
 
     /// The neighbours of node `j` in the order of their weights, relative to W.
@@ -122,8 +134,8 @@ impl Line {
         if i == 0 {
             return [2.0, -1.0];
         }
-        let others: f64 = (0..NEIGHBOURS).map(|k| predictor.weight(k)).sum();
-        [1.0 - others, predictor.weight(3)]
+        let weights = Self::weights(i, predictor);
+        [1.0 - weights.iter().sum::<f64>(), weights[3]]
     }
 
     /// Once the row is known: nodes without coordinates get them from those beside them in the row, or from the row above, so
@@ -151,6 +163,16 @@ impl Line {
         let slope = if slope.is_finite() { slope } else { 0.0 };
         row[start..end].iter_mut().enumerate().for_each(|(k, x)| *x = from + slope * (k + 1) as f64);
     }
+}
+
+/// What follows on `last`, as far from it as that from the one before.
+fn beyond(last: f64, before: f64) -> f64 {
+    sum(last, last - before)
+}
+
+/// A sum, or its first part if the whole is too large.
+fn sum(a: f64, b: f64) -> f64 {
+    if (a + b).is_finite() { a + b } else { a }
 }
 
 /// Column or row as predictors' weights see it: -1 to 1.
