@@ -40,6 +40,11 @@ impl Run {
         })
     }
 
+    /// Rows and columns exchanged.
+    pub(crate) fn transposed(self) -> Self {
+        Run { row: self.column, column: self.row, row_step: self.column_step, column_step: self.row_step }
+    }
+
     /// The same nodes, the last one first.
     fn reversed(self, count: u32) -> Self {
         let (row, column) = self.place(count - 1);
