@@ -7,6 +7,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::mesh::Scalar;
 use gusset::net::complex::{Cells, Complex};
+use gusset::net::convert::MeshOptions;
 use gusset::net::topology::{Gluing, Links, Matrix, Run};
 use gusset::net::{Bridge, BridgeKind, BridgeMode, Direction, Net, Seam, Shape, Sides, Topology, closure};
 
@@ -66,6 +67,10 @@ fn random_gluings_with_missing_nodes() {
         let present = Complex::of(&net, Cells::Present, &Job::default()).unwrap();
         let oracle = Oracle::new(shape, &pairs, |i, j| net.is_present(i, j));
         oracle.check(&present);
+        // The mesh has the same cells, even if of glued nodes only some are missing.
+        let made = net.to_mesh(&MeshOptions::default(), &Job::default()).unwrap();
+        assert_eq!((made.mesh.face_count() as u64, made.wires.len()), (present.faces(), present.wires.len()));
+        assert!((0..made.mesh.positions.len() as u32).all(|k| made.mesh.positions.get(k).is_finite()));
         checked[usize::from(present != all)] += 1;
         if reversed && round % 8 == 0 {
             let turned = Complex::of_topology(&net.topology().clone().with_reversed(true), &Job::default()).unwrap();
@@ -130,4 +135,16 @@ fn three_sheets_at_one_edge() {
     Oracle::new(shape, &pairs(&topology), |_, _| true).check(&complex);
     assert_eq!(complex.branches.len(), 4);
     assert!(complex.genus().is_none() && complex.conflicts.is_empty());
+}
+
+/// Of a pole only the first node is missing: its two cells are, and the pole is where the others are.
+#[test]
+fn a_pole_survives_its_first_node() {
+    let mut net = flat(Topology::of_sides(Shape::new(5, 6).unwrap(), Sides::TWO_POLES));
+    net.coordinates_mut().set(0, 0, DVec3::NAN);
+    let complex = Complex::of(&net, Cells::Present, &Job::default()).unwrap();
+    let made = net.to_mesh(&MeshOptions::default(), &Job::default()).unwrap();
+    assert_eq!((complex.faces(), made.mesh.face_count()), (19, 19));
+    let pole = made.vertex_of_node[0];
+    assert_eq!((made.node_of_vertex[pole as usize], made.mesh.positions.get(pole)), (0, net.get(0, 1)));
 }

@@ -4,6 +4,7 @@ mod space;
 
 use glam::DVec3;
 use gusset::mesh::Scalar;
+use gusset::net::complex::Complex;
 use gusset::net::resample::{Interpolation, decimate, pyramid, resample};
 use gusset::net::topology::{Links, Run};
 use gusset::net::*;
@@ -126,7 +127,7 @@ fn what_is_glued_elsewhere_is_refused() {
 fn pyramids_have_sizes_of_powers_of_two_and_each_level_is_part_of_the_finer_one() {
     for (net, least) in [
         (torus(20, 33, Scalar::F32), (5, 5)),
-        (sphere(17, 50, Scalar::F64), (2, 5)),
+        (sphere(17, 50, Scalar::F64), (3, 5)),
         (sheet(9, 3, Scalar::F64), (2, 2)),
     ] {
         let levels = pyramid(&net, Interpolation::Bicubic, &Job::default()).unwrap();
@@ -209,4 +210,36 @@ fn decimation_keeps_corners_and_the_tolerance() {
     assert!(
         kept.rows.contains(&4) && kept.columns.contains(&4) && !kept.net.get(1, 1).is_finite() || kept.rows.len() > 3
     );
+}
+
+/// However few rows and columns are left, they are those of the same surface.
+#[test]
+fn coarse_nets_are_the_surface_that_fine_ones_are() {
+    let job = Job::default();
+    let surface = |net: &Net<'_>| {
+        let complex = Complex::of_topology(net.topology(), &job).unwrap();
+        (complex.euler_characteristic(), complex.is_closed(), complex.wires.len(), complex.branches.len())
+    };
+    for bits in 0..64u32 {
+        let on = |k: u32| bits >> k & 1 == 1;
+        let sides = Sides {
+            rows_closed: on(0),
+            columns_closed: on(1),
+            pole_top: on(2),
+            pole_bottom: on(3),
+            pole_left: on(4),
+            pole_right: on(5),
+        };
+        for (h, w) in [(9, 17), (17, 6)] {
+            let topology = Topology::of_sides(Shape::new(h, w).unwrap(), sides);
+            let place = |i: usize, j: usize| DVec3::new(i as f64, j as f64, (i * j) as f64);
+            let net = Net::from_fn(topology, Scalar::F64, place).unwrap();
+            for level in pyramid(&net, Interpolation::Bilinear, &job).unwrap() {
+                assert_eq!(surface(&level), surface(&net), "{:?} {sides:?}", level.shape());
+            }
+            let least = decimate(&net, f64::INFINITY, &job).unwrap().net;
+            assert_eq!(surface(&least), surface(&net), "{:?} {sides:?}", least.shape());
+            assert!(least.shape().rows() <= 4 && least.shape().columns() <= 4);
+        }
+    }
 }

@@ -12,11 +12,10 @@ use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
+use std::cmp::Ordering;
 
 /// Of the rim nodes at one place, each is compared with so many others at most.
 const MOST_PARTNERS: usize = 8;
-/// A direction in which hardly any two different nodes are level.
-const KEY: DVec3 = DVec3::new(0.577_350_27, 0.618_033_99, 0.533_751_17);
 
 /// The topology of coordinates, in its canonical form ([`Topology::saturated`]): neighbours that coincide, and runs of
 /// two and more rim nodes that do. Tolerance 0: equal coordinates (0 and -0 are equal). O(nodes), and a sort of the
@@ -88,20 +87,37 @@ impl Rim<'_> {
         let mut nodes: Vec<(u32, usize)> = alloc::collect((0..self.len()).map(|k| (self.class(classes, k), k)))?;
         nodes.sort_unstable();
         nodes.dedup_by_key(|node| node.0);
-        let mut keyed: Vec<(f64, usize)> = alloc::with_capacity(nodes.len())?;
-        keyed.extend(nodes.iter().map(|&(_, k)| (self.place(k).dot(KEY), k)).filter(|(key, _)| key.is_finite()));
-        keyed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut sorted: Vec<(Cell, usize)> = alloc::with_capacity(nodes.len())?;
+        let finite = nodes.iter().filter(|node| self.place(node.1).is_finite());
+        sorted.extend(finite.map(|&(_, k)| (self.cell(k), k)));
+        sorted.sort_unstable_by(|a, b| by_cell(&a.0, &b.0).then(a.1.cmp(&b.1)));
+        // Nodes within the tolerance are in the same cell or next to it; the cells in a line along z are in sequence.
+        let near: &[f64] = if self.tolerance > 0.0 { &[-1.0, 0.0, 1.0] } else { &[0.0] };
+        let (first, last) = (near[0], near[near.len() - 1]);
         let mut pairs = Vec::new();
-        for (at, &(key, k)) in keyed.iter().enumerate() {
-            // The direction is a little longer than 1, and rounding moves keys by less than the last term.
-            let reach = key + self.tolerance * 1.01 + self.place(k).abs().element_sum() * 1e-14;
-            let close = keyed[at + 1..].iter().take_while(|other| other.0 <= reach);
-            let partners = close.filter(|&&(_, l)| coincide(self.place(k), self.place(l), self.tolerance));
+        for (at, &([x, y, z], k)) in sorted.iter().enumerate() {
+            // Each pair is found from the node that comes first.
+            let partners = near.iter().flat_map(|dx| near.iter().map(move |dy| [x + dx, y + dy])).flat_map(|[x, y]| {
+                let behind = &sorted[at + 1..];
+                let from = behind.partition_point(|other| by_cell(&other.0, &[x, y, z + first]).is_lt());
+                behind[from..].iter().take_while(move |other| by_cell(&other.0, &[x, y, z + last]).is_le())
+            });
+            let partners = partners.filter(|&&(_, l)| coincide(self.place(k), self.place(l), self.tolerance));
             for &(_, l) in partners.take(MOST_PARTNERS) {
                 alloc::push(&mut pairs, [k.min(l), k.max(l)])?;
             }
         }
         Ok(pairs)
+    }
+
+    /// The cell of a grid that a rim node is in: a little wider than the tolerance, for rounding. Without a tolerance, or
+    /// with one that is too small for any other node to be within it, each place is one.
+    fn cell(&self, k: usize) -> Cell {
+        self.place(k).to_array().map(|x| {
+            let at = (x / (self.tolerance * 1.01)).floor();
+            // Adding 0 makes one zero of the two.
+            (if self.tolerance > 0.0 && at.is_finite() { at } else { x }) + 0.0
+        })
     }
 
     /// The pairs in runs. Those of one sum run against each other, those of one difference side by side; round the rim,
@@ -169,6 +185,13 @@ impl Rim<'_> {
         let (row_step, column_step) = [(0, along), (along, 0), (0, -along), (-along, 0)][side];
         (Run { row: i as u32, column: j as u32, row_step, column_step }, steps)
     }
+}
+
+/// Of a grid: three whole numbers, or three coordinates.
+type Cell = [f64; 3];
+
+fn by_cell(a: &Cell, b: &Cell) -> Ordering {
+    a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
 }
 
 /// Which rim node a rim node is paired with.

@@ -161,6 +161,9 @@ impl<'a> Net<'a> {
     }
 
     /// True if the cell at (i, j) is there: its four nodes have finite coordinates, and no hidden bridge has it.
+    /// A node that is missing takes nothing from the nodes that are glued to it: their cells are there, and the vertex is
+    /// where the first of its nodes is that is not missing. [`Complex::of`](super::complex::Complex::of) and
+    /// [`Net::to_mesh`] hold to this.
     pub fn is_present(&self, i: usize, j: usize) -> bool {
         let corners = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
         corners.into_iter().all(|(i, j)| self.get(i, j).is_finite()) && !self.is_hidden(i, j)

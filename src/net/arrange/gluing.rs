@@ -72,9 +72,7 @@ impl Topology {
             let (i, j) = old.place(link / 2);
             2 * shape.node(j, i) + (1 - link % 2)
         };
-        let run =
-            |run: Run| Run { row: run.column, column: run.row, row_step: run.column_step, column_step: run.row_step };
-        self.exchanged(shape, Sides::transposed, link, run)
+        self.exchanged(shape, Sides::transposed, link, Run::transposed)
     }
 
     /// The last row first.
@@ -182,4 +180,10 @@ fn closing(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = i64>> {
     let whole = rows == [0, shape.rows() as u32 - 1] && a.row_step == 0 && b.row_step == 0;
     let same = a.column == b.column && a.column_step == b.column_step;
     (whole && same).then(|| (0..count).map(move |k| a.place(k).1))
+}
+
+/// The rows that a seam closes, if that is all it does: [`closing`] with rows and columns exchanged.
+pub(crate) fn closing_rows(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = usize>> {
+    let transposed = Seam { a: seam.a.transposed(), b: seam.b.transposed(), ..seam };
+    closing(shape.transposed(), transposed).map(|rows| rows.map(|i| i as usize))
 }

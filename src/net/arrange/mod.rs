@@ -10,7 +10,7 @@ mod gluing;
 mod rows;
 mod runs;
 
-pub(crate) use gluing::Collected;
+pub(crate) use gluing::{Collected, closing_rows};
 pub(crate) use rows::{Rearrange, planes, rearranged};
 pub(crate) use runs::{carried, joined};
 

@@ -53,7 +53,7 @@ pub struct NetMesh {
     pub mesh: Mesh,
     /// For each node its vertex, or `u32::MAX`.
     pub vertex_of_node: Vec<u32>,
-    /// For each vertex the smallest of its nodes.
+    /// For each vertex the smallest of its nodes. The vertex lies where the first of them does that is not missing.
     pub node_of_vertex: Vec<u32>,
     /// For each face its cell.
     pub cell_of_face: Vec<u32>,
@@ -64,7 +64,7 @@ pub struct NetMesh {
 }
 
 impl Net<'_> {
-    /// The mesh of the net. Cells with a missing corner and those of hidden bridges are left out. O(nodes).
+    /// The mesh of the net. It has the cells that [`Net::is_present`]. O(nodes).
     ///
     /// # Errors
     /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -86,7 +86,7 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
     };
     let mut faces = Faces {
         columns: shape.columns() as u32,
-        finite: finite(planes, &classes)?,
+        places: Places::new(planes, &classes)?,
         planes,
         options,
         reversed: net.topology().is_reversed(),
@@ -117,10 +117,45 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
     faces.finish(options, job)
 }
 
-/// Whether each node, and the smallest node of its class, has finite coordinates.
-fn finite<T: Real>(planes: &Planes<'_, T>, classes: &[u32]) -> Result<Vec<bool>> {
+/// Where nodes and classes are, if anywhere.
+struct Places {
+    /// Whether each node has finite coordinates.
+    finite: Vec<bool>,
+    /// The classes whose smallest node is missing, and the first one of each that is not: in order, and hardly ever any.
+    elsewhere: Vec<[u32; 2]>,
+}
+
+impl Places {
+    fn new<T: Real>(planes: &Planes<'_, T>, classes: &[u32]) -> Result<Self> {
+        let finite = finite(planes)?;
+        let mut elsewhere = Vec::new();
+        for ((node, &class), &finite_here) in (0..).zip(classes).zip(&finite) {
+            if finite_here && !finite[class as usize] {
+                alloc::push(&mut elsewhere, [class, node])?;
+            }
+        }
+        elsewhere.sort_unstable();
+        elsewhere.dedup_by_key(|entry| entry[0]);
+        Ok(Places { finite, elsewhere })
+    }
+
+    /// The node whose place is that of the class.
+    fn of_class(&self, class: u32) -> u32 {
+        match self.elsewhere.binary_search_by_key(&class, |entry| entry[0]) {
+            Ok(at) => self.elsewhere[at][1],
+            Err(_) => class,
+        }
+    }
+
+    fn has_class(&self, class: u32) -> bool {
+        self.finite[self.of_class(class) as usize]
+    }
+}
+
+/// Whether each node has finite coordinates.
+fn finite<T: Real>(planes: &Planes<'_, T>) -> Result<Vec<bool>> {
     let columns = planes.shape().columns();
-    let mut finite = alloc::filled(true, classes.len())?;
+    let mut finite = alloc::filled(true, planes.shape().node_count())?;
     let zero = T::of(0.0);
     for (i, finite) in finite.chunks_exact_mut(columns).enumerate() {
         for row in planes.row(i) {
@@ -128,17 +163,13 @@ fn finite<T: Real>(planes: &Planes<'_, T>, classes: &[u32]) -> Result<Vec<bool>>
             finite.iter_mut().zip(row).for_each(|(finite, &x)| *finite &= x * zero == zero);
         }
     }
-    // Representatives come before the others of their classes: each is final when it is asked.
-    for (node, &class) in classes.iter().enumerate() {
-        finite[node] &= finite[class as usize];
-    }
     Ok(finite)
 }
 
 /// Faces while they are collected, their corners as nodes.
 struct Faces<'a, T> {
     columns: u32,
-    finite: Vec<bool>,
+    places: Places,
     planes: &'a Planes<'a, T>,
     options: &'a MeshOptions,
     reversed: bool,
@@ -155,7 +186,7 @@ struct Faces<'a, T> {
 impl<T: Real> Faces<'_, T> {
     /// A cell with its corners in turn.
     fn add(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
-        let finite = corners.map(|node| self.finite[node as usize]);
+        let finite = corners.map(|node| self.places.finite[node as usize]);
         match finite {
             [true, true, true, true] => {}
             _ if self.options.fill_corners => return self.add_corner(corners, finite, cell),
@@ -216,8 +247,8 @@ impl<T: Real> Faces<'_, T> {
     }
 
     fn position(&self, node: u32) -> DVec3 {
-        let class = self.classes[node as usize];
-        self.planes.get((class / self.columns) as usize, (class % self.columns) as usize)
+        let node = self.places.of_class(self.classes[node as usize]);
+        self.planes.get((node / self.columns) as usize, (node % self.columns) as usize)
     }
 
     fn face(&mut self, corners: &[u32], cell: u32) -> Result<()> {
@@ -242,7 +273,7 @@ impl<T: Real> Faces<'_, T> {
         let mut node_of_vertex = Vec::new();
         for node in 0..vertex.len() {
             let own = self.classes[node] as usize == node;
-            if own && (vertex[node] == 0 || options.keep_unused && self.finite[node]) {
+            if own && (vertex[node] == 0 || options.keep_unused && self.places.has_class(node as u32)) {
                 vertex[node] = node_of_vertex.len() as u32;
                 alloc::push(&mut node_of_vertex, node as u32)?;
             } else {
@@ -252,7 +283,7 @@ impl<T: Real> Faces<'_, T> {
         }
         let texture = if options.texture { Some(Texture::new(self.planes.shape(), &self.nodes)?) } else { None };
         self.nodes.iter_mut().for_each(|node| *node = vertex[*node as usize]);
-        let positions = positions(self.planes, &node_of_vertex)?;
+        let positions = positions(self.planes, node_of_vertex.iter().map(|&node| self.places.of_class(node)))?;
         let mesh = Mesh { positions, face_offsets: self.offsets, face_corners: self.nodes };
         let wires = alloc::collect(wires.iter().map(|wire| wire.map(|class| vertex[class as usize])))?;
         job.step(1.0, "numbering vertices")?;
@@ -261,9 +292,9 @@ impl<T: Real> Faces<'_, T> {
 }
 
 /// The positions of nodes, bit for bit.
-fn positions<T: Real>(planes: &Planes<'_, T>, nodes: &[u32]) -> Result<PositionBuffer> {
+fn positions<T: Real>(planes: &Planes<'_, T>, nodes: impl ExactSizeIterator<Item = u32>) -> Result<PositionBuffer> {
     let (matrices, stride, columns) = (planes.matrices(), planes.stride(), planes.shape().columns());
-    let points = nodes.iter().map(|&node| {
+    let points = nodes.map(|node| {
         let at = node as usize / columns * stride + node as usize % columns;
         matrices.map(|matrix| matrix[at])
     });

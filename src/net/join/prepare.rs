@@ -4,7 +4,7 @@ use super::JoinOptions;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::arrange::{carried, joined, rearranged};
+use crate::net::arrange::{carried, closing_rows, joined, rearranged};
 use crate::net::bridge::Origin;
 use crate::net::reformat::{Picked, copies, starts_for, starts_of_copies};
 use crate::net::topology::{Links, Matrix};
@@ -203,9 +203,9 @@ fn rows_turned(topology: &Topology, by: usize) -> Result<Topology> {
     topology.each_contracted(|link| {
         let (i, j) = shape.place(link / 2);
         match (link % 2, i == around) {
-            // The last row is the first: it is told again by the one that is first now.
-            (0, true) => {}
-            (0, false) => {
+            // The last row is the first: a link along either is one along the row that both become.
+            (0, _) => {
+                let i = i % around;
                 matrix.set(2 * shape.node(place(i), j), true);
                 if i == by {
                     matrix.set(2 * shape.node(around, j), true);
@@ -219,5 +219,15 @@ fn rows_turned(topology: &Topology, by: usize) -> Result<Topology> {
     for &seam in topology.seams() {
         carried(seam, |(i, j)| Some((place(i as usize) as i64, j)), &mut seams)?;
     }
-    Topology::assembled(shape, Links::Matrix(matrix), joined(&seams)?, topology.is_reversed())
+    let mut seams = joined(&seams)?;
+    // What was a seam for naming the last row here and the first there may now close rows, which links say when the net is
+    // cut out again.
+    seams.retain(|&seam| match closing_rows(shape, seam) {
+        Some(rows) => {
+            rows.for_each(|i| matrix.set(2 * shape.node(i, shape.columns() - 1), true));
+            false
+        }
+        None => true,
+    });
+    Topology::assembled(shape, Links::Matrix(matrix), seams, topology.is_reversed())
 }

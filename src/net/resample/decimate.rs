@@ -1,6 +1,6 @@
 //! Rows and columns left out, as long as the surface hardly changes.
 
-use super::{selected, sides, with_sides};
+use super::{least, selected, sides, with_sides};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -28,8 +28,8 @@ pub struct Decimated {
 ///
 /// What the loss of a row costs: how far, at most, any node of it, and of those left out beside it before, is from the
 /// segment that joins the nodes of its column in the rows that are kept on both sides. Rows may cost up to half the
-/// tolerance, and columns, judged at the rows that are left, as much. First and last ones are kept, and three distinct
-/// rows of closed columns. A row that is missing in part is kept.
+/// tolerance, and columns, judged at the rows that are left, as much. First and last ones are kept, three distinct
+/// rows of closed columns, and one or two between poles, lest the surface become another. A row that is missing in part is kept.
 ///
 /// About O(nodes x log rows).
 ///
@@ -44,11 +44,11 @@ pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimate
     let (h, w) = (net.shape().rows(), net.shape().columns());
     each!(net.coordinates(), planes => {
         let all = alloc::collect(0..w)?;
-        let least = |closed: bool| if closed { 4 } else { 2 };
+        let [least_rows, least_columns] = least(sides, 4);
         let row = |k: usize, j: usize| planes.get(k, j);
-        let (rows, by_rows) = kept(h, least(sides.columns_closed), limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
+        let (rows, by_rows) = kept(h, least_rows, limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
         let column = |k: usize, i: usize| planes.get(i, k);
-        let (columns, by_columns) = kept(w, least(sides.rows_closed), limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
+        let (columns, by_columns) = kept(w, least_columns, limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
         let net = with_sides(selected(net, &rows, &columns)?, net, sides)?;
         Ok(Decimated { net, rows, columns, deviation: by_rows + by_columns })
     })

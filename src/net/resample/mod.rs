@@ -61,6 +61,20 @@ fn sides(net: &Net<'_>) -> Result<Sides> {
     net.topology().sides().filter(|_| alone).ok_or(Error::GluedInside)
 }
 
+/// The fewest rows and columns for the surface to stay what it is, if closed ones keep `closed` nodes: a face between two
+/// poles must not become an edge, or the same face twice.
+fn least(sides: Sides, closed: usize) -> [usize; 2] {
+    let fewest = |is_closed: bool, poles: [bool; 2], across: [bool; 2]| match (poles, across) {
+        _ if is_closed => closed,
+        ([true, true], [false, false]) => 3,
+        ([true, true], _) => 4,
+        ([true, _] | [_, true], [true, _] | [_, true]) => 3,
+        _ => 2,
+    };
+    let (rows, columns) = ([sides.pole_top, sides.pole_bottom], [sides.pole_left, sides.pole_right]);
+    [fewest(sides.columns_closed, rows, columns), fewest(sides.rows_closed, columns, rows)]
+}
+
 /// A net glued as the given one, its glued nodes made equal.
 fn with_sides(coordinates: Coordinates<'static>, like: &Net<'_>, sides: Sides) -> Result<Net<'static>> {
     let topology = Topology::of_sides(coordinates.shape(), sides).with_reversed(like.topology().is_reversed());

@@ -1,6 +1,6 @@
 //! Levels of detail.
 
-use super::{Interpolation, resample, selected, sides, with_sides};
+use super::{Interpolation, least, resample, selected, sides, with_sides};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -10,7 +10,8 @@ use crate::net::Net;
 /// of the others every second row and column of the one before, bit for bit, until none is left to be left out.
 ///
 /// A net whose sizes are 2^k + 1 already is itself the first; others are resampled. Closed rows and columns keep five
-/// nodes, the least for a body, others two. Thus the coarser nodes of each level are nodes of the finer one, and a host
+/// nodes, the least for a body; others two, but between poles as many as the surface needs to stay what it is: three, or
+/// five where other sides are poles too. Thus the coarser nodes of each level are nodes of the finer one, and a host
 /// can morph between levels in place. The memory is 4/3 of the first.
 ///
 /// # Errors
@@ -23,10 +24,11 @@ pub fn pyramid(net: &Net<'_>, interpolation: Interpolation, job: &Job<'_>) -> Re
     let first =
         if (rows, columns) == (h, w) { net.copied()? } else { resample(net, rows, columns, interpolation, job)? };
     alloc::push(&mut levels, first)?;
+    let [least_rows, least_columns] = least(sides, 5);
     while let Some(fine) = levels.last() {
-        let halved = |n: usize, closed: bool| if n > if closed { 5 } else { 2 } { 2 } else { 1 };
-        let row_step = halved(fine.shape().rows(), sides.columns_closed);
-        let column_step = halved(fine.shape().columns(), sides.rows_closed);
+        let halved = |n: usize, least: usize| if n.div_ceil(2) >= least { 2 } else { 1 };
+        let row_step = halved(fine.shape().rows(), least_rows);
+        let column_step = halved(fine.shape().columns(), least_columns);
         if (row_step, column_step) == (1, 1) {
             break;
         }

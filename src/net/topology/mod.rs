@@ -3,6 +3,7 @@
 //! * [`Sides`]: closures that need no matrix. * [`Matrix`]: the paper's characteristic matrix. * [`Seam`]: what neither can say.
 //! * [`Classes`]: the nodes that are one point. * [`Reduced`]: what is left of a cell. * [`GluingType`]: the 18 local gluings.
 
+mod canonical;
 mod cell;
 mod classes;
 mod edit;
@@ -37,8 +38,9 @@ pub enum Links {
 /// The gluing of a net: its contracted links and its seams.
 ///
 /// It is kept in one form: links that sides can describe are sides, seams that links can describe are links, seams are
-/// in order, and no cell is crossed (see [`Reduced::Crossing`]). Two topologies that contract the same links and list
-/// the same seams are equal; for those that glue the same nodes in different ways compare [`Topology::saturated`].
+/// in order, and no cell is crossed (see [`Reduced::Crossing`]). Two topologies are equal if they contract the same
+/// links by name and list the same seams, and take faces the same way round. The same nodes may be glued by other links
+/// and seams, such as one of four pairs or two of two: whether they are, [`Topology::saturated`] decides.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Topology {
     shape: Shape,
@@ -184,31 +186,23 @@ impl Topology {
         }
     }
 
-    /// The same gluing with every link contracted whose ends are one point: the canonical form. O(nodes).
+    /// The same gluing with every link contracted whose ends are one point, and seams for what links cannot say: the
+    /// canonical form. It follows from the classes alone: two topologies of one size that glue the same nodes, and take
+    /// faces the same way round, have equal ones. O(nodes), and a sort of the classes that seams glue.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn saturated(&self) -> Result<Self> {
-        let matrix = Matrix::of_table(self.shape, &Classes::of(self)?.table()?)?;
+        let table = Classes::of(self)?.table()?;
+        let matrix = Matrix::of_table(self.shape, &table)?;
         let links = match matrix.as_sides(self.shape)? {
             Some(sides) => Links::Sides(sides),
             None => Links::Matrix(matrix),
         };
         let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
-        if self.seams.is_empty() {
-            return Ok(saturated);
-        }
-        // Seams that the links now say are left out.
-        let mut forest = Forest::of(Classes::of(&saturated)?.table()?);
-        for seam in &self.seams {
-            let mut news = false;
-            for [a, b] in seam.pairs(self.shape) {
-                news |= forest.find(a) != forest.find(b);
-                forest.join([a, b]);
-            }
-            if news {
-                alloc::push(&mut saturated.seams, *seam)?;
-            }
+        if !self.seams.is_empty() {
+            let pieces = Classes::of(&saturated)?.table()?;
+            saturated.seams = canonical::seams(self.shape, &table, &pieces)?;
         }
         Ok(saturated)
     }

@@ -40,6 +40,11 @@ impl Run {
         })
     }
 
+    /// Rows and columns exchanged.
+    pub(crate) fn transposed(self) -> Self {
+        Run { row: self.column, column: self.row, row_step: self.column_step, column_step: self.row_step }
+    }
+
     /// The same nodes, the last one first.
     fn reversed(self, count: u32) -> Self {
         let (row, column) = self.place(count - 1);
@@ -76,7 +81,11 @@ impl Seam {
 
     /// The smallest of the ways to write this seam down.
     pub(crate) fn canonical(self) -> Self {
-        let Seam { mut a, mut b, count } = self;
+        let Seam { mut a, mut b, mut count } = self;
+        if [a, b].iter().all(|run| (run.row_step, run.column_step) == (0, 0)) {
+            // The same pair again and again.
+            count = 1;
+        }
         if count == 1 {
             (a.row_step, a.column_step, b.row_step, b.column_step) = (0, 0, 0, 0);
         }
