@@ -26,7 +26,7 @@ use crate::simd::{self, Kernel};
 pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()> {
     job.step(0.0, "transform")?;
     each!(net.coordinates_mut(), planes => apply(planes, affine, job.threads())?);
-    if affine.determinant() < 0.0 {
+    if affine.mirrors() {
         let reversed = net.topology().is_reversed();
         let topology = net.topology().clone().with_reversed(!reversed);
         net.set_topology(topology);
