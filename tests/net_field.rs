@@ -329,3 +329,17 @@ fn strengths_follow_their_keys() {
     assert!(Timed::new(&[[1.0, 0.0], [1.0, 1.0]], Easing::Linear).is_err());
     assert!(Timed::new(&[[f64::NAN, 0.0]], Easing::Linear).is_err());
 }
+
+#[test]
+fn projections_through_an_eye_are_as_exact_far_from_the_origin() {
+    let offset = DVec3::new(5e5 + 0.3, 5e6 + 0.7, 123.4);
+    let normal = DVec3::new(0.3, 0.5, 1.0).normalize();
+    let eye = offset + 50.1 * normal;
+    let project = Projection::perspective(eye, offset, normal).unwrap();
+    let p = offset + DVec3::new(3.3, 7.1, 3.3);
+    let expected = eye + (p - eye) * (normal.dot(offset - eye) / normal.dot(p - eye));
+    assert!(at(&project, 1.0, p).distance(expected) < 1e-8);
+    assert!(normal.dot(at(&project, 1.0, p) - offset).abs() < 1e-8, "on the plane");
+    assert!(at(&project, 0.25, p).distance(p + 0.25 * (expected - p)) < 1e-8, "a part of the straight way");
+    assert!(Projection::perspective(DVec3::NAN, offset, normal).is_err());
+}
