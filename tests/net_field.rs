@@ -343,3 +343,20 @@ fn projections_through_an_eye_are_as_exact_far_from_the_origin() {
     assert!(at(&project, 0.25, p).distance(p + 0.25 * (expected - p)) < 1e-8, "a part of the straight way");
     assert!(Projection::perspective(DVec3::NAN, offset, normal).is_err());
 }
+
+#[test]
+fn what_overflows_the_type_of_the_net_is_undefined() {
+    // In single precision the node that is nearly level with the eye goes further than there are numbers.
+    let mut net = sheet(4, 5, Scalar::F32);
+    net.coordinates_mut().set(2, 3, DVec3::new(3.0, 2.0, 1.0 - f64::from(f32::EPSILON) / 2.0));
+    let before = bits(&net);
+    let project = Projection::perspective(DVec3::Z, DVec3::new(0.0, 0.0, -1e35), DVec3::Z).unwrap();
+    assert_eq!(deform(&mut net, &[whole(&project)], &Job::default()), Err(Error::FieldUndefined { node: 13 }));
+    assert_eq!(bits(&net), before);
+    // Squares of distances that are no numbers do no harm.
+    let spherify = Spherify::new(DVec3::ZERO, 2.0).unwrap();
+    for length in [1e155, 1e300, 1e-170, 1e-300] {
+        let moved = at(&spherify, 1.0, length * DVec3::new(3.0, 0.0, -4.0));
+        assert!(moved.distance(DVec3::new(1.2, 0.0, -1.6)) < 1e-15, "{length} {moved}");
+    }
+}
