@@ -202,7 +202,8 @@ fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> Fol
     let ([u, v, across], error) = scaled([q - p, s - r, r - p], error);
     let normal = u.cross(v);
     let (area, size) = (normal.length(), u.length() + v.length());
-    if !(area * margin > 2.0 * error * size) {
+    let is_wide = area * margin > 2.0 * error * size;
+    if !is_wide {
         return Fold::Unclear;
     }
     let unit = normal / area;
