@@ -6,8 +6,10 @@ mod space;
 use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::analyse::{absorb, analyse, analyse_field, jacobian};
+use gusset::net::closure::{BoxKind, Cuboid};
 use gusset::net::field::*;
-use gusset::net::transform::{Affine, Axis, Sense};
+use gusset::net::primitive::{Primitive, Request};
+use gusset::net::transform::{Affine, Axis, Sense, transform};
 use gusset::net::*;
 use gusset::{Error, Job};
 use space::{glued_bits_agree, sheet, sphere, torus};
@@ -158,4 +160,109 @@ fn bad_tolerances_and_sizes_are_refused() {
     holed.coordinates_mut().set(1, 1, DVec3::NAN);
     let found = analyse(&holed, &holed, 0.0, &Job::default()).unwrap();
     assert!(found.is_soft() && found.cells[0].is_nan() && found.cells[11] == 1.0);
+}
+
+/// Closed and open surfaces, flat and curved.
+fn surfaces(scalar: Scalar) -> Vec<Net<'static>> {
+    let cube = Cuboid::cube(BoxKind::Slit, 4);
+    [
+        Primitive::Cuboid { cuboid: cube, size: [1.0; 3] },
+        Primitive::Sphere { radius: 1.0 },
+        Primitive::OnePoleSphere { radius: 2.0 },
+        Primitive::Cylinder { radius: 1.0, height: 3.0 },
+        Primitive::Klein { radius: 3.0, minor_radius: 1.0 },
+        Primitive::Pillow { size: [2.0, 1.0], thickness: 0.5 },
+    ]
+    .map(|primitive| Request { primitive, rows: 33, columns: 65, scalar }.net(&Job::default()).unwrap())
+    .into()
+}
+
+fn moved(net: &Net<'_>, by: &Affine) -> Net<'static> {
+    let mut after = net.copied().unwrap();
+    transform(&mut after, by, &Job::default()).unwrap();
+    after
+}
+
+#[test]
+fn affine_maps_with_an_inverse_fold_nothing() {
+    for scalar in [Scalar::F32, Scalar::F64] {
+        let tolerance = if scalar == Scalar::F32 { 1e-5 } else { 1e-9 };
+        for (k, net) in surfaces(scalar).iter().enumerate() {
+            let soft = |a: &Net<'_>, b: &Net<'_>| {
+                let found = analyse(a, b, tolerance, &Job::default()).unwrap();
+                assert!(found.is_soft(), "{scalar:?} {k}: {} folded", found.folded.len());
+                assert!(found.cells.iter().all(|&ratio| ratio.is_nan() || ratio >= 0.0));
+            };
+            // Rigid motions, between two places too.
+            for turn in 1..6 {
+                let t = f64::from(turn);
+                let axis = DVec3::new(t.sin(), t.cos(), 0.5);
+                let rotation = |angle| Affine::rotation(axis, angle, DVec3::ONE, Sense::RightHanded).unwrap();
+                soft(net, &moved(net, &rotation(t)));
+                soft(&moved(net, &rotation(0.7 * t)), &moved(net, &rotation(2.3 * t)));
+            }
+            for ratios in [[3.0, 1.0, 1.0], [1.0, 1.0, 3.0], [1.0, 1.0, 1.0 / 30.0], [1.0, -0.1, 5.0], [-1.0; 3]] {
+                let stretch = Affine::stretching(DVec3::from_array(ratios)).unwrap();
+                let shear = Affine::rotation(DVec3::ONE, 1.0, DVec3::ZERO, Sense::RightHanded).unwrap().then(&stretch);
+                soft(net, &moved(net, &stretch));
+                soft(net, &moved(net, &shear.unwrap()));
+                assert!(analyse_field(net, &[whole(&stretch)], tolerance, &Job::default()).unwrap().is_soft());
+            }
+        }
+    }
+}
+
+#[test]
+fn folds_are_found_in_any_plane_and_within_cells() {
+    let turn = Affine::rotation(DVec3::new(1.0, 2.0, 0.5), 2.0, DVec3::ZERO, Sense::RightHanded).unwrap();
+    for scalar in [Scalar::F32, Scalar::F64] {
+        let net = sheet(9, 31, scalar);
+        let made = |place: &dyn Fn(usize, usize) -> DVec3| {
+            let after = Net::from_fn(net.topology().clone(), scalar, place).unwrap();
+            analyse(&net, &moved(&after, &turn), 1e-5, &Job::default()).unwrap()
+        };
+        // A roof is none, and so is one nearly shut; shut it is.
+        for (height, count) in [(1.0, 0), (0.01, 0), (0.0, 8 * 10)] {
+            let found = made(&|i, j| {
+                let past = (j as f64 - 20.0).max(0.0);
+                DVec3::new(j as f64 - 2.0 * past, i as f64, height * past)
+            });
+            assert_eq!(found.folded.len(), count, "{scalar:?} {height}");
+        }
+        // Row 4 moved past row 3: the cells between them are turned over.
+        let found = made(&|i, j| DVec3::new(j as f64, if i == 4 { 2.5 } else { i as f64 }, 0.0));
+        assert_eq!(found.folded, (90..120).collect::<Vec<u32>>());
+        assert!((90..120).all(|cell| found.cells[cell] < 0.0));
+        // A node moved past its neighbour: the sides of two cells cross.
+        let found = made(&|i, j| DVec3::new(j as f64, if (i, j) == (4, 7) { 2.5 } else { i as f64 }, 0.0));
+        assert!(found.folded.contains(&96) && found.folded.contains(&97), "{:?}", found.folded);
+        assert!(!found.is_soft() && found.folded.iter().all(|&cell| (60..120).contains(&cell)));
+    }
+    // A tube pressed flat lies on itself; so does a sphere, whatever the field's determinant.
+    let flat = Affine::stretching(DVec3::new(1.0, 1.0, 0.0)).unwrap();
+    let ball = sphere(32, 65, Scalar::F64);
+    let found = analyse(&ball, &moved(&ball, &flat), 1e-9, &Job::default()).unwrap();
+    assert!(!found.is_soft());
+    let ball = sphere(33, 65, Scalar::F64);
+    for found in [
+        analyse(&ball, &moved(&ball, &flat), 1e-9, &Job::default()).unwrap(),
+        analyse_field(&ball, &[whole(&flat)], 1e-9, &Job::default()).unwrap(),
+    ] {
+        assert_eq!(found.folded.len(), 16 * 64, "one half");
+    }
+}
+
+#[test]
+fn determinants_that_are_rounding_are_no_folds() {
+    let normal = DVec3::new(0.3, -0.2, 1.0);
+    for scalar in [Scalar::F32, Scalar::F64] {
+        let net = sheet(17, 17, scalar);
+        for (point, normal) in [(DVec3::ZERO, normal), (DVec3::new(1e3, -7e2, 5.0), normal), (DVec3::ZERO, DVec3::ONE)]
+        {
+            let project = Projection::parallel(point, normal, normal).unwrap();
+            let found = analyse_field(&net, &[whole(&project)], 1e-9, &Job::default()).unwrap();
+            assert!(found.is_soft() && found.determinants.iter().all(|&det| det == 0.0));
+            assert!(found.cells.iter().all(|&ratio| ratio > 0.0));
+        }
+    }
 }

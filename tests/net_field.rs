@@ -329,3 +329,34 @@ fn strengths_follow_their_keys() {
     assert!(Timed::new(&[[1.0, 0.0], [1.0, 1.0]], Easing::Linear).is_err());
     assert!(Timed::new(&[[f64::NAN, 0.0]], Easing::Linear).is_err());
 }
+
+#[test]
+fn projections_through_an_eye_are_as_exact_far_from_the_origin() {
+    let offset = DVec3::new(5e5 + 0.3, 5e6 + 0.7, 123.4);
+    let normal = DVec3::new(0.3, 0.5, 1.0).normalize();
+    let eye = offset + 50.1 * normal;
+    let project = Projection::perspective(eye, offset, normal).unwrap();
+    let p = offset + DVec3::new(3.3, 7.1, 3.3);
+    let expected = eye + (p - eye) * (normal.dot(offset - eye) / normal.dot(p - eye));
+    assert!(at(&project, 1.0, p).distance(expected) < 1e-8);
+    assert!(normal.dot(at(&project, 1.0, p) - offset).abs() < 1e-8, "on the plane");
+    assert!(at(&project, 0.25, p).distance(p + 0.25 * (expected - p)) < 1e-8, "a part of the straight way");
+    assert!(Projection::perspective(DVec3::NAN, offset, normal).is_err());
+}
+
+#[test]
+fn what_overflows_the_type_of_the_net_is_undefined() {
+    // In single precision the node that is nearly level with the eye goes further than there are numbers.
+    let mut net = sheet(4, 5, Scalar::F32);
+    net.coordinates_mut().set(2, 3, DVec3::new(3.0, 2.0, 1.0 - f64::from(f32::EPSILON) / 2.0));
+    let before = bits(&net);
+    let project = Projection::perspective(DVec3::Z, DVec3::new(0.0, 0.0, -1e35), DVec3::Z).unwrap();
+    assert_eq!(deform(&mut net, &[whole(&project)], &Job::default()), Err(Error::FieldUndefined { node: 13 }));
+    assert_eq!(bits(&net), before);
+    // Squares of distances that are no numbers do no harm.
+    let spherify = Spherify::new(DVec3::ZERO, 2.0).unwrap();
+    for length in [1e155, 1e300, 1e-170, 1e-300] {
+        let moved = at(&spherify, 1.0, length * DVec3::new(3.0, 0.0, -4.0));
+        assert!(moved.distance(DVec3::new(1.2, 0.0, -1.6)) < 1e-15, "{length} {moved}");
+    }
+}

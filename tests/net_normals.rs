@@ -202,3 +202,19 @@ fn the_same_on_all_threads_and_in_memory_with_gaps() {
     let mut small = Coordinates::zeroed(Shape::new(2, 2).unwrap(), Scalar::F64).unwrap();
     assert!(matches!(normals_into(&net, &mut small, &Job::default()), Err(Error::ArrayTooShort { .. })));
 }
+
+#[test]
+fn a_missing_node_has_no_normal_in_the_narrowest_nets() {
+    for (rows, columns) in [(5, 2), (5, 3), (5, 4), (2, 5), (3, 5), (3, 3), (2, 2), (4, 4)] {
+        for (row, column) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+            for scalar in [Scalar::F32, Scalar::F64] {
+                let mut net = sheet(rows, columns, scalar);
+                net.coordinates_mut().set(row, column, DVec3::NAN);
+                let (found, without) = of(&net);
+                assert_eq!(found.get(row, column), DVec3::ZERO, "({row}, {column}) of {rows} x {columns}");
+                let zeros = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
+                assert_eq!(without, zeros.filter(|&(i, j)| found.get(i, j) == DVec3::ZERO).count() as u64);
+            }
+        }
+    }
+}

@@ -223,3 +223,13 @@ fn what_makes_no_sense_is_refused() {
     let huge = Request { rows: usize::MAX, columns: usize::MAX, ..Request::new(Primitive::Plane { size: [1.0; 2] }) };
     assert!(matches!(huge.net(&job), Err(Error::TooLarge { .. })));
 }
+
+#[test]
+fn zeros_have_no_sign_even_where_small_numbers_round_to_them() {
+    for radius in [1e-30, 1e-37] {
+        let net = net(Primitive::ProjectivePlane { radius }, 33, 65, Scalar::F32);
+        let nodes = (0..33).flat_map(|i| (0..65).map(move |j| (i, j)));
+        let mut numbers = nodes.flat_map(|(i, j)| net.get(i, j).to_array());
+        assert!(numbers.all(|value| value != 0.0 || value.is_sign_positive()), "{radius}");
+    }
+}

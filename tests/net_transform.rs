@@ -193,3 +193,19 @@ fn missing_nodes_stay_missing_and_a_cancel_changes_nothing() {
         }
     }
 }
+
+#[test]
+fn maps_mirror_whatever_becomes_of_the_volume() {
+    for k in [1e-300, 1e-110, 1.0, 1e110, 1e300] {
+        for (ratios, mirrors) in
+            [([-k, -k, -k], true), ([k, k, k], false), ([k, -1.0, k], true), ([-k, -1.0, 1.0 / k], false)]
+        {
+            let map = Affine::stretching(DVec3::from_array(ratios)).unwrap();
+            assert_eq!(map.mirrors(), mirrors, "{ratios:?}");
+            let mut net = torus(5, 7, Scalar::F64);
+            transform(&mut net, &map, &Job::default()).unwrap();
+            assert_eq!(net.topology().is_reversed(), mirrors);
+        }
+    }
+    assert!(!Affine::scaling(0.0).unwrap().mirrors() && !Affine::compression(Axis::Z, -0.0).unwrap().mirrors());
+}

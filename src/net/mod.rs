@@ -20,6 +20,7 @@ pub mod complex;
 pub mod convert;
 mod derive;
 pub mod field;
+mod fold;
 mod hidden;
 mod join;
 pub mod measure;

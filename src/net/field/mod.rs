@@ -57,8 +57,9 @@ pub struct Step<'a> {
 ///
 /// The fields work in double precision; the result is rounded to the net's type once. With strengths of 0 only, nothing
 /// changes at all. Missing nodes stay missing. Whatever the error: no node is moved. If a field is not defined
-/// everywhere, all is computed twice, first to see that it is defined at every node. O(nodes x fields), no memory that
-/// depends on the net.
+/// everywhere, all is computed twice, first to see that it is defined at every node and that the result is finite in the
+/// net's type; other chains are not checked, and nodes that overflow become infinite, which is missing. O(nodes x
+/// fields), no memory that depends on the net.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a strength that is not finite, [`Error::FieldUndefined`], [`Error::Cancelled`].
@@ -96,7 +97,8 @@ fn check<T: Real>(steps: &[Step<'_>], first: usize, rows: [&[T]; 3]) -> Result<(
     let [x, y, z] = mapped(steps, rows, &mut scratch);
     let undefined = (0..x.len()).find(|&k| {
         let is_finite = rows.iter().all(|row| row[k].into().is_finite());
-        is_finite && ![x[k], y[k], z[k]].into_iter().all(f64::is_finite)
+        // As it will be stored: what is a number in double precision may overflow the net's type.
+        is_finite && ![x[k], y[k], z[k]].into_iter().all(|value| T::of(value).into().is_finite())
     });
     undefined.map_or(Ok(()), |k| Err(Error::FieldUndefined { node: (first + k) as u32 }))
 }

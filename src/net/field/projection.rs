@@ -8,7 +8,19 @@ use glam::DVec3;
 /// fourth. In part: that part of the straight way. Not defined where the fourth is 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
-    rows: [[f64; 4]; 4],
+    map: Map,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Map {
+    Rows([[f64; 4]; 4]),
+    /// Through an eye; `depth`: the normal times the way from the eye to the plane. Multiplied out to rows, terms as large
+    /// as the square of the distance from the origin would have to cancel.
+    Central {
+        eye: DVec3,
+        normal: DVec3,
+        depth: f64,
+    },
 }
 
 impl Projection {
@@ -17,7 +29,7 @@ impl Projection {
     pub fn new(rows: [[f64; 4]; 4]) -> Result<Self> {
         match rows.into_iter().flatten().find(|value| !value.is_finite()) {
             Some(value) => Err(Error::OptionOutOfRange { option: "matrix", value }),
-            None => Ok(Projection { rows }),
+            None => Ok(Projection { map: Map::Rows(rows) }),
         }
     }
 
@@ -51,24 +63,31 @@ impl Projection {
         if depth == 0.0 {
             return Err(Error::OptionOutOfRange { option: "eye", value: depth });
         }
-        // eye + (p - eye) depth / (n . (p - eye))
-        let height = normal.dot(eye);
-        let mut rows = [[normal.x, normal.y, normal.z, -height]; 4];
-        for (k, row) in rows.iter_mut().enumerate().take(3) {
-            let [a, b, c] = (eye[k] * normal + depth * DVec3::AXES[k]).to_array();
-            *row = [a, b, c, -eye[k] * (height + depth)];
-        }
-        Self::new(rows)
+        finite(&[("plane", depth)])?;
+        finite(&eye.to_array().map(|value| ("eye", value)))?;
+        finite(&normal.to_array().map(|value| ("normal", value)))?;
+        Ok(Projection { map: Map::Central { eye, normal, depth } })
     }
 }
 
 impl Field for Projection {
     fn map(&self, strength: f64, points: Points<'_>) {
-        let map = |[x, y, z]: [f64; 3]| {
-            let [x, y, z, w] = self.rows.map(|[a, b, c, d]| a * x + b * y + c * z + d);
-            [x / w, y / w, z / w]
-        };
-        each_point_widely(points, partly(strength, map));
+        match self.map {
+            Map::Rows(rows) => {
+                let map = |[x, y, z]: [f64; 3]| {
+                    let [x, y, z, w] = rows.map(|[a, b, c, d]| a * x + b * y + c * z + d);
+                    [x / w, y / w, z / w]
+                };
+                each_point_widely(points, partly(strength, map));
+            }
+            Map::Central { eye, normal, depth } => {
+                let map = |point: [f64; 3]| {
+                    let ray = DVec3::from_array(point) - eye;
+                    (eye + ray * (depth / normal.dot(ray))).to_array()
+                };
+                each_point_widely(points, partly(strength, map));
+            }
+        }
     }
 
     fn is_total(&self) -> bool {

@@ -26,7 +26,10 @@ impl Field for Spherify {
     fn map(&self, strength: f64, points: Points<'_>) {
         let centre = self.centre.to_array();
         let map = |point: [f64; 3]| {
-            let [x, y, z] = [0, 1, 2].map(|k| point[k] - centre[k]);
+            let away = [0, 1, 2].map(|k| point[k] - centre[k]);
+            // Scaled first: squares could overflow or vanish.
+            let largest = away[0].abs().max(away[1].abs()).max(away[2].abs());
+            let [x, y, z] = away.map(|value| value / largest);
             let ratio = self.radius / (x * x + y * y + z * z).sqrt();
             [centre[0] + ratio * x, centre[1] + ratio * y, centre[2] + ratio * z]
         };

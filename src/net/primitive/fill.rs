@@ -45,7 +45,7 @@ pub(super) fn nodes(
 fn copy<T: crate::net::Real>(buffer: &[f64], row: [&mut [T]; 3]) {
     let columns = row[0].len();
     for (to, from) in row.into_iter().zip(buffer.chunks_exact(columns)) {
-        // Negative zeros become positive ones.
-        to.iter_mut().zip(from).for_each(|(to, &value)| *to = T::of(value + 0.0));
+        // Negative zeros become positive ones: after rounding, which makes zeros of small numbers.
+        to.iter_mut().zip(from).for_each(|(to, &value)| *to = T::of(value) + T::of(0.0));
     }
 }

@@ -155,6 +155,19 @@ impl Affine {
         self.linear().determinant()
     }
 
+    /// True if the map turns right hands to left ones, even where the ratio of volumes is too small or large a number.
+    pub fn mirrors(&self) -> bool {
+        // Rows, then columns, by powers of two, which is exact and leaves the sign.
+        let scaled = |vector: DVec3| {
+            let (_, exponent) = libm::frexp(vector.abs().max_element());
+            DVec3::from_array(vector.to_array().map(|value| libm::ldexp(value, -exponent)))
+        };
+        let [x, y, z] = self.rows.map(|[a, b, c, _]| scaled(DVec3::new(a, b, c)));
+        let columns = DMat3::from_cols(x, y, z).transpose();
+        let [x, y, z] = [columns.x_axis, columns.y_axis, columns.z_axis].map(scaled);
+        DMat3::from_cols(x, y, z).determinant() < 0.0
+    }
+
     /// Where a point goes.
     pub fn apply(&self, point: DVec3) -> DVec3 {
         self.linear() * point + self.displacement()

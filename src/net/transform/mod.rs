@@ -31,7 +31,7 @@ pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()
         check(planes, affine, job.threads())?;
         apply(planes, affine, job.threads())?;
     });
-    if affine.determinant() < 0.0 {
+    if affine.mirrors() {
         let reversed = net.topology().is_reversed();
         let topology = net.topology().clone().with_reversed(!reversed);
         net.set_topology(topology);
