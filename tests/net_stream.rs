@@ -224,7 +224,7 @@ fn rows_come_as_their_blocks_do() {
                 let Coordinates::F64(expected) = whole.coordinates() else { panic!("another type") };
                 assert_eq!(planes.row(i), expected.row(i));
             }
-            assert!(done >= rows && (done % 7 == 0 || done == 60));
+            assert!(done >= rows && (done.is_multiple_of(7) || done == 60));
             rows = done;
         }
         assert_eq!(rows, 60);
