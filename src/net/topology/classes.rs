@@ -59,7 +59,13 @@ impl Classes {
     /// The representatives of the corners of the cell at (i, j).
     #[inline]
     pub fn corners(&self, i: usize, j: usize) -> [u32; 4] {
-        self.shape.corners(i, j).map(|node| self.representative(node))
+        match &self.kind {
+            // Rows and columns are known: no need to divide.
+            Kind::Sides(sides) => {
+                [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| sides.representative(self.shape, i, j))
+            }
+            Kind::Table(table) => self.shape.corners(i, j).map(|node| table[node as usize]),
+        }
     }
 
     /// True if the two ends of the link are one point.
