@@ -1,5 +1,7 @@
 //! One direction of a grid: how the cubic over each interval follows from the nodes near it.
 
+use std::ops::Range;
+
 /// Nodes that a cubic may depend on.
 pub(crate) const TAPS: usize = 6;
 
@@ -26,6 +28,7 @@ pub(crate) struct Axis {
     closed: bool,
     /// By the place of the interval among the nodes that it depends on.
     weights: [Weights; TAPS - 1],
+    lebesgue: f64,
 }
 
 impl Axis {
@@ -36,7 +39,7 @@ impl Axis {
 
     /// `lines`: at least [`Axis::least_lines`]; of a closed direction the last one is the first one again.
     pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
-        let mut axis = Axis { lines, closed, weights: [[[0.0; TAPS]; 4]; TAPS - 1] };
+        let mut axis = Axis { lines, closed, weights: [[[0.0; TAPS]; 4]; TAPS - 1], lebesgue: 1.0 };
         if closed {
             // All intervals are like those in the middle of a long row.
             let slopes = if lines > 5 { 5 } else { 3 };
@@ -47,6 +50,7 @@ impl Axis {
                 axis.weights[place] = weights(place, nodes, nodes.min(5), nodes.min(4), scheme);
             }
         }
+        axis.lebesgue = axis.weights.iter().map(lebesgue).fold(1.0, f64::max);
         axis
     }
 
@@ -81,6 +85,48 @@ impl Axis {
         }
         (lines, &self.weights[cell - first])
     }
+
+    /// All lines that a range of intervals depends on, each once.
+    pub(crate) fn lines_of(&self, cells: Range<usize>) -> impl Iterator<Item = usize> {
+        let (before, count) = if self.closed {
+            let distinct = self.lines - 1;
+            (cells.start + 2 * distinct - 2, (cells.len() + TAPS - 1).min(distinct))
+        } else {
+            let first = cells.start.saturating_sub(2).min(self.lines.saturating_sub(TAPS));
+            let end = (cells.end + TAPS - 3).max(first + TAPS).min(self.lines);
+            (first, end - first)
+        };
+        let modulus = if self.closed { self.lines - 1 } else { usize::MAX };
+        (before..before + count).map(move |line| line % modulus)
+    }
+
+    /// The largest sum of the absolute values of the weights that an interval gives its nodes.
+    pub(crate) fn lebesgue(&self) -> f64 {
+        self.lebesgue
+    }
+}
+
+/// The largest sum over nodes of |w_k(t)|, 0 <= t <= 1, rounded up: over the sixteenths of the interval, each piece bounded by its
+/// Bézier points.
+fn lebesgue(weights: &Weights) -> f64 {
+    let mut worst = 0.0_f64;
+    for piece in 0..16 {
+        let (from, to) = (f64::from(piece) / 16.0, f64::from(piece + 1) / 16.0);
+        let sum: f64 = (0..TAPS)
+            .map(|k| {
+                let points = [0, 1, 2, 3].map(|b| weights[b][k]);
+                let blossom = |s: f64, t: f64, r: f64| {
+                    let mix = |x: f64, y: f64, at: f64| x + (y - x) * at;
+                    let [a, b, c] = [0, 1, 2].map(|k| mix(points[k], points[k + 1], s));
+                    mix(mix(a, b, t), mix(b, c, t), r)
+                };
+                let inner = [(from, from, from), (from, from, to), (from, to, to), (to, to, to)];
+                inner.map(|(s, t, r)| blossom(s, t, r).abs()).into_iter().fold(0.0, f64::max)
+            })
+            .sum();
+        worst = worst.max(sum);
+    }
+    worst * (1.0 + 1e-12)
 }
 
 /// The weights of the interval from node `place` to `place + 1` of `nodes` nodes in a row: slopes from `five` nodes each, or the

@@ -6,9 +6,14 @@
 //! * [`Grid`]: the surface through a grid of nodes. [`Patch`]: the surface over one cell.
 
 mod axis;
+mod cells;
+mod closest;
 mod grid;
+mod index;
+mod model;
 mod patch;
 
 pub use axis::Scheme;
 pub use grid::{Grid, MAX_NODES, Nodes};
+pub use model::{Carcass, Closest, Place};
 pub use patch::{Jet, Patch};
