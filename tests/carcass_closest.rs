@@ -113,7 +113,12 @@ fn nearest_points_by_force() {
             let found = carcass.closest(query, f64::INFINITY).unwrap();
             let truth = by_force(&grid, query);
             assert!(found.distance <= truth + 1e-9, "{}: {query} {found:?} {truth}", shape.name);
-            assert!(found.bound <= truth && found.bound <= found.distance, "{}: {query} {found:?} {truth}", shape.name);
+            // Lower bounds hold but for the rounding of distances.
+            assert!(
+                found.bound <= truth * (1.0 + 1e-14) && found.bound <= found.distance,
+                "{}: {query} {found:?} {truth}",
+                shape.name
+            );
             assert!(found.bound >= found.distance - 1e-8, "{}: no proof: {query} {found:?}", shape.name);
             assert_eq!(carcass.jet(found.place).point.distance(query), found.distance);
         }
