@@ -115,7 +115,7 @@ fn nearest_points_by_force() {
             assert!(found.distance <= truth + 1e-9, "{}: {query} {found:?} {truth}", shape.name);
             // Lower bounds hold but for the rounding of distances.
             assert!(
-                found.bound <= truth * (1.0 + 1e-14) && found.bound <= found.distance,
+                found.bound <= truth + 1e-14 * (1.0 + query.length()) && found.bound <= found.distance,
                 "{}: {query} {found:?} {truth}",
                 shape.name
             );
