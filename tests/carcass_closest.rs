@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use gusset::Job;
-use gusset::carcass::{Carcass, Grid, Nodes, Scheme};
+use gusset::carcass::{Carcass, Grid, Nodes, Scheme, Sheet};
 use std::f64::consts::TAU;
 
 /// Numbers from 0 to 1.
@@ -101,7 +101,7 @@ fn by_force(grid: &Grid<'_>, query: DVec3) -> f64 {
 fn nearest_points_by_force() {
     for shape in &SHAPES {
         let grid = grid(shape);
-        let carcass = Carcass::new(grid.clone(), &Job::default()).unwrap();
+        let carcass = Carcass::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap();
         let mut random = Random(7);
         for k in 0..60 {
             let query = match k % 3 {

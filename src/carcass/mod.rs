@@ -3,7 +3,8 @@
 //! After V. A. Leus, *Carcasses on smooth surfaces* (1976): a surface is known by a net of coordinate curves, and searches on it are cut
 //! short by bounds of the diameters of cells.
 //!
-//! * [`Grid`]: the surface through a grid of nodes. [`Patch`]: the surface over one cell.
+//! * [`Sheet`]: a piece of surface, a [`Grid`] of nodes or [`Patches`]. [`Patch`]: the surface over one cell.
+//! * [`Carcass`]: sheets and their index, which answers. [`Paths`]: curves on a surface.
 
 mod axis;
 mod cells;
@@ -12,8 +13,15 @@ mod grid;
 mod index;
 mod model;
 mod patch;
+mod patches;
+mod path;
+mod sheet;
 
 pub use axis::Scheme;
 pub use grid::{Grid, MAX_NODES, Nodes};
 pub use model::{Carcass, Closest, Place};
 pub use patch::{Jet, Patch};
+pub use patches::{MAX_DEGREE, Patches};
+pub use path::Paths;
+pub use sheet::Sheet;
+pub(crate) use sheet::each_sheet;
