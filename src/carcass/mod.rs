@@ -16,6 +16,7 @@ mod patch;
 mod patches;
 mod path;
 mod sheet;
+mod solve;
 
 pub use axis::Scheme;
 pub use grid::{Grid, MAX_NODES, Nodes};
