@@ -140,6 +140,20 @@ impl Oriented {
         outside.length_squared() * (1.0 - 1e-6)
     }
 
+    /// False if a line misses the box: seen along the line, the box is within the sum of its half axes across each direction.
+    pub(crate) fn meets_line(&self, origin: DVec3, direction: DVec3) -> bool {
+        let frame = self.frame();
+        // The axes are orthonormal to 1e-7 only: the box is grown by as much of what is computed with them.
+        let (from, along) = (frame * (origin - self.centre()), frame * direction);
+        let half = DVec3::from_array(self.half.map(f64::from)) + 1e-6 * from.length();
+        // The axes of separation of a line and a box: the line's direction crossed with the box's axes.
+        let apart = |p: usize, q: usize| {
+            let distance = (from[p] * along[q] - from[q] * along[p]).abs();
+            distance > half[p] * along[q].abs() + half[q] * along[p].abs()
+        };
+        !(apart(0, 1) || apart(1, 2) || apart(2, 0))
+    }
+
     /// The corners.
     pub(crate) fn corners(&self) -> [DVec3; 8] {
         let (frame, half) = (self.frame(), DVec3::from_array(self.half.map(f64::from)));

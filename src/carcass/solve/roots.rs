@@ -4,7 +4,8 @@
 //! * *none*: a field, or a combination of the two that makes the middle Jacobian the identity, has coefficients of one sign;
 //! * *at most one*: the Jacobian of the combined fields has a dominant diagonal all over the part, so that they take no pair of values
 //!   twice; then Newton's method finds the root, if it stays;
-//! * *too small*: the part is reported as unresolved. That is where the two curves touch, or coincide.
+//! * *too small*: all values are within the tolerance, and the part is reported as unresolved. That is where the two curves touch, or
+//!   coincide.
 
 use super::Field;
 use glam::DVec2;
@@ -32,8 +33,19 @@ struct Part<const N: usize> {
     depth: u32,
 }
 
-/// The common roots of two fields. `noise`: values up to that, in absolute terms, may be 0.
-pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, found: &mut Roots) {
+impl<const N: usize> Part<N> {
+    /// True if all values of both fields are within the tolerance.
+    fn is_within(&self, tolerance: f64) -> bool {
+        self.fields.iter().all(|field| {
+            let [low, high] = field.range();
+            low >= -tolerance && high <= tolerance
+        })
+    }
+}
+
+/// The common roots of two fields. `noise`: values up to that, in absolute terms, may be 0; `tolerance`: parts that have no greater ones need
+/// no resolving.
+pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance: f64, found: &mut Roots) {
     let mut parts = vec![Part { fields, from: DVec2::ZERO, size: 1.0, depth: 0 }];
     let mut looked_at = 0;
     while let Some(part) = parts.pop() {
@@ -49,7 +61,7 @@ pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, found: &m
                     found.simple.push(place.clamp(DVec2::ZERO, DVec2::ONE));
                 }
             }
-            Verdict::Open if part.depth == DEPTH || looked_at >= PARTS => {
+            Verdict::Open if part.depth == DEPTH || looked_at >= PARTS || part.is_within(tolerance) => {
                 found.unresolved.push((part.from + 0.5 * part.size, part.size));
             }
             Verdict::Open => {
@@ -140,7 +152,7 @@ mod tests {
 
     fn solve(f: impl Fn(f64, f64) -> f64, g: impl Fn(f64, f64) -> f64) -> Roots {
         let mut found = Roots::default();
-        roots([of(f), of(g)], 1e-14, &mut found);
+        roots([of(f), of(g)], 1e-14, 1e-9, &mut found);
         found.simple.sort_by(|a, b| a.x.total_cmp(&b.x));
         found
     }
