@@ -13,6 +13,7 @@ import meshlib_peer
 import outlines
 import scipy_peer
 import vtk_peer
+from net_cases import NetCases
 from timing import Contender, Outcome, PeakMemory, apart, bound, by_turns, once
 
 BOUNDARIES = {
@@ -46,7 +47,7 @@ SLOW = {
 }
 
 
-class Cases:
+class Cases(NetCases):
     def __init__(self, library, report, tools, folder, only, slow):
         self.library, self.report, self.tools, self.folder = library, report, tools, folder
         self.only, self.slow = only, slow
@@ -55,7 +56,7 @@ class Cases:
         return self.only in case
 
     def run(self):
-        for module in self.boundaries, self.joins, self.exactness, self.memory, self.rows, self.outlines, self.accuracy:
+        for module in self.boundaries, self.joins, self.exactness, self.memory, self.rows, self.outlines, self.accuracy, self.nets:
             module()
 
     # Boundary loops.

@@ -1,17 +1,20 @@
 """gusset through its C interface: the only file here that knows it. Results own their handles and copy nothing."""
 
 import ctypes
-from ctypes import POINTER, Structure, byref, c_double, c_int64, c_size_t, c_uint32, c_void_p
+from ctypes import POINTER, Structure, byref, c_double, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
 from pathlib import Path
 
 import numpy as np
 
-F64, BOUNDARY_ONLY = 2, 1
+F32, F64, BOUNDARY_ONLY = 1, 2, 1
 MERIDIANS = {"area": 0, "index": 1, "arc-length": 2, "greedy": 3, "min-diagonal": 4, "smooth": 5, "quad": 6}
 ROWS_MEAN_EDGE, ROWS_COUNT = 1, 2
 START_GIVEN = 2
 FAIRING_THIN_PLATE = 1
 SEARCH_EXACT = 1
+# Of nets: what becomes of the sides.
+SIDES = {"sheet": 0, "torus": 3, "two-poles": 13}
+OPERATION_MATRIX, DIRECTION_DOWN = 7, 1
 # Of outlines: curve, method, lock.
 OUTLINES = {
     "composite": (0, 0, 0), "composite-median": (0, 1, 0), "self": (0, 0, 1), "cubic": (4, 0, 0), "blend": (2, 0, 0),
@@ -83,6 +86,35 @@ class OutlineParts(Structure):
         ("parameters", c_void_p), ("statuses", c_void_p)]
 
 
+class NetArrays(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("rows", c_size_t), ("columns", c_size_t), ("x", c_void_p), ("y", c_void_p), ("z", c_void_p),
+        ("row_stride", c_size_t), ("column_stride", c_size_t), ("scalar", c_uint32), ("reserved", c_uint32)]
+
+
+class NetGluing(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("matrix", c_void_p), ("seams", c_void_p), ("seam_count", c_size_t), ("sides", c_uint32),
+        ("reversed", c_uint32)]
+
+
+class NetOperation(Structure):
+    _fields_ = [("kind", c_uint32), ("axis", c_uint32), ("values", c_double * 12)]
+
+
+class JoinOptions(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("tolerance", c_double), ("tension", c_double), ("elasticity", c_double),
+        ("stiffness", c_double), ("user", c_uint64), ("direction", c_uint32), ("mode", c_uint32), ("equalise", c_uint32),
+        ("equalise_index", c_uint32), ("twist", c_uint32), ("turn", c_uint32)]
+
+
+class StreamOptions(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t), ("rows_per_block", c_size_t), ("mode", c_uint32), ("bits", c_uint32), ("per_axis", c_uint32),
+        ("reserved", c_uint32)]
+
+
 def sized(kind):
     made = kind()
     made.struct_size = ctypes.sizeof(kind)
@@ -109,9 +141,9 @@ class Library:
         self.c = ctypes.CDLL(str(Path(prefix) / "lib" / "libgusset.so"))
         self.c.gusset_version.restype = self.c.gusset_status_text.restype = ctypes.c_char_p
         self.c.gusset_boundary_loop_count.restype = c_size_t
-        for name in ("boundary", "stitch", "strip", "outline", "context"):
+        for name in ("boundary", "stitch", "strip", "outline", "context", "net", "stream"):
             getattr(self.c, f"gusset_{name}_destroy").argtypes = [c_void_p]
-        self.one_thread = self._context(1)
+        self.one_thread, self.automatic = self._context(1), self._context(0)
         self.version = self.c.gusset_version().decode()
 
     def _check(self, status):
@@ -214,3 +246,61 @@ class Library:
                 polygon.append(rungs[0])
             found.append(np.concatenate(polygon))
         return found
+
+    def net(self, points, sides, as_matrix=False):
+        """A net of a copy of an array H x W x 3 in single precision; its gluing as sides, or as a matrix that no sides say."""
+        arrays, gluing, address = sized(NetArrays), sized(NetGluing), c_void_p()
+        height, width = points.shape[:2]
+        arrays.rows, arrays.columns, arrays.scalar, arrays.column_stride = height, width, F32, 12
+        arrays.x, arrays.y, arrays.z = (points.ctypes.data + 4 * axis for axis in range(3))
+        if as_matrix:
+            matrix = np.zeros((height, 2, width), dtype=np.uint8)
+            matrix[:, 0, -1] = matrix[-1, 1, :] = matrix[height // 2, 0, ::7] = 1
+            gluing.matrix = matrix.ctypes.data
+        else:
+            gluing.sides = SIDES[sides]
+        self._check(self.c.gusset_net_create(self.one_thread.address, byref(arrays), byref(gluing), byref(address)))
+        return Handle(self.c, "gusset_net_destroy", address)
+
+    def net_move(self, net, motion):
+        operation = NetOperation(OPERATION_MATRIX, 0, (c_double * 12)(*motion))
+        self._check(self.c.gusset_net_transform(self.one_thread.address, net.address, byref(operation), c_size_t(1)))
+
+    def net_normals(self, net, room):
+        """Into an array 3 x H x W."""
+        x, y, z = (c_void_p(plane.ctypes.data) for plane in room)
+        self._check(self.c.gusset_net_normals(self.one_thread.address, net.address, x, y, z, c_size_t(room[0].size), None))
+        return room
+
+    def net_join(self, a, b):
+        """The second net below the first."""
+        options, address = sized(JoinOptions), c_void_p()
+        options.direction = DIRECTION_DOWN
+        both = (c_void_p * 2)(a.address, b.address)
+        self._check(self.c.gusset_net_concatenate_create(
+            self.one_thread.address, both, c_size_t(2), byref(options), byref(address)))
+        return Handle(self.c, "gusset_net_destroy", address)
+
+    def net_classes(self, net, room):
+        written = c_size_t()
+        self._check(self.c.gusset_net_classes(
+            self.one_thread.address, net.address, c_void_p(room.ctypes.data), c_size_t(room.size), byref(written)))
+        return room
+
+    def net_encode(self, net, bits, automatic=False):
+        options, address = sized(StreamOptions), c_void_p()
+        options.bits = bits
+        context = self.automatic if automatic else self.one_thread
+        self._check(self.c.gusset_net_encode_create(context.address, net.address, byref(options), byref(address)))
+        return Handle(self.c, "gusset_stream_destroy", address)
+
+    def stream_bytes(self, stream):
+        data, size = c_void_p(), c_size_t()
+        self._check(self.c.gusset_stream_view(stream.address, byref(data), byref(size)))
+        return array(data.value, size.value, np.uint8).copy()
+
+    def net_decode(self, data, automatic=False):
+        context, address = self.automatic if automatic else self.one_thread, c_void_p()
+        self._check(self.c.gusset_net_decode_create(
+            context.address, c_void_p(data.ctypes.data), c_size_t(data.size), byref(address)))
+        return Handle(self.c, "gusset_net_destroy", address)

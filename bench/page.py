@@ -54,6 +54,16 @@ has. `section` is the sections by themselves, `composite` and `composite-median`
     "outline-accuracy": """How far the outline is from the curve through 16 or 32 of its points: the farthest of 2048 points of the
 outline, by the outline's size, the median over twenty outlines like sections of a foot, in thousandths. Ours is `composite`.
 `formula`: generated; `data`: from files, where these are there.""",
+    "net": """## Nets
+
+A torus of 10^6 or 10^7 nodes in single precision, one thread. Half-edge meshes (OpenMesh, CGAL; C++) have each point once and quads;
+VTK and PyVista (Python) take it as a structured grid. `bandwidth` scales as many numbers in place, `memcpy` copies them: the limits of
+the hardware. `affine` moves all points; `normals` are those of the nodes, for VTK on the polygons of the grid, which are made before;
+`concat` joins two nets of half the size (PyVista's must touch); `classes` names the nodes that are one point, for us from the
+gluing, for VTK from their places; `memory` is bytes a node. `stream` is compression at 14 bits a coordinate: bits for each node
+that is there, and times to encode and decode. Draco (DracoPy) takes the triangles of the grid, EDGEBREAKER, at the level of
+7 and 10 that is smaller. The torus is rough as a scan is, or `-smooth`; the others are scans, where the folder of data is there.
+`gusset-automatic` has as many threads as the machine.""",
     "assemble": "## Assembly",
     "meridians": "## The paper's rule by index\n\nBeside its loops as printed, mended, and beside the bare closed form.",
 }
@@ -108,7 +118,7 @@ def qualities(entries):
 
 def versions():
     said = []
-    for package, name in ("meshlib", "MeshLib"), ("vtk", "VTK"), ("bpy", "Blender"), ("scipy", "SciPy"):
+    for package, name in ("meshlib", "MeshLib"), ("vtk", "VTK"), ("bpy", "Blender"), ("scipy", "SciPy"), ("pyvista", "PyVista"), ("DracoPy", "DracoPy"):
         try:
             said.append(f"{name} {version(package)}")
         except PackageNotFoundError:

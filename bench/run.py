@@ -10,6 +10,7 @@ import meshes
 import outlines
 from cases import BOUNDARIES, OUTLINES, Cases
 from gusset import Library
+from net_cases import CPP as NETS
 from page import write_page
 from report import Report
 
@@ -33,6 +34,11 @@ def in_cpp(report, tools, folder, only):
         outlines.write(outlines.everything(), path)
         sys.stdout.flush()
         subprocess.run([tools / "outlines", "--outlines", path, "--only", only, "--out", out], check=True)
+        report.merge(out)
+    if any(only in f"net/{name}" for name in NETS):
+        out = folder / "nets.json"
+        sys.stdout.flush()
+        subprocess.run([tools / "nets", "--only", only, "--out", out], check=True)
         report.merge(out)
 
 

@@ -338,6 +338,31 @@
 #define GUSSET_U64 1
 
 /**
+ * No edge has one face only.
+ */
+#define GUSSET_NET_CLOSED 1
+
+/**
+ * A surface, with or without boundary: no wires, branches and pinches.
+ */
+#define GUSSET_NET_MANIFOLD 2
+
+/**
+ * No edge that two faces run along the same way.
+ */
+#define GUSSET_NET_ORIENTED 4
+
+/**
+ * Faces can be turned over so that there is none.
+ */
+#define GUSSET_NET_ORIENTABLE 8
+
+/**
+ * No pyramid has more levels.
+ */
+#define GUSSET_PYRAMID_LEVELS 32
+
+/**
  * Closed components face as most of their faces did.
  */
 #define GUSSET_OUTWARD_KEEP 0
@@ -1008,6 +1033,14 @@ enum gusset_status
      */
     GUSSET_ERROR_EMPTY_SCENE = 1307,
     /**
+     * A field of deformation is not defined at a node.
+     */
+    GUSSET_ERROR_FIELD_UNDEFINED = 1320,
+    /**
+     * A net is glued elsewhere than along whole sides, or has bridges.
+     */
+    GUSSET_ERROR_GLUED_INSIDE = 1321,
+    /**
      * Memory could not be had.
      */
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
@@ -1081,6 +1114,36 @@ typedef struct gusset_frame gusset_frame;
 typedef struct gusset_net gusset_net;
 
 /**
+ * What a deformation does to a net. Immutable; may be read from many threads.
+ */
+typedef struct gusset_net_analysis gusset_net_analysis;
+
+/**
+ * The quotient complex of a net: what surface it is. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_complex gusset_net_complex;
+
+/**
+ * A net that was found in a mesh. Opaque and immutable; it keeps nothing of the mesh.
+ */
+typedef struct gusset_net_grid gusset_net_grid;
+
+/**
+ * The points that are several nodes. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_groups gusset_net_groups;
+
+/**
+ * The mesh of a net. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_mesh gusset_net_mesh;
+
+/**
+ * What a validation found. Opaque and immutable; it keeps nothing of the net.
+ */
+typedef struct gusset_net_validation gusset_net_validation;
+
+/**
  * An oriented mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
  */
 typedef struct gusset_orient gusset_orient;
@@ -1096,6 +1159,12 @@ typedef struct gusset_outline gusset_outline;
 typedef struct gusset_places gusset_places;
 
 /**
+ * Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by indices, which are never given
+ * twice. Functions that take it as const may run at the same time in many threads; those that change it need it for themselves.
+ */
+typedef struct gusset_scene gusset_scene;
+
+/**
  * The sections of outlines. Opaque and immutable.
  */
 typedef struct gusset_sections gusset_sections;
@@ -1104,6 +1173,16 @@ typedef struct gusset_sections gusset_sections;
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
  */
 typedef struct gusset_stitch gusset_stitch;
+
+/**
+ * The bytes of a stream. Opaque and immutable; may be used from many threads.
+ */
+typedef struct gusset_stream gusset_stream;
+
+/**
+ * A stream that is decoded while it arrives. Opaque; used by one thread at a time.
+ */
+typedef struct gusset_stream_decoder gusset_stream_decoder;
 
 /**
  * A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
@@ -2459,7 +2538,8 @@ typedef struct gusset_measure {
 
 /**
  * Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
- * x, y, z one after the other are matrices whose column_stride is three numbers.
+ * x, y, z one after the other are matrices whose column_stride is three numbers; matrices kept by columns have a row_stride of one
+ * number and a column_stride of a column.
  */
 typedef struct gusset_net_arrays {
     /**
@@ -2587,6 +2667,1005 @@ typedef struct gusset_net_gluing {
      */
     uint32_t reversed;
 } gusset_net_gluing;
+
+/**
+ * What a field does, and what its values are. An axis and those that follow it: y and z after x, z and x after y, x
+ * and y after z.
+ */
+typedef uint32_t gusset_field_kind;
+
+/**
+ * An axis of coordinates: 0 is x, 1 is y, 2 is z.
+ */
+typedef uint32_t gusset_axis;
+
+/**
+ * How a strength goes from one key to the next.
+ */
+typedef uint32_t gusset_easing;
+
+/**
+ * A field of deformation: a map of space, of which a part is done.
+ */
+typedef struct gusset_field {
+    /**
+     * sizeof(gusset_field), set by the caller; in an array the same for all.
+     */
+    size_t struct_size;
+    /**
+     * One of GUSSET_FIELD_...
+     */
+    gusset_field_kind kind;
+    /**
+     * For kinds that have one; else 0.
+     */
+    gusset_axis axis;
+    /**
+     * For GUSSET_FIELD_SHEAR; else 0.
+     */
+    gusset_axis other_axis;
+    /**
+     * Between keys; one of GUSSET_EASING_...
+     */
+    gusset_easing easing;
+    /**
+     * How much of the map is done: 0 nothing at all, 1 all of it. With keys, it multiplies what they say.
+     */
+    double strength;
+    /**
+     * What the kind says; the rest is not read.
+     */
+    double values[16];
+    /**
+     * Pairs of time and strength, times increasing; before the first and after the last time the strength is that
+     * there. NULL: the strength does not depend on the time.
+     */
+    const double *keys;
+    /**
+     * The number of pairs.
+     */
+    size_t key_count;
+    /**
+     * For GUSSET_FIELD_LATTICE, three numbers for each control point; else NULL.
+     */
+    const double *offsets;
+    /**
+     * For GUSSET_FIELD_LATTICE; else 0.
+     */
+    uint32_t counts[3];
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_field;
+
+/**
+ * An analysis, lent: valid until gusset_net_analysis_destroy.
+ */
+typedef struct gusset_net_analysis_parts {
+    /**
+     * sizeof(gusset_net_analysis_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its
+     * new length divided by its old one; NaN if it had none, or an end is missing.
+     */
+    const double *links;
+    /**
+     * 2 * rows * columns.
+     */
+    size_t link_count;
+    /**
+     * Of each cell, its new area divided by its old one; negative where the surface is folded over or, after
+     * gusset_net_analyse_fields_create, space is mirrored; NaN if it had none, or is not there.
+     */
+    const double *cells;
+    /**
+     * Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analyse_create.
+     */
+    const double *determinants;
+    /**
+     * (rows - 1) * (columns - 1).
+     */
+    size_t cell_count;
+    /**
+     * The links that have become a point and are not glued: see gusset_net_absorb.
+     */
+    const uint32_t *contracted;
+    /**
+     * Of each of them, what the star of its first node has become with all of them contracted: the number of the local
+     * gluing, 0 to 17.
+     */
+    const uint32_t *stars;
+    /**
+     * How many.
+     */
+    size_t contracted_count;
+    /**
+     * The glued links whose ends have come apart.
+     */
+    const uint32_t *torn;
+    /**
+     * How many.
+     */
+    size_t torn_count;
+    /**
+     * The cells that are turned the other way than most.
+     */
+    const uint32_t *folded;
+    /**
+     * How many.
+     */
+    size_t folded_count;
+    /**
+     * 1 if nothing is newly glued, torn or folded: the paper's soft deformation; else it is hard.
+     */
+    uint32_t soft;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_analysis_parts;
+
+/**
+ * A direction within a net.
+ */
+typedef uint32_t gusset_direction;
+
+/**
+ * Which rows, or columns, are replicated.
+ */
+typedef uint32_t gusset_replication;
+
+/**
+ * How a net is reformatted.
+ */
+typedef struct gusset_reformat_options {
+    /**
+     * sizeof(gusset_reformat_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The rows of nodes wanted, no fewer than there are; 0 for as many as there are.
+     */
+    size_t rows;
+    /**
+     * The columns, likewise.
+     */
+    size_t columns;
+    /**
+     * GUSSET_REPLICATE_... for rows.
+     */
+    gusset_replication row_replication;
+    /**
+     * GUSSET_REPLICATE_... for columns.
+     */
+    gusset_replication column_replication;
+    /**
+     * Read for GUSSET_REPLICATE_AT: the row.
+     */
+    uint32_t row_index;
+    /**
+     * Read for GUSSET_REPLICATE_AT: the column.
+     */
+    uint32_t column_index;
+} gusset_reformat_options;
+
+/**
+ * Which cells count.
+ */
+typedef uint32_t gusset_net_cells;
+
+/**
+ * Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are given by their smallest nodes, edges as pairs of
+ * them, one pair after the other, in order. Pointers are valid until the complex is destroyed.
+ */
+typedef struct gusset_net_complex_report {
+    /**
+     * sizeof(gusset_net_complex_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Vertices.
+     */
+    uint64_t vertex_count;
+    /**
+     * Edges: pairs of vertices that links join.
+     */
+    uint64_t edge_count;
+    /**
+     * Faces of four corners.
+     */
+    uint64_t quad_count;
+    /**
+     * Faces of three.
+     */
+    uint64_t triangle_count;
+    /**
+     * Cells that have become an edge.
+     */
+    uint64_t digon_count;
+    /**
+     * Cells that have become a point.
+     */
+    uint64_t point_count;
+    /**
+     * Cells that are folded along a diagonal to two edges.
+     */
+    uint64_t fold_count;
+    /**
+     * Edges of one face.
+     */
+    uint64_t boundary_edge_count;
+    /**
+     * Pieces that do not hang together.
+     */
+    uint64_t component_count;
+    /**
+     * Vertices - edges + faces.
+     */
+    int64_t euler;
+    /**
+     * Handles if it is orientable, else crosscaps, of all pieces together; -1 if it is no surface.
+     */
+    int64_t genus;
+    /**
+     * GUSSET_NET_CLOSED, ..._MANIFOLD, ..._ORIENTED, ..._ORIENTABLE.
+     */
+    uint32_t properties;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * 0, then the end of each chain of boundary edges in boundary_nodes: one more than there are chains.
+     */
+    struct gusset_indices boundary_offsets;
+    /**
+     * The vertices of all chains, with the faces on the left; the last of a chain is followed by its first.
+     */
+    struct gusset_indices boundary_nodes;
+    /**
+     * For each chain 0, or 1 if it is no loop: it ends at edges of three faces and more, and its last vertex is followed by none.
+     */
+    struct gusset_indices boundary_open;
+    /**
+     * Edges of no face.
+     */
+    struct gusset_indices wires;
+    /**
+     * Edges of three faces and more.
+     */
+    struct gusset_indices branches;
+    /**
+     * Vertices whose faces are several fans that meet nowhere else.
+     */
+    struct gusset_indices pinches;
+    /**
+     * Edges that two faces run along the same way.
+     */
+    struct gusset_indices conflicts;
+} gusset_net_complex_report;
+
+/**
+ * Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z: their coordinates,
+ * float or double as the net's are, to be changed in place. Return nonzero to stop. It must neither use the net or the
+ * context nor throw nor longjmp.
+ */
+typedef int (*gusset_rows_fn)(void *user, size_t first, size_t count, void *x, void *y, void *z);
+
+/**
+ * What a gusset_gluing glues.
+ */
+typedef uint32_t gusset_gluing_kind;
+
+/**
+ * Nodes to be glued, or no longer to be.
+ */
+typedef struct gusset_gluing {
+    /**
+     * One of GUSSET_GLUING_...
+     */
+    gusset_gluing_kind kind;
+    /**
+     * The link, node or cell; 0 for a seam.
+     */
+    uint32_t element;
+    /**
+     * See the kinds; 0 where none is said to have one.
+     */
+    uint32_t mask;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * Read for GUSSET_GLUING_SEAM only.
+     */
+    struct gusset_seam seam;
+} gusset_gluing;
+
+/**
+ * One of the 18 local gluings (the paper's Fig. 4), or GUSSET_TYPE_NONE.
+ */
+typedef uint32_t gusset_gluing_type;
+
+/**
+ * The physical properties of a bridge: kept for the host, and not used.
+ */
+typedef struct gusset_bridge_properties {
+    /**
+     * Tension.
+     */
+    double tension;
+    /**
+     * Elasticity.
+     */
+    double elasticity;
+    /**
+     * Stiffness.
+     */
+    double stiffness;
+    /**
+     * The host's own.
+     */
+    uint64_t user;
+} gusset_bridge_properties;
+
+/**
+ * What is done with the cells between two nets that were joined.
+ */
+typedef uint32_t gusset_bridge_mode;
+
+/**
+ * How nets are joined. All zeros: each right of the one before, the smaller ones enlarged uniformly, bridges kept.
+ */
+typedef struct gusset_join_options {
+    /**
+     * sizeof(gusset_join_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How far nodes that are welded may be apart, at least 0, in the unit of the coordinates.
+     */
+    double tolerance;
+    /**
+     * Given to every new bridge.
+     */
+    struct gusset_bridge_properties properties;
+    /**
+     * GUSSET_DIRECTION_...: where each net lies from the one before.
+     */
+    gusset_direction direction;
+    /**
+     * GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+     */
+    gusset_bridge_mode mode;
+    /**
+     * GUSSET_REPLICATE_...: how nets with fewer nodes along the side are enlarged.
+     */
+    gusset_replication equalise;
+    /**
+     * Read for GUSSET_REPLICATE_AT: the row or column.
+     */
+    uint32_t equalise_index;
+    /**
+     * Each net but the first is turned by so many places along its side, which is closed then.
+     */
+    uint32_t twist;
+    /**
+     * 1: nets whose faces are taken the other way round than those of the first are flipped along the side; 0: refused.
+     */
+    uint32_t turn;
+} gusset_join_options;
+
+/**
+ * What a bridge looks like.
+ */
+typedef uint32_t gusset_bridge_kind;
+
+/**
+ * A bridge of a net.
+ */
+typedef struct gusset_bridge {
+    /**
+     * sizeof(gusset_bridge), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * What the host gave it.
+     */
+    struct gusset_bridge_properties properties;
+    /**
+     * GUSSET_DIRECTION_...: where the second net lies.
+     */
+    gusset_direction direction;
+    /**
+     * The first column (RIGHT) or row (DOWN) of the second net.
+     */
+    uint32_t at;
+    /**
+     * The first node along the side: a row (RIGHT) or column (DOWN).
+     */
+    uint32_t start;
+    /**
+     * One past the last one.
+     */
+    uint32_t end;
+    /**
+     * GUSSET_BRIDGE_RIBBON, GUSSET_BRIDGE_TUBE or GUSSET_BRIDGE_THREAD.
+     */
+    gusset_bridge_kind kind;
+    /**
+     * GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+     */
+    gusset_bridge_mode mode;
+} gusset_bridge;
+
+/**
+ * What gusset_net_measure finds.
+ */
+typedef struct gusset_measures {
+    /**
+     * sizeof(gusset_measures), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
+     */
+    double area;
+    /**
+     * What the net encloses, if it is closed and has two sides; positive if the normals look outwards. For open ones: of the cone to the
+     * first node.
+     */
+    double volume;
+    /**
+     * The sum of the cells' area vectors; 0 for closed nets.
+     */
+    double area_vector[3];
+    /**
+     * The smallest coordinates of the nodes that are there; infinite if there are none.
+     */
+    double low[3];
+    /**
+     * The largest.
+     */
+    double high[3];
+} gusset_measures;
+
+/**
+ * The body, of density 1, that a closed net encloses.
+ */
+typedef struct gusset_moments {
+    /**
+     * sizeof(gusset_moments), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The volume; negative if the normals look inwards.
+     */
+    double volume;
+    /**
+     * The centre of mass; NaN if the volume is 0.
+     */
+    double centroid[3];
+    /**
+     * The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it
+     * those of -x y and so on.
+     */
+    double inertia[9];
+} gusset_moments;
+
+/**
+ * How plane the cells of a net are.
+ */
+typedef struct gusset_planarity {
+    /**
+     * sizeof(gusset_planarity), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no
+     * cells.
+     */
+    double worst;
+    /**
+     * Its cell; 2^64 - 1 if there are no cells.
+     */
+    uint64_t worst_cell;
+    /**
+     * The mean; NaN if there are no cells.
+     */
+    double mean;
+    /**
+     * How many cells are above the tolerance.
+     */
+    uint64_t above;
+} gusset_planarity;
+
+/**
+ * What the faces of the mesh of a net are.
+ */
+typedef uint32_t gusset_net_faces;
+
+/**
+ * How a net becomes a mesh. All zeros: quads, one vertex for each class of glued nodes, only vertices that something uses.
+ */
+typedef struct gusset_net_mesh_options {
+    /**
+     * sizeof(gusset_net_mesh_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_NET_QUADS, GUSSET_NET_TRIANGLES_SHORTER or GUSSET_NET_TRIANGLES_FIXED.
+     */
+    gusset_net_faces faces;
+    /**
+     * 1: a vertex for each node, and nothing is glued. 0 or 1.
+     */
+    uint32_t no_weld;
+    /**
+     * 1: finite vertices that nothing uses are kept. 0 or 1.
+     */
+    uint32_t keep_unused;
+    /**
+     * 1: a cell of which just one corner is missing becomes a triangle. 0 or 1.
+     */
+    uint32_t fill_corners;
+    /**
+     * 1: texture coordinates are wanted. 0 or 1.
+     */
+    uint32_t texture;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_mesh_options;
+
+/**
+ * What became what when a net became a mesh. Pointers are valid until the mesh is destroyed; NULL where the count is 0.
+ */
+typedef struct gusset_net_mesh_maps {
+    /**
+     * sizeof(gusset_net_mesh_maps), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * For each node its vertex, or UINT32_MAX.
+     */
+    struct gusset_indices vertex_of_node;
+    /**
+     * For each vertex the first of its nodes.
+     */
+    struct gusset_indices node_of_vertex;
+    /**
+     * For each face its cell: cell (i, j) is i * (columns - 1) + j.
+     */
+    struct gusset_indices cell_of_face;
+    /**
+     * Edges without faces, two vertices each: threads, and whatever else is left of cells whose opposite sides are glued.
+     */
+    struct gusset_indices wires;
+    /**
+     * For each corner of the mesh its pair of texture coordinates; empty unless they were asked for.
+     */
+    struct gusset_indices texture_corners;
+    /**
+     * Pairs u, v from 0 to 1: column and row. A vertex on a seam has one on each side of it.
+     */
+    const double *texture_coordinates;
+    /**
+     * The number of pairs.
+     */
+    size_t texture_count;
+} gusset_net_mesh_maps;
+
+/**
+ * Heights over a grid, at any alignment.
+ */
+typedef struct gusset_heights {
+    /**
+     * sizeof(gusset_heights), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of rows, at least 2.
+     */
+    size_t rows;
+    /**
+     * The number of columns, at least 2.
+     */
+    size_t columns;
+    /**
+     * Number (i, j) is at values + i * row_stride + j times the scalar's size. Any numbers: NaN and infinities are missing.
+     */
+    const void *values;
+    /**
+     * Bytes from row to row; 0 for rows without gaps.
+     */
+    size_t row_stride;
+    /**
+     * x from column to column and y from row to row; finite and not 0, negative where rows run against y.
+     */
+    double spacing[2];
+    /**
+     * Where the first node is if its height is 0.
+     */
+    double origin[3];
+    /**
+     * Read if has_no_data is 1: the number that stands for a missing height.
+     */
+    double no_data;
+    /**
+     * 0 or 1.
+     */
+    uint32_t has_no_data;
+    /**
+     * GUSSET_F32 or GUSSET_F64: of the values, and of the net.
+     */
+    uint32_t scalar;
+} gusset_heights;
+
+/**
+ * Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
+ */
+typedef struct gusset_net_grid_parts {
+    /**
+     * sizeof(gusset_net_grid_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * For each node its vertex.
+     */
+    struct gusset_indices vertex_of_node;
+    /**
+     * For each cell its face.
+     */
+    struct gusset_indices face_of_cell;
+} gusset_net_grid_parts;
+
+/**
+ * A shape.
+ */
+typedef uint32_t gusset_net_shape;
+
+/**
+ * How the two caps of a box are covered.
+ */
+typedef uint32_t gusset_net_box;
+
+/**
+ * A net that is wanted. Measures that the shape does not name are not read.
+ */
+typedef struct gusset_net_primitive {
+    /**
+     * sizeof(gusset_net_primitive), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * One of GUSSET_NET_PLANE to GUSSET_NET_PILLOW.
+     */
+    gusset_net_shape shape;
+    /**
+     * GUSSET_F32 or GUSSET_F64.
+     */
+    uint32_t scalar;
+    /**
+     * Rows of nodes; 0 for 33. Not read for boxes and lathes.
+     */
+    size_t rows;
+    /**
+     * Columns of nodes; 0 for 65. Not read for boxes.
+     */
+    size_t columns;
+    /**
+     * See the shapes; above 0, in the unit of the coordinates.
+     */
+    double radius;
+    /**
+     * See the shapes; above 0.
+     */
+    double minor_radius;
+    /**
+     * See the shapes; above 0, along z.
+     */
+    double height;
+    /**
+     * See the shapes; above 0, along x, y and z.
+     */
+    double size[3];
+    /**
+     * Distance from the axis, at least 0, and height of each point, from below to above, at any alignment. A row on the axis is a pole; a
+     * profile that ends where it begins makes a ring.
+     */
+    const double *profile;
+    /**
+     * The number of points, twice as many numbers; at least 2.
+     */
+    size_t profile_count;
+    /**
+     * Lateral faces of a prism or pyramid, at least 3.
+     */
+    uint32_t sides;
+    /**
+     * GUSSET_NET_BOX_...
+     */
+    gusset_net_box box_kind;
+    /**
+     * Cells of a box along x, y and z, at least 1 each.
+     */
+    uint32_t cells[3];
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_net_primitive;
+
+/**
+ * How positions between nodes are found.
+ */
+typedef uint32_t gusset_interpolation;
+
+/**
+ * An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
+ */
+typedef struct gusset_transform {
+    /**
+     * x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
+     */
+    double rows[12];
+} gusset_transform;
+
+/**
+ * What an entry of a scene is.
+ */
+typedef uint32_t gusset_scene_kind;
+
+/**
+ * An entry of a scene.
+ */
+typedef struct gusset_scene_entry {
+    /**
+     * sizeof(gusset_scene_entry), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Into the space of the groups that it is in.
+     */
+    struct gusset_transform transform;
+    /**
+     * The number of entries in a group; 0 for a net.
+     */
+    size_t child_count;
+    /**
+     * GUSSET_SCENE_NET or GUSSET_SCENE_GROUP.
+     */
+    gusset_scene_kind kind;
+    /**
+     * 1 if it is shown; a group that it is in may hide it all the same.
+     */
+    uint32_t visible;
+} gusset_scene_entry;
+
+/**
+ * How much is in a scene.
+ */
+typedef struct gusset_scene_counts {
+    /**
+     * sizeof(gusset_scene_counts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Instances of nets and groups: ways from entries in no group; UINT64_MAX if there are more.
+     */
+    uint64_t instances;
+    /**
+     * Instances of nets alone.
+     */
+    uint64_t net_instances;
+    /**
+     * Entries that are nets.
+     */
+    uint32_t nets;
+    /**
+     * Entries that are groups.
+     */
+    uint32_t groups;
+    /**
+     * The longest way from an entry in no group: 1 if no group has entries, 0 for an empty scene.
+     */
+    uint32_t levels;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_scene_counts;
+
+/**
+ * One way to an entry from an entry in no group.
+ */
+typedef struct gusset_scene_instance {
+    /**
+     * Into the space of the scene.
+     */
+    struct gusset_transform world;
+    /**
+     * The entry.
+     */
+    uint32_t entry;
+    /**
+     * The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in none.
+     */
+    uint32_t parent;
+    /**
+     * 1 unless it or a group on the way is hidden.
+     */
+    uint32_t visible;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_scene_instance;
+
+/**
+ * How a stream stores coordinates.
+ */
+typedef uint32_t gusset_stream_mode;
+
+/**
+ * How a net is to be stored.
+ */
+typedef struct gusset_stream_options {
+    /**
+     * sizeof(gusset_stream_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Rows in a block, which is coded without knowledge of other blocks; 0 for about 2^17 nodes in each, and for one block of all
+     * rows if the mode is RAW.
+     */
+    size_t rows_per_block;
+    /**
+     * How coordinates are stored.
+     */
+    gusset_stream_mode mode;
+    /**
+     * For QUANTISED, the bits of a coordinate, 8 to 24; 0 for 14. Else 0.
+     */
+    uint32_t bits;
+    /**
+     * For QUANTISED: 1 if the step of each axis follows from its own extent, 0 if that of all follows from the longest. Else 0.
+     */
+    uint32_t per_axis;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_stream_options;
+
+/**
+ * What the first bytes of a stream say.
+ */
+typedef struct gusset_stream_info {
+    /**
+     * sizeof(gusset_stream_info), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The rows of nodes.
+     */
+    size_t rows;
+    /**
+     * The columns of nodes.
+     */
+    size_t columns;
+    /**
+     * Rows in each block; the last one may have fewer.
+     */
+    size_t rows_per_block;
+    /**
+     * The bytes before the first block.
+     */
+    uint64_t prelude_size;
+    /**
+     * QUANTISED: the coordinates of level 0; a coordinate of level k is origin + k * step. Else 0.
+     */
+    double origin[3];
+    /**
+     * QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it is rounded to its type, half a unit
+     * in its last place. Else 0.
+     */
+    double step[3];
+    /**
+     * GUSSET_F32 or GUSSET_F64.
+     */
+    uint32_t scalar;
+    /**
+     * How coordinates are stored.
+     */
+    gusset_stream_mode mode;
+    /**
+     * QUANTISED: the bits of a coordinate. Else 0.
+     */
+    uint32_t bits;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_stream_info;
+
+/**
+ * What an operation does.
+ */
+typedef uint32_t gusset_operation_kind;
+
+/**
+ * A spatial operation.
+ */
+typedef struct gusset_operation {
+    /**
+     * One of GUSSET_OPERATION_...
+     */
+    gusset_operation_kind kind;
+    /**
+     * For GUSSET_OPERATION_COMPRESS; else 0.
+     */
+    gusset_axis axis;
+    /**
+     * What the kind says; the rest is not read.
+     */
+    double values[12];
+} gusset_operation;
+
+/**
+ * What is found.
+ */
+typedef uint32_t gusset_net_finding_kind;
+
+/**
+ * One finding.
+ */
+typedef struct gusset_net_finding {
+    /**
+     * One of GUSSET_NET_FINDING_...
+     */
+    gusset_net_finding_kind kind;
+    /**
+     * The link, or the number of the seam.
+     */
+    uint32_t element;
+    /**
+     * The two nodes.
+     */
+    uint32_t nodes[2];
+    /**
+     * How far they are apart; NaN if one is missing.
+     */
+    double distance;
+} gusset_net_finding;
+
+/**
+ * All findings: violations first, then warnings, each kind in the order of its elements.
+ */
+typedef struct gusset_net_validation_report {
+    /**
+     * sizeof(gusset_net_validation_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The findings, valid until the validation is destroyed; NULL if there are none.
+     */
+    const struct gusset_net_finding *findings;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * How many of them are violations; they come first.
+     */
+    size_t violation_count;
+} gusset_net_validation_report;
 
 /**
  * How to orient; all zero is the default.
@@ -3050,6 +4129,271 @@ typedef struct gusset_winged_view {
 } gusset_winged_view;
 
 /**
+ * Along rows, from column to column.
+ */
+#define GUSSET_DIRECTION_RIGHT 0
+
+/**
+ * Along columns, from row to row.
+ */
+#define GUSSET_DIRECTION_DOWN 1
+
+/**
+ * All of them, as equally as it goes.
+ */
+#define GUSSET_REPLICATE_UNIFORM 0
+
+/**
+ * The first one.
+ */
+#define GUSSET_REPLICATE_FIRST 1
+
+/**
+ * The last one.
+ */
+#define GUSSET_REPLICATE_LAST 2
+
+/**
+ * The one whose index is given.
+ */
+#define GUSSET_REPLICATE_AT 3
+
+/**
+ * The first and the last one, if they are a point each, in equal shares; if one of them is, that one; else as UNIFORM.
+ */
+#define GUSSET_REPLICATE_AT_POLES 4
+
+/**
+ * None: sizes that differ are refused. For gusset_join_options only.
+ */
+#define GUSSET_REPLICATE_REFUSE 5
+
+/**
+ * All.
+ */
+#define GUSSET_NET_CELLS_ALL 0
+
+/**
+ * Those whose four nodes have finite coordinates and that no hidden bridge has.
+ */
+#define GUSSET_NET_CELLS_PRESENT 1
+
+/**
+ * An affine map: values[0] to values[11], three rows of four. In part: that part of the straight way. Unlike gusset_net_transform it leaves
+ * the net's flag `reversed` alone where it mirrors.
+ */
+#define GUSSET_FIELD_AFFINE 1
+
+/**
+ * Turns about `axis`, by the right hand, by values[0] radians for each unit along it from the coordinate values[1] on.
+ * In part: by that part of the angle.
+ */
+#define GUSSET_FIELD_TWIST 2
+
+/**
+ * Distances from `axis` grow by values[0] times themselves for each unit along it from the coordinate values[1] on. In
+ * part: at that part of the rate.
+ */
+#define GUSSET_FIELD_TAPER 3
+
+/**
+ * Bends `axis` from its coordinate values[1] to values[2] (only the latter may be infinite) to an arc of the curvature
+ * values[0], towards the axis that follows; what lies beyond goes on straight. In part: with that part of the
+ * curvature.
+ */
+#define GUSSET_FIELD_BEND 4
+
+/**
+ * The coordinate on `axis` grows by values[0] times that on `other_axis`. In part: at that part of the rate.
+ */
+#define GUSSET_FIELD_SHEAR 5
+
+/**
+ * Moves points onto the sphere with the centre values[0] to values[2] and the radius values[3] > 0, straight from its
+ * centre, where it is not defined. In part: that part of the way.
+ */
+#define GUSSET_FIELD_SPHERIFY 6
+
+/**
+ * Rolls space up about `axis`: of the two axes that follow, the first becomes the arc and the second the height above
+ * a cylinder of the radius values[0] > 0: with the first u and the second v they become (r + v) sin(u / r) and
+ * (r + v) cos(u / r). In part: that part of the straight way.
+ */
+#define GUSSET_FIELD_CYLINDER_WRAP 7
+
+/**
+ * Rolls space up to a torus about `axis` with the radii values[0] > 0 (to the middle of the tube) and values[1] > 0
+ * (of the tube): of the two axes that follow, the first goes round the axis and the second round the tube; the axis
+ * itself becomes the height above the torus. In part: that part of the straight way.
+ */
+#define GUSSET_FIELD_TORUS_WRAP 8
+
+/**
+ * Free-form deformation: the box from values[0..2] to values[3..5] has counts[0] x counts[1] x counts[2] control
+ * points, 2 to 32 each way; offsets: how far each is moved, x, y, z, from its place in the even grid, x running first,
+ * then y. Outside the box nothing moves. In part: that part of the way.
+ */
+#define GUSSET_FIELD_LATTICE 9
+
+/**
+ * A map of homogeneous coordinates: four rows of four. Not defined where the fourth coordinate becomes 0. In part:
+ * that part of the straight way, as for the other projections.
+ */
+#define GUSSET_FIELD_PROJECTION 10
+
+/**
+ * Onto the plane through values[0..2] with the normal values[3..5], along the direction values[6..8].
+ */
+#define GUSSET_FIELD_PARALLEL 11
+
+/**
+ * Onto the plane through values[3..5] with the normal values[6..8], along the lines through the eye values[0..2]. Not
+ * defined level with the eye.
+ */
+#define GUSSET_FIELD_PERSPECTIVE 12
+
+/**
+ * Evenly.
+ */
+#define GUSSET_EASING_LINEAR 0
+
+/**
+ * Starting and ending at rest.
+ */
+#define GUSSET_EASING_SMOOTH 1
+
+/**
+ * Stays until it jumps.
+ */
+#define GUSSET_EASING_HOLD 2
+
+/**
+ * The two ends of link `element`. Links are numbered by nodes: 2 * node is that to the next node of the row (of the last one to the first),
+ * 2 * node + 1 that to the next of the column; node (i, j) is i * columns + j.
+ */
+#define GUSSET_GLUING_LINK 0
+
+/**
+ * Node `element` and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8, round the sides of the net.
+ */
+#define GUSSET_GLUING_STAR 1
+
+/**
+ * The ends of the links of cell `element` that are in the mask: top 1, right 2, bottom 4, left 8. Cell (i, j) is i * (columns - 1) + j.
+ */
+#define GUSSET_GLUING_CELL 2
+
+/**
+ * Opposite corners of cell `element`: mask 1 for the first and the third, 2 for the second and the fourth.
+ */
+#define GUSSET_GLUING_DIAGONAL 3
+
+/**
+ * The two runs of nodes of the seam.
+ */
+#define GUSSET_GLUING_SEAM 4
+
+/**
+ * The local gluing of type `mask`, one of GUSSET_TYPE_..., at node `element`; at cell `element` from GUSSET_TYPE_TOP_BOTTOM on.
+ */
+#define GUSSET_GLUING_TYPE 5
+
+/**
+ * Nothing is glued here.
+ */
+#define GUSSET_TYPE_NONE 4294967295
+
+/**
+ * n(1): one horizontal link.
+ */
+#define GUSSET_TYPE_HORIZONTAL 0
+
+/**
+ * n(1): one vertical link.
+ */
+#define GUSSET_TYPE_VERTICAL 1
+
+/**
+ * n(2,1): the links of a node to the east and the south.
+ */
+#define GUSSET_TYPE_EAST_SOUTH 2
+
+/**
+ * n(2,1): south and west.
+ */
+#define GUSSET_TYPE_SOUTH_WEST 3
+
+/**
+ * n(2,1): west and north.
+ */
+#define GUSSET_TYPE_WEST_NORTH 4
+
+/**
+ * n(2,1): north and east.
+ */
+#define GUSSET_TYPE_NORTH_EAST 5
+
+/**
+ * n(2,2): east and west.
+ */
+#define GUSSET_TYPE_EAST_WEST 6
+
+/**
+ * n(2,2): north and south.
+ */
+#define GUSSET_TYPE_NORTH_SOUTH 7
+
+/**
+ * n(3): all but north.
+ */
+#define GUSSET_TYPE_BUT_NORTH 8
+
+/**
+ * n(3): all but east.
+ */
+#define GUSSET_TYPE_BUT_EAST 9
+
+/**
+ * n(3): all but south.
+ */
+#define GUSSET_TYPE_BUT_SOUTH 10
+
+/**
+ * n(3): all but west.
+ */
+#define GUSSET_TYPE_BUT_WEST 11
+
+/**
+ * n(4): all four links of a node.
+ */
+#define GUSSET_TYPE_ALL 12
+
+/**
+ * c(2,1): top and bottom of a cell.
+ */
+#define GUSSET_TYPE_TOP_BOTTOM 13
+
+/**
+ * c(2,1): right and left of a cell.
+ */
+#define GUSSET_TYPE_RIGHT_LEFT 14
+
+/**
+ * c(3): a cell is one point.
+ */
+#define GUSSET_TYPE_POINT 15
+
+/**
+ * c(1,2): the first and the third corner of a cell.
+ */
+#define GUSSET_TYPE_FALLING 16
+
+/**
+ * c(1,2): the second and the fourth corner of a cell.
+ */
+#define GUSSET_TYPE_RISING 17
+
+/**
  * Every row is closed: its last node is its first one again.
  */
 #define GUSSET_SIDES_ROWS_CLOSED 1
@@ -3103,6 +4447,254 @@ typedef struct gusset_winged_view {
  * Rows and columns closed.
  */
 #define GUSSET_SIDES_TORUS 3
+
+/**
+ * They are cells like others.
+ */
+#define GUSSET_BRIDGE_KEEP 0
+
+/**
+ * They are not there.
+ */
+#define GUSSET_BRIDGE_HIDE 1
+
+/**
+ * The two sides coincide, to a tolerance, and are one: the links between them are contracted. Nodes stay where they are; where they
+ * coincide not quite, gusset_net_snap makes them equal.
+ */
+#define GUSSET_BRIDGE_WELD 2
+
+/**
+ * A band between open sides.
+ */
+#define GUSSET_BRIDGE_RIBBON 0
+
+/**
+ * A band between closed sides, which is closed itself.
+ */
+#define GUSSET_BRIDGE_TUBE 1
+
+/**
+ * One edge between sides that are a point each.
+ */
+#define GUSSET_BRIDGE_THREAD 2
+
+/**
+ * Quads, and triangles where a side of a cell is one point.
+ */
+#define GUSSET_NET_QUADS 0
+
+/**
+ * Triangles: quads are cut along the shorter diagonal, or where that would be an edge that there is already, the other one.
+ */
+#define GUSSET_NET_TRIANGLES_SHORTER 1
+
+/**
+ * Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
+ */
+#define GUSSET_NET_TRIANGLES_FIXED 2
+
+/**
+ * A rectangle in the plane z = 0: size[0], size[1].
+ */
+#define GUSSET_NET_PLANE 0
+
+/**
+ * A sphere with two poles: radius. At least 3 rows and 4 columns.
+ */
+#define GUSSET_NET_SPHERE 1
+
+/**
+ * A sphere that is a disc whose rim is drawn together: radius. At least 3 rows and columns.
+ */
+#define GUSSET_NET_ONE_POLE_SPHERE 2
+
+/**
+ * A cylinder without caps: radius, height. At least 4 columns.
+ */
+#define GUSSET_NET_TUBE 3
+
+/**
+ * A cylinder with caps: radius, height. At least 4 rows and columns.
+ */
+#define GUSSET_NET_CYLINDER 4
+
+/**
+ * A prism over a regular polygon: sides, radius (of the circle through its corners), height. At least 4 rows, and a column more than sides.
+ */
+#define GUSSET_NET_PRISM 5
+
+/**
+ * A cone with its base: radius, height. At least 3 rows and 4 columns.
+ */
+#define GUSSET_NET_CONE 6
+
+/**
+ * A pyramid over a regular polygon: sides, radius, height. At least 3 rows, and a column more than sides.
+ */
+#define GUSSET_NET_PYRAMID 7
+
+/**
+ * A profile turned round the z axis: profile, profile_count. At least 4 columns; each point is a row.
+ */
+#define GUSSET_NET_LATHE 8
+
+/**
+ * A torus: radius, minor_radius (of the tube, the smaller). At least 4 rows and columns.
+ */
+#define GUSSET_NET_TORUS 9
+
+/**
+ * A box: size, cells, box_kind. Rows and columns are as the cells say.
+ */
+#define GUSSET_NET_BOX 10
+
+/**
+ * A Moebius strip: radius (of its middle line), size[0] (its width). At least 4 columns.
+ */
+#define GUSSET_NET_MOEBIUS 11
+
+/**
+ * A Klein bottle, a tube with a figure-eight section that makes half a turn: radius, minor_radius. At least 4 rows and columns.
+ */
+#define GUSSET_NET_KLEIN 12
+
+/**
+ * A projective plane, Boy's surface: radius (a scale). At least 4 rows and columns.
+ */
+#define GUSSET_NET_PROJECTIVE_PLANE 13
+
+/**
+ * Two sheets joined along their rim: size[0], size[1], height (their distance in the middle). At least 3 rows, and 5, 7, ... columns.
+ */
+#define GUSSET_NET_PILLOW 14
+
+/**
+ * Two rims of the cap sweep over it to a slit, which is zipped up. All faces are unit quads, and no seams are needed.
+ */
+#define GUSSET_NET_BOX_SLIT 0
+
+/**
+ * The paper's crosswise unwrapping. All faces are unit quads; two seams.
+ */
+#define GUSSET_NET_BOX_CROSS 1
+
+/**
+ * Concentric rings: fewest nodes, and triangles along the diagonals of the caps.
+ */
+#define GUSSET_NET_BOX_CONCENTRIC 2
+
+/**
+ * On cubic splines after Catmull and Rom, which pass through all nodes with one tangent, across seams too.
+ */
+#define GUSSET_INTERPOLATION_BICUBIC 0
+
+/**
+ * On the bilinear patches of the cells.
+ */
+#define GUSSET_INTERPOLATION_BILINEAR 1
+
+/**
+ * A net.
+ */
+#define GUSSET_SCENE_NET 0
+
+/**
+ * A group of entries.
+ */
+#define GUSSET_SCENE_GROUP 1
+
+/**
+ * Rounded to some number of bits, and compressed.
+ */
+#define GUSSET_STREAM_QUANTISED 0
+
+/**
+ * Compressed, bit for bit, NaN too.
+ */
+#define GUSSET_STREAM_LOSSLESS 1
+
+/**
+ * As they are: little-endian matrices that begin at multiples of 64 bytes, for files that are mapped into memory.
+ */
+#define GUSSET_STREAM_RAW 2
+
+/**
+ * The abscissa.
+ */
+#define GUSSET_AXIS_X 0
+
+/**
+ * The ordinate.
+ */
+#define GUSSET_AXIS_Y 1
+
+/**
+ * The applicate.
+ */
+#define GUSSET_AXIS_Z 2
+
+/**
+ * Moves by the vector values[0] to values[2].
+ */
+#define GUSSET_OPERATION_TRANSLATE 1
+
+/**
+ * Turns about the axis with the direction values[0] to values[2], of any length but 0, by values[3] radians, by the
+ * right hand; the axis passes through the point values[4] to values[6].
+ */
+#define GUSSET_OPERATION_ROTATE 2
+
+/**
+ * The same by the left hand, as Deryagin's formula is printed.
+ */
+#define GUSSET_OPERATION_ROTATE_AS_PRINTED 3
+
+/**
+ * Scales about the origin: values[0] is the ratio of new distance to old.
+ */
+#define GUSSET_OPERATION_SCALE 4
+
+/**
+ * Scales about the axis of coordinates `axis`, which stays: values[0] is the ratio of new distance to old.
+ */
+#define GUSSET_OPERATION_COMPRESS 5
+
+/**
+ * Scales x, y and z by values[0], values[1] and values[2].
+ */
+#define GUSSET_OPERATION_STRETCH 6
+
+/**
+ * Any affine map: three rows of four numbers, the fourth of each the displacement.
+ */
+#define GUSSET_OPERATION_MATRIX 7
+
+/**
+ * A violation: the ends of contracted link `element` are apart, or one of them is missing.
+ */
+#define GUSSET_NET_FINDING_LINK_APART 0
+
+/**
+ * A violation: two nodes that seam `element` glues are apart, or one of them is missing.
+ */
+#define GUSSET_NET_FINDING_SEAM_APART 1
+
+/**
+ * A warning: the ends of link `element`, between neighbours, are one point by way of others, and it is not contracted itself: see
+ * gusset_net_saturate.
+ */
+#define GUSSET_NET_FINDING_LOOP 2
+
+/**
+ * A warning: the ends of link `element` lie on each other and are not glued.
+ */
+#define GUSSET_NET_FINDING_ZERO_LENGTH 3
+
+/**
+ * A warning: link `element` closes a row or column of fewer than four nodes, which has no inside then.
+ */
+#define GUSSET_NET_FINDING_FEW_NODES 4
 
 /**
  * The report's index means nothing.
@@ -3193,6 +4785,11 @@ typedef struct gusset_winged_view {
  * A byte of a stream.
  */
 #define GUSSET_ELEMENT_BYTE 19
+
+/**
+ * One of the operations, fields or gluings that were given.
+ */
+#define GUSSET_ELEMENT_ITEM 21
 
 /**
  * A place along the side of a net; the value is a distance.
@@ -3955,12 +5552,24 @@ gusset_status gusset_net_clone(const struct gusset_context *context,
                                struct gusset_net **copy);
 
 /**
+ * Makes a copy of a net, with its gluing and its bridges, with coordinates of another type. scalar: GUSSET_F32 or GUSSET_F64. converted:
+ * receives it, for gusset_net_destroy; NULL on failure. From double to float coordinates are rounded, and nodes whose coordinates
+ * are too large for it become missing. Errors: UNKNOWN_VALUE, OUT_OF_MEMORY. O(nodes). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_convert_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        uint32_t scalar,
+                                        struct gusset_net **converted);
+
+/**
  * Destroys a net; NULL is allowed.
  */
 GUSSET_API void gusset_net_destroy(struct gusset_net *net);
 
 /**
- * Lends size and coordinates to be read, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
+ * Lends size and coordinates to be read only, as copies may share them, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
  * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
  */
 GUSSET_API
@@ -3989,6 +5598,347 @@ GUSSET_MUST_USE
 gusset_status gusset_net_read(const struct gusset_context *context,
                               const struct gusset_net *net,
                               const struct gusset_net_arrays *arrays);
+
+/**
+ * Compares a net after a deformation with what it was before: what is newly glued, torn, folded over, stretched.
+ *
+ * before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are
+ * none. analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * OUT_OF_RANGE, SIDES_DIFFER (other sizes), CROSSING_CELL with the cell (what is newly glued is no surface),
+ * OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From any thread. Source: Deryagin, soft and hard deformations;
+ * links are measured, as a zero of the Jacobian neither follows from gluing nor implies it.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_analyse_create(const struct gusset_context *context,
+                                        const struct gusset_net *before,
+                                        const struct gusset_net *after,
+                                        double tolerance,
+                                        struct gusset_net_analysis **analysis);
+
+/**
+ * The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
+ * count, time: as for gusset_net_deform, and its errors too. Also 8 bytes a cell, and a copy of the net.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_analyse_fields_create(const struct gusset_context *context,
+                                               const struct gusset_net *net,
+                                               const struct gusset_field *fields,
+                                               size_t count,
+                                               double time,
+                                               double tolerance,
+                                               struct gusset_net_analysis **analysis);
+
+/**
+ * Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_analysis_view(const struct gusset_net_analysis *analysis,
+                                       struct gusset_net_analysis_parts *parts);
+
+/**
+ * Destroys an analysis; NULL is allowed.
+ */
+GUSSET_API void gusset_net_analysis_destroy(struct gusset_net_analysis *analysis);
+
+/**
+ * Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what
+ * they are: follow it with gusset_net_snap.
+ *
+ * links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT,
+ * SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
+ * O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_absorb(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const uint32_t *links,
+                                size_t count);
+
+/**
+ * The net within row_count rows from row_first on and column_count columns from column_first on: coordinates bit for bit, the links
+ * and runs of seams within it, the bridges that cross it. Links that lead back are within it if all rows, or all columns, are.
+ * part: receives it, for gusset_net_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, NET_TOO_SMALL (a count below 2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made
+ * opposite corners one), OUT_OF_MEMORY, CANCELLED. O(nodes of the part), and O(contracted links).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_part_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     size_t row_first,
+                                     size_t row_count,
+                                     size_t column_first,
+                                     size_t column_count,
+                                     struct gusset_net **part);
+
+/**
+ * The net with rows and columns exchanged. The surface stays as it is in space, and so do its normals: faces are taken the other
+ * way round from then on. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_transpose_create(const struct gusset_context *context,
+                                          const struct gusset_net *net,
+                                          struct gusset_net **transposed);
+
+/**
+ * The net with the last column first (GUSSET_DIRECTION_RIGHT), or the last row (GUSSET_DIRECTION_DOWN). Normals stay, as for
+ * gusset_net_transpose_create. Errors: as there, UNKNOWN_VALUE. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_flip_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     gusset_direction direction,
+                                     struct gusset_net **flipped);
+
+/**
+ * The net turned by quarters: after one, the last column is the first row; any number, negative ones turn back. Errors: as
+ * gusset_net_transpose_create. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_turn_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     int32_t quarters,
+                                     struct gusset_net **turned);
+
+/**
+ * A larger net that is the same surface: rows and columns are replicated, and the links between copies contracted. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (fewer rows or columns than there are, an index
+ * beyond the net), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(nodes). Source: Deryagin, "Reformatting".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_reformat_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         const struct gusset_reformat_options *options,
+                                         struct gusset_net **reformatted);
+
+/**
+ * The net without the rows and columns that are the one before them again: links between the two all contracted, coordinates and
+ * links along them the same. The inverse of gusset_net_reformat_create for nets that had none. Two of each are left, and those that
+ * a bridge ends on. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_compact_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        struct gusset_net **compacted);
+
+/**
+ * Makes missing every node of which a coordinate is `value`, the number that stands for what a scanner did not see. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_clear_no_data(const struct gusset_context *context,
+                                       struct gusset_net *net,
+                                       double value);
+
+/**
+ * Finds out what surface a net is once glued nodes are one. What it finds is no error.
+ *
+ * cells: GUSSET_NET_CELLS_... complex: receives the result, for gusset_net_complex_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, TOO_LARGE (2^31 edges of one face), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of what belongs to each
+ * glued node; linear extra memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_complex_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        gusset_net_cells cells,
+                                        struct gusset_net_complex **complex);
+
+/**
+ * Lends what is known of a complex. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_complex_view(const struct gusset_net_complex *complex,
+                                      struct gusset_net_complex_report *report);
+
+/**
+ * Destroys a complex; NULL is allowed.
+ */
+GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *complex);
+
+/**
+ * Moves all nodes of a net by fields, the first one first, in one pass over the memory: shaping, animation and
+ * projection.
+ *
+ * fields: `count` of them. time: for fields with keys; a net is deformed from what it is now, so that animations
+ * deform a copy of the net at rest. The fields work in double; the result is rounded once. Fields of strength 0 do
+ * nothing at all, to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay missing.
+ * Whatever the error, no node is moved. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis, easing),
+ * OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * O(nodes x fields), twice that if a field is not defined everywhere. The same bits for any number of threads.
+ * Sources: Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_deform(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const struct gusset_field *fields,
+                                size_t count,
+                                double time);
+
+/**
+ * Moves all nodes of a net by a function of the caller's, then makes glued nodes equal as gusset_net_snap does.
+ *
+ * map: called on this thread, from the first node to the last, each time for consecutive nodes: as many as a row or a
+ * few thousand. user: passed on. If it stops, the status is CANCELLED and what was done stays done. Errors:
+ * NULL_ARGUMENT (map), OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_deform_rows(const struct gusset_context *context,
+                                     struct gusset_net *net,
+                                     gusset_rows_fn map,
+                                     void *user);
+
+/**
+ * Moves every node of a net along its normal by `distance`, which may be negative; glued nodes stay together, nodes
+ * without a normal stay. Errors: NULL_ARGUMENT, OUT_OF_RANGE (distance), OUT_OF_MEMORY, CANCELLED. O(nodes), and as
+ * much memory as the coordinates take.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_displace(const struct gusset_context *context,
+                                  struct gusset_net *net,
+                                  double distance);
+
+/**
+ * Gives all nodes that are glued to each other the position of the first of them, bit for bit. moved: receives how
+ * many nodes got other bits; may be NULL. Errors: NULL_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) if the net is glued
+ * along its sides alone, else O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_snap(const struct gusset_context *context,
+                              struct gusset_net *net,
+                              uint64_t *moved);
+
+/**
+ * Glues nodes of a net; positions stay what they are. gluings: count of them, done as a whole or not at all; at any alignment. On failure the net
+ * is as it was. Errors: UNKNOWN_VALUE (kind, mask, reserved), OUT_OF_RANGE (a mask above 15), NO_SUCH_ELEMENT (the link, node or
+ * cell), BAD_SEAM (its place among the gluings), CROSSING_CELL with the cell (both pairs of opposite corners would be glued: the nineteenth
+ * local gluing, which no surface allows), OUT_OF_MEMORY. O(nodes + glued pairs). Source: Deryagin, "Local gluings of nodes".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_glue(const struct gusset_context *context,
+                              struct gusset_net *net,
+                              const struct gusset_gluing *gluings,
+                              size_t count);
+
+/**
+ * Unglues pairs of nodes: their links are free, and seams that have them are cut there. Nodes that are still glued by way of others stay
+ * one point; pairs that are not glued are left alone. gluings, count: as for gusset_net_glue.
+ *
+ * separation: 0, or how far apart what becomes separate is moved, in the unit of the coordinates: each piece of a point that falls
+ * apart moves by half of it towards the mean of its neighbours (of those that do not fall apart themselves, if there are any);
+ * one without neighbours, or in the middle of them, stays. moved: receives the number of pieces that moved; NULL if it is not wanted.
+ * On failure the net is as it was. Errors: as gusset_net_glue, OUT_OF_RANGE (a separation that is no finite number from 0 on). O(nodes), and a
+ * sort of the pairs.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_unglue(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                const struct gusset_gluing *gluings,
+                                size_t count,
+                                double separation,
+                                size_t *moved);
+
+/**
+ * Contracts every link whose ends are one point already, by way of others, and drops seams that links then say: the canonical form, in which nets that
+ * glue the same neighbours have the same matrix. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_saturate(const struct gusset_context *context,
+                                  struct gusset_net *net);
+
+/**
+ * Writes for each node the smallest node that is the same point. classes: room for capacity numbers, of which rows * columns are written;
+ * written: receives that number. NULL and 0 ask for it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (nothing is written but
+ * the number), OUT_OF_MEMORY. O(nodes); 4 bytes a node. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_classes(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 uint32_t *classes,
+                                 size_t capacity,
+                                 size_t *written);
+
+/**
+ * Finds the points that are several nodes. groups: receives the result, for gusset_net_groups_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(rows + columns) for a net that its sides describe, else O(nodes); and a sort of
+ * the glued nodes.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_groups_create(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       struct gusset_net_groups **groups);
+
+/**
+ * Lends the groups: group k is members[offsets[k]] up to members[offsets[k + 1]], without the latter; its nodes are in order, and groups are in the
+ * order of their first nodes. offsets.count is one more than the number of groups. Valid until the groups are destroyed. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_groups_view(const struct gusset_net_groups *groups,
+                                     struct gusset_indices *offsets,
+                                     struct gusset_indices *members);
+
+/**
+ * Destroys groups; NULL is allowed.
+ */
+GUSSET_API void gusset_net_groups_destroy(struct gusset_net_groups *groups);
+
+/**
+ * The local gluing at a node: which of its links have become a point. cyclic: 0, or 1 to count links that lead back to the first row or
+ * column too. found: receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * UNKNOWN_VALUE, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for all. Source: Deryagin, Fig. 4.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_classify_node(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       uint32_t node,
+                                       uint32_t cyclic,
+                                       gusset_gluing_type *found);
+
+/**
+ * What a cell has become. found: receives one of GUSSET_TYPE_..., or GUSSET_TYPE_NONE for a quad. Errors and complexity: as
+ * gusset_net_classify_node.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_classify_cell(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       uint32_t cell,
+                                       gusset_gluing_type *found);
+
+/**
+ * Counts the local gluings of a net by type. nodes, cells: receive 18 numbers each, how many nodes (without links that lead back) and how many
+ * cells have each type; NULL for what is not wanted. Errors: NULL_ARGUMENT (net), MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(nodes); 4 bytes a node.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_histogram(const struct gusset_context *context,
+                                   const struct gusset_net *net,
+                                   uint64_t *nodes,
+                                   uint64_t *cells);
 
 /**
  * Glues a net otherwise; positions stay what they are. gluing: NULL for a sheet; it replaces what was glued. On failure the net is as it was.
@@ -4033,6 +5983,653 @@ gusset_status gusset_net_seams(const struct gusset_net *net,
                                struct gusset_seam *seams,
                                size_t capacity,
                                size_t *written);
+
+/**
+ * Joins nets side by side to one, in one pass. Each net keeps what it is glued to: links that led back across the direction become
+ * seams. Its bridges are kept; each net but the first gets a new one, between it and the one before, behind its own. All can be undone:
+ * see gusset_net_split.
+ *
+ * nets: net_count handles, at least one, of one scalar type; the same one may come several times. options: NULL for the defaults.
+ * joined: receives the result, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no
+ * nets), BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER (sizes that are not to be
+ * equalised; or sides to be welded that are apart: the report has the place and the distance), OUT_OF_RANGE (tolerance; a twist of an
+ * open side), CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(nodes of the result); memory for it, and once more for nets that
+ * are enlarged, turned or flipped. Source: Deryagin, "Concatenation".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_concatenate_create(const struct gusset_context *context,
+                                            const struct gusset_net *const *nets,
+                                            size_t net_count,
+                                            const struct gusset_join_options *options,
+                                            struct gusset_net **joined);
+
+/**
+ * Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as they were joined, unless they were
+ * changed since; copies that were made to equalise sizes are removed. Of a net that was joined of joined ones, the last bridge is
+ * such a one; take nets apart in the reverse order of joining. What is glued across the bridge is cut. first, second: receive the
+ * nets, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such bridge, or it
+ * is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_split(const struct gusset_context *context,
+                               const struct gusset_net *net,
+                               size_t bridge,
+                               struct gusset_net **first,
+                               struct gusset_net **second);
+
+/**
+ * The number of bridges of a net. count: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_bridge_count(const struct gusset_net *net,
+                                      size_t *count);
+
+/**
+ * A bridge of a net. bridge: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT.
+ * O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_bridge(const struct gusset_net *net,
+                                size_t index,
+                                struct gusset_bridge *bridge);
+
+/**
+ * Does something else with the cells of a bridge, and gives it other properties.
+ *
+ * mode: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD. tolerance: how far nodes that are welded may be apart, at least 0.
+ * properties: NULL leaves them. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER
+ * with the place and the distance, CROSSING_CELL, OUT_OF_MEMORY; the net is then as it was. O(nodes) if welding begins or ends, or if
+ * the net is shared with a copy or a scene; else O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_set_bridge(const struct gusset_context *context,
+                                    struct gusset_net *net,
+                                    size_t index,
+                                    gusset_bridge_mode mode,
+                                    double tolerance,
+                                    const struct gusset_bridge_properties *properties);
+
+/**
+ * Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there.
+ * measures: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY,
+ * CANCELLED. O(nodes), no memory. From any thread; the same bits for any number of threads. Volumes are exact for the
+ * bilinear patches of the cells (divergence theorem).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_measure(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 struct gusset_measures *measures);
+
+/**
+ * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for
+ * the bilinear patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten
+ * times the work.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_moments(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 struct gusset_moments *moments);
+
+/**
+ * Tells how plane the cells of a net are: whether it can be clad with plane quads.
+ *
+ * tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each
+ * cell, how far its corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for
+ * triangles and less, NaN for cells that are not there. capacity: its size; NULL and 0 if it is not wanted. written:
+ * receives the number of cells. summary: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), 8 bytes a cell.
+ * From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_planarity(const struct gusset_context *context,
+                                   const struct gusset_net *net,
+                                   double tolerance,
+                                   double *cells,
+                                   size_t capacity,
+                                   size_t *written,
+                                   struct gusset_planarity *summary);
+
+/**
+ * Makes the mesh of a net. Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so that
+ * closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh without faces is no failure.
+ *
+ * options: NULL for the defaults. mesh: receives the result, for gusset_net_mesh_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED. O(nodes), and
+ * O(w log w) for w cells whose opposite sides are glued.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_mesh_create(const struct gusset_context *context,
+                                     const struct gusset_net *net,
+                                     const struct gusset_net_mesh_options *options,
+                                     struct gusset_net_mesh **mesh);
+
+/**
+ * Destroys the mesh of a net; NULL is allowed.
+ */
+GUSSET_API void gusset_net_mesh_destroy(struct gusset_net_mesh *mesh);
+
+/**
+ * Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_mesh_view(const struct gusset_net_mesh *mesh,
+                                   struct gusset_mesh_view *view);
+
+/**
+ * Lends what became what. Errors and validity as for gusset_net_mesh_view.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_mesh_parts(const struct gusset_net_mesh *mesh,
+                                    struct gusset_net_mesh_maps *maps);
+
+/**
+ * Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin + height. Missing heights become
+ * missing nodes; faces are counter-clockwise from above, whichever way rows and columns run.
+ *
+ * net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ * NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (spacing, origin), OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_from_heights_create(const struct gusset_context *context,
+                                             const struct gusset_heights *heights,
+                                             struct gusset_net **net);
+
+/**
+ * Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of triangles round a pole at its first
+ * and last row, or either. Rows run as the first quad says, and round if only one direction is closed.
+ *
+ * mesh: see gusset_mesh_view. face: a face of the component that is meant; UINT32_MAX: the mesh must be one grid. grid: receives the
+ * result, for gusset_net_grid_destroy; NULL on failure. Errors: those of the view, NO_GRID with a face that shows it,
+ * OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and vertices of degree d.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_grid_create(const struct gusset_context *context,
+                                     const struct gusset_mesh_view *mesh,
+                                     uint32_t face,
+                                     struct gusset_net_grid **grid);
+
+/**
+ * Destroys a grid; NULL is allowed.
+ */
+GUSSET_API void gusset_net_grid_destroy(struct gusset_net_grid *grid);
+
+/**
+ * The net that was found. net: receives it, for gusset_net_destroy; it outlives the grid. NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_grid_net(const struct gusset_context *context,
+                                  const struct gusset_net_grid *grid,
+                                  struct gusset_net **net);
+
+/**
+ * Lends where the net was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_grid_view(const struct gusset_net_grid *grid,
+                                   struct gusset_net_grid_parts *parts);
+
+/**
+ * Computes the unit normal of every node of a net.
+ *
+ * x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row
+ * after row without gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each
+ * has room for. without: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
+ * cells have no area or cancel out; may be NULL. Columns go with the fingers of the right hand towards rows, and the
+ * normal with the thumb; the other way for nets that are reversed. Nodes that are glued get the same bits, poles and
+ * seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there decide.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are
+ * filled in part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any
+ * number of threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_normals(const struct gusset_context *context,
+                                 const struct gusset_net *net,
+                                 void *x,
+                                 void *y,
+                                 void *z,
+                                 size_t capacity,
+                                 uint64_t *without);
+
+/**
+ * Makes a net of a standard shape, centred at the origin, its axis along z.
+ *
+ * Nodes that are one point have the same bits; closed surfaces have their faces counter-clockwise seen from outside. primitive: what is
+ * wanted. net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE,
+ * OUT_OF_RANGE (a measure that is not positive or beyond the scalar type, too few rows, columns, sides or cells), TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
+ * CANCELLED. O(nodes); 12 or 24 bytes a node, and 1/4 for boxes. Source: Deryagin, "Closures of nets".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_primitive_create(const struct gusset_context *context,
+                                          const struct gusset_net_primitive *primitive,
+                                          struct gusset_net **net);
+
+/**
+ * Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last
+ * ones stay, and new nodes that fall on old ones have their bits.
+ *
+ * net: glued along whole sides only, without bridges; the new one is glued in the same way, glued nodes have equal
+ * bits. interpolation: one of GUSSET_INTERPOLATION_... resampled: receives the net, for gusset_net_destroy; NULL on
+ * failure. Errors: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED.
+ * O(nodes of both). From any thread; the same bits for any number of threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_resample_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         size_t rows,
+                                         size_t columns,
+                                         gusset_interpolation interpolation,
+                                         struct gusset_net **resampled);
+
+/**
+ * Makes a net of the rows and columns of another that matter most: rows, and then columns, are left out, always the
+ * one whose loss costs least, as long as the tolerance allows.
+ *
+ * net: glued along whole sides only, without bridges. tolerance: at least 0, may be infinite; nodes are at most half
+ * of it away from the segments that replace their columns, and as much from those that replace their rows. rows,
+ * columns: receive the indices of what was kept, as many as the new net has; each has room for as many as the old net
+ * has; NULL if not wanted. deviation: receives what was reached; may be NULL. decimated: receives the net; NULL on
+ * failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. About
+ * O(nodes x log rows). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_decimate_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         double tolerance,
+                                         uint32_t *rows,
+                                         uint32_t *columns,
+                                         double *deviation,
+                                         struct gusset_net **decimated);
+
+/**
+ * Makes nets of 2^k + 1 rows and columns, for levels of detail: the finest first, each of the others every second row
+ * and column of the one before, bit for bit.
+ *
+ * net: glued along whole sides only, without bridges; if its sizes are 2^k + 1 already, the first level is a copy,
+ * else it is resampled to the next sizes. interpolation: as for gusset_net_resample_create. levels: receives the nets,
+ * each for gusset_net_destroy; all NULL on failure. capacity: how many it has room for; GUSSET_PYRAMID_LEVELS is
+ * always enough. count: receives how many there are, also with BUFFER_TOO_SMALL. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, BUFFER_TOO_SMALL, TOO_LARGE, GLUED_INSIDE, OUT_OF_MEMORY, CANCELLED. O(nodes),
+ * memory for 4/3 of the first. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_pyramid_create(const struct gusset_context *context,
+                                        const struct gusset_net *net,
+                                        gusset_interpolation interpolation,
+                                        struct gusset_net **levels,
+                                        size_t capacity,
+                                        size_t *count);
+
+/**
+ * Makes an empty scene. scene: receives it, for gusset_scene_destroy. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_create(const struct gusset_context *context,
+                                  struct gusset_scene **scene);
+
+/**
+ * Destroys a scene; NULL is allowed. O(entries), at any depth.
+ */
+GUSSET_API void gusset_scene_destroy(struct gusset_scene *scene);
+
+/**
+ * Adds a net, in no group yet, as it is now: what is done to the handle later does not change the scene. entry: receives its index.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_add_net(const struct gusset_context *context,
+                                   struct gusset_scene *scene,
+                                   const struct gusset_net *net,
+                                   uint32_t *entry);
+
+/**
+ * Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. Errors: NO_SUCH_ELEMENT
+ * with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_set_net(const struct gusset_context *context,
+                                   struct gusset_scene *scene,
+                                   uint32_t entry,
+                                   const struct gusset_net *net);
+
+/**
+ * Adds an empty group, in no group yet. entry: receives its index. Errors: as gusset_scene_add_net. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_add_group(const struct gusset_context *context,
+                                     struct gusset_scene *scene,
+                                     uint32_t *entry);
+
+/**
+ * Puts an entry into a group, behind what is in it; again, if it is in it already. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * NO_SUCH_ELEMENT (no such entry, or group is a net), SCENE_CYCLE, OUT_OF_MEMORY. O(1) for an entry without children or a group
+ * in no group; at most O(entries below the one or above the other, whichever are fewer).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_add_child(const struct gusset_context *context,
+                                     struct gusset_scene *scene,
+                                     uint32_t group,
+                                     uint32_t child);
+
+/**
+ * Takes an entry out of a group: the first one, if it is in it several times. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * NO_SUCH_ELEMENT, also if it is not in the group. O(children of the group + groups of the child).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_remove_child(const struct gusset_context *context,
+                                        struct gusset_scene *scene,
+                                        uint32_t group,
+                                        uint32_t child);
+
+/**
+ * Removes an entry from the scene and from all groups; what was in a group stays. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * NO_SUCH_ELEMENT. O(children of its groups + groups of its children).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_remove(const struct gusset_context *context,
+                                  struct gusset_scene *scene,
+                                  uint32_t entry);
+
+/**
+ * Places an entry in the space of the groups that it is in. transform: twelve finite numbers. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_RANGE. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_set_transform(const struct gusset_context *context,
+                                         struct gusset_scene *scene,
+                                         uint32_t entry,
+                                         const struct gusset_transform *transform);
+
+/**
+ * Shows an entry (1), or hides it and all that is in it (0). Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
+ * UNKNOWN_VALUE. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_set_visible(const struct gusset_context *context,
+                                       struct gusset_scene *scene,
+                                       uint32_t entry,
+                                       uint32_t visible);
+
+/**
+ * What an entry is. out: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1).
+ * From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_entry_view(const struct gusset_scene *scene,
+                                      uint32_t entry,
+                                      struct gusset_scene_entry *out);
+
+/**
+ * The net of an entry, as a handle that shares its memory until it is changed. net: receives it, for gusset_net_destroy; NULL on
+ * failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a group. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_net(const struct gusset_context *context,
+                               const struct gusset_scene *scene,
+                               uint32_t entry,
+                               struct gusset_net **net);
+
+/**
+ * The entries in a group, in order. children: room for capacity indices, or NULL with capacity 0 to ask for their number. written:
+ * receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a net, BUFFER_TOO_SMALL. O(children).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_children(const struct gusset_context *context,
+                                    const struct gusset_scene *scene,
+                                    uint32_t group,
+                                    uint32_t *children,
+                                    size_t capacity,
+                                    size_t *written);
+
+/**
+ * How much is in a scene. counts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY.
+ * O(entries + children), however many instances there are. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_count(const struct gusset_scene *scene,
+                                 struct gusset_scene_counts *counts);
+
+/**
+ * All instances and where they are: each behind the group that it is in, children in order.
+ *
+ * instances: room for capacity of them, or NULL with capacity 0 to ask for their number. written: receives it. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24, as sharing can make of few entries: refused
+ * before any is looked at), OUT_OF_MEMORY, CANCELLED. O(entries + instances).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_world_transforms(const struct gusset_context *context,
+                                            const struct gusset_scene *scene,
+                                            struct gusset_scene_instance *instances,
+                                            size_t capacity,
+                                            size_t *written);
+
+/**
+ * Joins the nets of all visible instances, where they are in the space of the scene, to one. Nets under transforms that mirror are
+ * flipped where the others would be opposed to them, as if options said turn. gusset_scene_unflatten_create is the inverse.
+ *
+ * options: NULL for each net below the one before, with hidden bridges. net: receives the result, for gusset_net_destroy; NULL on
+ * failure. Errors: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), and those of
+ * gusset_net_concatenate_create. O(entries + instances + nodes). Source: Deryagin, scenes as "a single whole".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_flatten_create(const struct gusset_context *context,
+                                          const struct gusset_scene *scene,
+                                          const struct gusset_join_options *options,
+                                          struct gusset_net **net);
+
+/**
+ * A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once: the inverse of
+ * gusset_scene_flatten_create, in one group (entry 0). Nets come back as they
+ * are in the space of the flat one, bit for bit; copies that were made to equalise sizes are removed. scene: receives it, for
+ * gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY,
+ * CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_scene_unflatten_create(const struct gusset_context *context,
+                                            const struct gusset_net *net,
+                                            gusset_direction direction,
+                                            struct gusset_scene **scene);
+
+/**
+ * Makes a stream of a net: its coordinates, what is glued to what, its bridges.
+ *
+ * options: NULL for 14 bits a coordinate. stream: receives the bytes, for gusset_stream_destroy; NULL on failure. QUANTISED and
+ * LOSSLESS do not store nodes that are glued to others; decoding gives them the same bits (LOSSLESS stores all if the net's
+ * differ). QUANTISED gives nodes with a coordinate that is NaN or infinite three NaN. Errors: UNKNOWN_VALUE, OUT_OF_RANGE (bits;
+ * QUANTISED: a coordinate above a quarter of the largest double), OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks coded by the
+ * context's threads; the same bytes for any number of them. From any thread. Method: linear prediction with weights fitted to
+ * each block, and a range coder with adaptive models.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_encode_create(const struct gusset_context *context,
+                                       const struct gusset_net *net,
+                                       const struct gusset_stream_options *options,
+                                       struct gusset_stream **stream);
+
+/**
+ * Lends the bytes of a stream, valid until it is destroyed. data, size: receive where they are and how many. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_view(const struct gusset_stream *stream,
+                                 const void **data,
+                                 size_t *size);
+
+/**
+ * Destroys a stream; NULL is allowed.
+ */
+GUSSET_API void gusset_stream_destroy(struct gusset_stream *stream);
+
+/**
+ * Reads the header of a stream. data: its first 128 bytes, or more; size: how many there are. info: its struct_size set. Errors:
+ * BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_inspect(const struct gusset_context *context,
+                                    const void *data,
+                                    size_t size,
+                                    struct gusset_stream_info *info);
+
+/**
+ * Makes the net of a stream. data: all its bytes, at any alignment; size: how many. net: receives the net, for gusset_net_destroy;
+ * NULL on failure. A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one of its size can
+ * need it: 4096 nodes a byte at most. Errors: BAD_STREAM with the byte, OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks decoded by
+ * the context's threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_decode_create(const struct gusset_context *context,
+                                       const void *data,
+                                       size_t size,
+                                       struct gusset_net **net);
+
+/**
+ * Begins to decode a stream that arrives in pieces. node_limit: a net of more nodes is refused, as its memory is taken before all of
+ * the stream is there; 0 for no limit but the library's, 2^31 - 1. decoder: receives the decoder, for gusset_stream_decoder_destroy;
+ * NULL on failure. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_decoder_create(const struct gusset_context *context,
+                                           uint64_t node_limit,
+                                           struct gusset_stream_decoder **decoder);
+
+/**
+ * Gives a decoder the next bytes of its stream, any number of them. rows_done: receives how many rows are complete, those of all
+ * blocks so far; NULL if it is not wanted. After a failure every call fails alike. Errors: BAD_STREAM with the byte, TOO_LARGE,
+ * OUT_OF_MEMORY. O(bytes + nodes of the blocks that they complete).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_decoder_push(const struct gusset_context *context,
+                                         struct gusset_stream_decoder *decoder,
+                                         const void *data,
+                                         size_t size,
+                                         size_t *rows_done);
+
+/**
+ * Makes the net of the rows that a decoder has so far, at least two: open on all sides, without gluing and bridges, for a preview.
+ * net: receives it. Errors: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_decoder_preview(const struct gusset_context *context,
+                                            const struct gusset_stream_decoder *decoder,
+                                            struct gusset_net **net);
+
+/**
+ * Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing had been pushed. net: receives it.
+ * Errors: BAD_STREAM if the stream is not complete, or what pushing failed with. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stream_decoder_finish(const struct gusset_context *context,
+                                           struct gusset_stream_decoder *decoder,
+                                           struct gusset_net **net);
+
+/**
+ * Destroys a decoder; NULL is allowed.
+ */
+GUSSET_API void gusset_stream_decoder_destroy(struct gusset_stream_decoder *decoder);
+
+/**
+ * Moves all nodes of a net by operations, the first one first, composed to one matrix and applied in one pass, in
+ * place.
+ *
+ * operations: `count` of them, at any alignment; 0 for none. The arithmetic is that of the net's scalar type; nodes
+ * that are glued and have equal bits keep them equal; missing nodes stay missing (and may lose coordinates that were finite). If the operations together mirror
+ * (odd numbers of reflections) the surface would be turned inside out: the net's flag `reversed` changes then, so that
+ * faces look outwards as before. A cancel is heard before the first node is moved; whatever the error, none is moved.
+ * Errors: NULL_ARGUMENT, UNKNOWN_VALUE (kind, axis), OUT_OF_RANGE (a number that is not finite, an axis of length 0, a
+ * product that overflows), FIELD_UNDEFINED with the first node that would overflow, SIZE_OVERFLOW, OUT_OF_MEMORY (a net that shares its memory), CANCELLED. O(nodes), no
+ * memory. The same bits for any number of threads. Source: Deryagin, T, R, S, C.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_transform(const struct gusset_context *context,
+                                   struct gusset_net *net,
+                                   const struct gusset_operation *operations,
+                                   size_t count);
+
+/**
+ * Checks that glued nodes lie together, and looks for what is suspicious. What it finds is no error.
+ *
+ * tolerance: how far two nodes may be apart, at least 0; for 0 their coordinates must be equal (0 and -0 are). Two missing nodes are no
+ * violation. validation: receives the result, for gusset_net_validate_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the findings. Source: Deryagin, "Non-spatial operations".
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_validate_create(const struct gusset_context *context,
+                                         const struct gusset_net *net,
+                                         double tolerance,
+                                         struct gusset_net_validation **validation);
+
+/**
+ * Lends the findings. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(log findings). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_validate_view(const struct gusset_net_validation *validation,
+                                       struct gusset_net_validation_report *report);
+
+/**
+ * Destroys a validation; NULL is allowed.
+ */
+GUSSET_API void gusset_net_validate_destroy(struct gusset_net_validation *validation);
+
+/**
+ * Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more nodes of its sides that do, forwards or backwards.
+ *
+ * It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are taken stays. tolerance: as for
+ * gusset_net_validate_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+ * CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the nodes of the sides.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_net_derive(const struct gusset_context *context,
+                                struct gusset_net *net,
+                                double tolerance);
 
 /**
  * Turns faces over until faces that share an edge of two faces run it in opposite directions.

@@ -12,8 +12,13 @@
 #include <gusset/curve.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/frame.hpp>
+#include <gusset/net.hpp>
+#include <gusset/net_mesh.hpp>
+#include <gusset/net_stream.hpp>
+#include <gusset/net_surface.hpp>
 #include <gusset/outline.hpp>
 #include <gusset/repair.hpp>
+#include <gusset/scene.hpp>
 #include <gusset/stitch.hpp>
 
 namespace gusset {

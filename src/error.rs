@@ -291,6 +291,13 @@ pub enum Error {
     },
     /// A scene without nets, where one is needed.
     EmptyScene,
+    /// A field of deformation is not defined at a node: the centre of a sphere, the plane of the eye of a projection.
+    FieldUndefined {
+        /// The first such node.
+        node: u32,
+    },
+    /// A net is glued elsewhere than along whole sides, or has bridges: rows and columns cannot be added or left out evenly.
+    GluedInside,
     /// An option is outside its range.
     OptionOutOfRange {
         /// The option's name.
@@ -359,9 +366,9 @@ impl fmt::Display for Error {
             Error::NoSuchPoint { constraint, point } => {
                 write!(f, "constraint {constraint} is on point {point}, which does not exist or comes earlier")
             }
-            Error::MixedScalars => {
-                f.write_str("mesh B has f64 positions and mesh A f32: exchange them, or convert one")
-            }
+            Error::MixedScalars => f.write_str(
+                "the inputs have coordinates of different types, where the result would round those of one: convert it",
+            ),
             Error::NoLoop { side } => {
                 write!(f, "mesh {side} has no boundary loop that can be stitched")
             }
@@ -415,6 +422,10 @@ impl fmt::Display for Error {
             Error::SceneCycle { entry } => write!(f, "entry {entry} of the scene would contain itself"),
             Error::NoSuchEntry { entry } => write!(f, "the scene has no entry {entry} of this kind"),
             Error::EmptyScene => f.write_str("the scene has no nets"),
+            Error::FieldUndefined { node } => {
+                write!(f, "at node {node} the field is not defined, or what it gives is too large")
+            }
+            Error::GluedInside => f.write_str("the net is glued elsewhere than along whole sides, or has bridges"),
             Error::OptionOutOfRange { option, value } => {
                 write!(f, "option {option} is out of range: {value}")
             }

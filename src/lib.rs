@@ -60,6 +60,7 @@ pub mod net;
 pub mod outline;
 mod par;
 pub mod repair;
+mod simd;
 pub mod stitch;
 pub mod winged;
 

@@ -10,7 +10,8 @@ use gusset::{Error, Job};
 use std::collections::HashSet;
 
 /// Ids are stable for ever: an entry may be added here, none changed or taken away.
-const IDS: &[&str] = &["boundary_loops", "stitch", "weld", "orient", "fill_holes", "assemble", "outline"];
+const IDS: &[&str] =
+    &["boundary_loops", "stitch", "weld", "orient", "fill_holes", "assemble", "outline", "net_shape", "deform"];
 
 /// Two caps that face each other askew: the inputs of any filter that takes meshes.
 fn pieces() -> [Soup; 2] {
@@ -34,9 +35,10 @@ fn curves() -> Curves {
 
 /// What a filter takes, as many as two.
 fn inputs_of<'a>(filter: &Filter, soups: &'a [Soup], curves: &'a Curves) -> Vec<Input<'a>> {
-    match filter.inputs[0] {
-        InputKind::Mesh => inputs(&soups[..filter.max_inputs.min(2)]),
-        InputKind::Curves => vec![Input::Curves(curves)],
+    match filter.inputs.first() {
+        None => Vec::new(),
+        Some(InputKind::Mesh) => inputs(&soups[..filter.max_inputs.min(2)]),
+        Some(InputKind::Curves) => vec![Input::Curves(curves)],
     }
 }
 
@@ -54,8 +56,11 @@ fn names_are_unique_stable_and_explained() {
         assert!(filter.help.len() > 40 && filter.help.ends_with('.') && !filter.help.contains("  "), "{}", filter.help);
         assert!(!filter.reference.is_empty() && !filter.category.is_empty() && !filter.name.is_empty());
         assert!(std::ptr::eq(Filter::find(filter.id).unwrap(), filter));
-        assert!(!filter.inputs.is_empty() && !filter.outputs.is_empty());
-        assert!(0 < filter.min_inputs && filter.min_inputs <= filter.max_inputs);
+        assert!(!filter.outputs.is_empty());
+        // A filter takes some meshes or curves, or nothing at all.
+        assert_eq!(filter.inputs.is_empty(), filter.max_inputs == 0);
+        assert_eq!(filter.inputs.is_empty(), filter.min_inputs == 0);
+        assert!(filter.min_inputs <= filter.max_inputs);
         let params: HashSet<_> = filter.params.iter().map(|p| p.id).collect();
         assert_eq!(params.len(), filter.params.len(), "{}", filter.id);
     }
@@ -130,7 +135,9 @@ fn values_and_inputs_out_of_range_are_refused() {
         let refused = |inputs: &[Input<'_>]| {
             matches!(filter.run(inputs, &[], &Job::default()), Err(Error::OptionOutOfRange { option: "inputs", .. }))
         };
-        assert!(refused(&[]) && refused(&vec![inputs[0]; filter.max_inputs + 1]), "{}", filter.id);
+        let any = Input::Mesh(soups[0].view());
+        let too_many = vec![*inputs.first().unwrap_or(&any); filter.max_inputs + 1];
+        assert!((filter.min_inputs == 0 || refused(&[])) && refused(&too_many), "{}", filter.id);
     }
 }
 

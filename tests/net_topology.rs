@@ -1,7 +1,11 @@
 //! Gluing: classes, reduced cells, and the forms that topologies are kept in.
 
+mod nets;
+
 use gusset::net::topology::{Links, Matrix, Run};
-use gusset::net::{Classes, Seam, Shape, Sides, Topology};
+use gusset::net::{Classes, Seam, Shape, Sides, Topology, closure};
+use nets::any_topology;
+use proptest::prelude::*;
 
 /// All 64 combinations of sides.
 fn all_sides() -> impl Iterator<Item = Sides> {
@@ -91,4 +95,57 @@ fn ones_of_the_paper_s_closures() {
     assert_eq!(ones(Sides::TWO_POLES), 33);
     assert_eq!(ones(Sides::TORUS), 22);
     assert_eq!(ones(Sides::ONE_POLE), 2 * 12 + 2 * 8);
+}
+
+proptest! {
+    /// The same classes, told node by node.
+    #[test]
+    fn saturated_is_one_for_equal_classes(topology in any_topology(2..7, 2..7)) {
+        let shape = topology.shape();
+        let table = Classes::of(&topology).unwrap().table().unwrap();
+        let node = |node: u32| {
+            let (i, j) = shape.place(node);
+            Run::along_row(i as u32, j as u32, 0)
+        };
+        let mut seams: Vec<Seam> = (0..).zip(&table).map(|(k, &class)| Seam { a: node(k), b: node(class), count: 1 }).collect();
+        let one_by_one = Topology::new(shape, Links::Sides(Sides::SHEET), &seams).unwrap();
+        // In chains: each node of a class with the one before it.
+        for k in 0..table.len() {
+            if let Some(before) = (0..k).rev().find(|&before| table[before] == table[k]) {
+                seams[k].b = node(before as u32);
+            }
+        }
+        let chains = Topology::new(shape, Links::Sides(Sides::SHEET), &seams).unwrap();
+        let saturated = topology.saturated().unwrap();
+        prop_assert_eq!(&Classes::of(&saturated).unwrap().table().unwrap(), &table);
+        prop_assert_eq!(&saturated.saturated().unwrap(), &saturated);
+        for other in [one_by_one, chains] {
+            prop_assert_eq!(&other.saturated().unwrap().with_reversed(saturated.is_reversed()), &saturated);
+        }
+    }
+}
+
+#[test]
+fn seams_in_one_form() {
+    let shape = Shape::new(4, 9).unwrap();
+    let of = |seams: &[Seam]| Topology::new(shape, Links::Sides(Sides::SHEET), seams).unwrap();
+    let seam =
+        |from: u32, count: u32| Seam { a: Run::along_row(0, from, 1), b: Run::along_row(3, 8 - from, -1), count };
+    // One of four pairs and two of two.
+    let (whole, halves) = (of(&[seam(0, 4)]), of(&[seam(0, 2), seam(2, 2)]));
+    assert_ne!(whole, halves);
+    assert_eq!(whole.saturated().unwrap(), halves.saturated().unwrap());
+    assert_eq!(whole.saturated().unwrap(), whole);
+    // p with q and q with r; p with r and r with q.
+    let at = |row: u32, column: u32| Run::along_row(row, column, 0);
+    let pair = |a: Run, b: Run| Seam { a, b, count: 1 };
+    let [p, q, r] = [at(0, 0), at(2, 4), at(3, 8)];
+    let [one, other] = [[pair(p, q), pair(q, r)], [pair(p, r), pair(r, q)]].map(|seams| of(&seams));
+    assert_eq!(one.saturated().unwrap(), other.saturated().unwrap());
+    // The same pair again and again is one.
+    assert_eq!(of(&[Seam { a: p, b: r, count: 7 }]), of(&[pair(p, r)]));
+    // Closures that turn a side round are one seam still.
+    for turned in [closure::moebius(shape).unwrap(), closure::klein(shape).unwrap()] {
+        assert_eq!(turned.saturated().unwrap().seams().len(), 1);
+    }
 }

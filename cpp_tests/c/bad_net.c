@@ -202,6 +202,65 @@ static void gluing(void) {
     gusset_net_destroy(net);
 }
 
+/* Column after column, as some hosts keep matrices; and the other scalar type. */
+static void other_orders_and_types(void) {
+    const double columns[3][6] = {{0, 0, 1, 1, 2, 2}, {0, 5, 0, 5, 0, 5}, {1e300, 0, 0, 0, 0, 0}};
+    double back[3][6];
+    gusset_net_arrays arrays = {sizeof arrays,       2, 3, (void *)(uintptr_t)columns[0], (void *)(uintptr_t)columns[1],
+                                (void *)(uintptr_t)columns[2], 8, 16, GUSSET_F64,        0},
+                      view = {0};
+    gusset_net *net = NULL, *single = NULL;
+
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    CHECK(((const double *)view.x)[2] == 2 && ((const double *)view.y)[3] == 5 && ((const double *)view.x)[5] == 2);
+    arrays.x = back[0], arrays.y = back[1], arrays.z = back[2];
+    EXPECT(GUSSET_OK, gusset_net_read(context, net, &arrays));
+    CHECK(memcmp(back, columns, sizeof back) == 0);
+    arrays.row_stride = 16;
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_read(context, net, &arrays));
+    EXPECT(GUSSET_OK, gusset_net_convert_create(context, net, GUSSET_F32, &single));
+    EXPECT(GUSSET_OK, gusset_net_view(single, &view));
+    CHECK(view.scalar == GUSSET_F32 && ((const float *)view.y)[3] == 5.0f && isinf(((const float *)view.z)[0]));
+    gusset_net_destroy(single);
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_convert_create(context, net, 0, &single));
+    CHECK(single == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_convert_create(context, NULL, GUSSET_F32, &single));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_convert_create(context, net, GUSSET_F32, NULL));
+    gusset_net_destroy(net);
+}
+
+/* What overflows is refused, and nothing is moved; what is cancelled leaves cleared outputs. */
+static void nothing_is_lost(void) {
+    gusset_net *net = net_of(NULL);
+    gusset_net_arrays before = {0}, after = {0};
+    gusset_operation far_away = {GUSSET_OPERATION_TRANSLATE, 0, {1e39}};
+    gusset_scene *scene = NULL;
+    uint64_t moved = 777;
+    uint32_t entry = 777;
+
+    before.struct_size = after.struct_size = sizeof before;
+    EXPECT(GUSSET_OK, gusset_net_view(net, &before));
+    EXPECT(GUSSET_ERROR_FIELD_UNDEFINED, gusset_net_transform(context, net, &far_away, 1));
+    far_away.values[0] = 1e37;
+    EXPECT(GUSSET_OK, gusset_net_transform(context, net, &far_away, 1));
+    EXPECT(GUSSET_OK, gusset_net_view(net, &after));
+    CHECK(((const float *)after.x)[3] == 1e37f);
+    EXPECT(GUSSET_OK, gusset_scene_create(context, &scene));
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_net_snap(context, net, &moved));
+    CHECK(moved == 0);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_scene_add_group(context, scene, &entry));
+    CHECK(entry == UINT32_MAX);
+    after.x = &moved;
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_net_edit(context, net, &after));
+    CHECK(after.x == NULL);
+    gusset_context_reset(context);
+    gusset_scene_destroy(scene);
+    gusset_net_destroy(net);
+}
+
 int main(void) {
     const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
     if (gusset_context_create(&context) != GUSSET_OK || up.face_count != down.face_count) {
@@ -212,6 +271,8 @@ int main(void) {
     borrowing();
     sharing();
     gluing();
+    other_orders_and_types();
+    nothing_is_lost();
     gusset_context_destroy(context);
     return failures != 0;
 }

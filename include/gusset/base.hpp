@@ -60,6 +60,8 @@ private:
 
 /// Vertex, face or half-edge indices.
 using Indices = Span<const uint32_t>;
+/// x, y, z.
+using Point3 = std::array<double, 3>;
 
 namespace detail {
 inline Indices indices(const gusset_indices &lent) { return {lent.data, lent.count}; }

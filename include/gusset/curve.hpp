@@ -8,8 +8,6 @@
 
 namespace gusset {
 
-/// x, y, z.
-using Point3 = std::array<double, 3>;
 /// A place on a curve.
 using Place = gusset_place;
 /// The place with parameter t, 0 to 1, on a segment.

@@ -2,74 +2,17 @@
 #ifndef GUSSET_NET_HPP
 #define GUSSET_NET_HPP
 
-#include <gusset/base.hpp>
+#include <gusset/net_field.hpp>
+#include <gusset/net_shape.hpp>
 
-#include <limits>
+#include <initializer_list>
 
 namespace gusset {
 
-/// What becomes of the four sides of a net; combine with |.
-enum class Sides : uint32_t {
-    sheet = GUSSET_SIDES_SHEET,
-    rows_closed = GUSSET_SIDES_ROWS_CLOSED,
-    columns_closed = GUSSET_SIDES_COLUMNS_CLOSED,
-    pole_top = GUSSET_SIDES_POLE_TOP,
-    pole_bottom = GUSSET_SIDES_POLE_BOTTOM,
-    pole_left = GUSSET_SIDES_POLE_LEFT,
-    pole_right = GUSSET_SIDES_POLE_RIGHT,
-    tube = GUSSET_SIDES_TUBE,
-    two_poles = GUSSET_SIDES_TWO_POLES,
-    one_pole = GUSSET_SIDES_ONE_POLE,
-    torus = GUSSET_SIDES_TORUS
-};
-constexpr Sides operator|(Sides a, Sides b) {
-    return static_cast<Sides>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
-}
-
-/// A run of nodes glued to another; see gusset_seam.
-using Seam = gusset_seam;
-
-/// What is glued to what; see gusset_net_gluing.
-struct Gluing {
-    Gluing() = default;
-    Gluing(Sides given) : sides(given) {}
-    explicit Gluing(Span<const Seam> given) : seams(given) {}
-
-    Sides sides = Sides::sheet;
-    /// 2 * rows rows of columns bytes, 0 or 1; empty: sides says it all.
-    Span<const uint8_t> matrix;
-    Span<const Seam> seams;
-    bool reversed = false;
-};
-
-/// One coordinate of all nodes of a net, in somebody else's memory.
-template <class T>
-class MatrixView {
-public:
-    MatrixView(T *data, std::size_t rows, std::size_t columns, std::size_t stride)
-        : data_(data), rows_(rows), columns_(columns), stride_(stride) {}
-
-    std::size_t rows() const noexcept { return rows_; }
-    std::size_t columns() const noexcept { return columns_; }
-    /// Numbers from row to row.
-    std::size_t stride() const noexcept { return stride_; }
-    T *data() const noexcept { return data_; }
-    Span<T> row(std::size_t i) const { return {data_ + i * stride_, columns_}; }
-    T &operator()(std::size_t i, std::size_t j) const { return data_[i * stride_ + j]; }
-
-private:
-    T *data_;
-    std::size_t rows_, columns_, stride_;
-};
-
-/// The coordinates of a net.
-template <class T>
-struct Coordinates {
-    MatrixView<T> x, y, z;
-};
+struct Decimated;
 
 /// A net: H x W nodes, and what is glued to what. Copies share memory until one of them is changed. Functions that are const may
-/// run at the same time in many threads.
+/// run at the same time in many threads. What makes another net leaves this one as it is.
 class Net {
 public:
     explicit Net(gusset_net *owned) : net_(owned) {}
@@ -89,16 +32,7 @@ public:
     template <class Points>
     static Net of_points(std::size_t rows, std::size_t columns, const Points &points, const Gluing &gluing = {},
                          const Context &context = Context()) {
-        using Point = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(points))>>;
-        using T = std::decay_t<decltype(std::declval<const Point &>()[0])>;
-        static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "points of float or double");
-        static_assert(sizeof(Point) >= 3 * sizeof(T), "three coordinates");
-        if (columns != 0 && (rows > std::size(points) / columns || rows * columns != std::size(points))) {
-            throw std::invalid_argument("gusset: the number of points is not rows * columns");
-        }
-        const T *data = reinterpret_cast<const T *>(std::data(points));
-        gusset_net_arrays arrays = of_pointers(rows, columns, data, data + 1, data + 2);
-        arrays.column_stride = sizeof(Point);
+        gusset_net_arrays arrays = of_container(rows, columns, points);
         return create(gusset_net_create, arrays, gluing, context);
     }
 
@@ -107,46 +41,81 @@ public:
     static Net of_matrices(std::size_t rows, std::size_t columns, const T *x, const T *y, const T *z, const Gluing &gluing = {},
                            std::size_t row_stride = 0, const Context &context = Context()) {
         gusset_net_arrays arrays = of_pointers(rows, columns, x, y, z);
-        arrays.row_stride = stride_in_bytes<T>(row_stride);
+        arrays.row_stride = detail::stride_in_bytes<T>(row_stride);
         return create(gusset_net_create, arrays, gluing, context);
     }
 
-    /// A net in the caller's own memory, which must outlive it and is changed with it; see gusset_net_borrow.
+    /// A net in the caller's own memory, which must outlive it and is changed with it; copies have memory of their own. See
+    /// gusset_net_borrow.
     template <class T>
     static Net borrow(std::size_t rows, std::size_t columns, T *x, T *y, T *z, const Gluing &gluing = {},
                       std::size_t row_stride = 0, const Context &context = Context()) {
+        static_assert(!std::is_const_v<T>, "a net changes its coordinates");
         gusset_net_arrays arrays = of_pointers(rows, columns, x, y, z);
-        arrays.row_stride = stride_in_bytes<T>(row_stride);
+        arrays.row_stride = detail::stride_in_bytes<T>(row_stride);
         return create(gusset_net_borrow, arrays, gluing, context);
+    }
+
+    /// A net of a standard shape.
+    static Net of_shape(const Shape &shape, const Context &context = Context()) {
+        const gusset_net_primitive given = shape.get();
+        return made(context, [&](gusset_context *c, gusset_net **net) { return gusset_net_primitive_create(c, &given, net); });
+    }
+
+    /// A net of heights over a grid, floats or doubles, row after row; those that are missing become missing nodes.
+    template <class T>
+    static Net of_heights(std::size_t rows, std::size_t columns, const T *heights, const HeightOptions &options = {},
+                          const Context &context = Context()) {
+        static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "heights of float or double");
+        gusset_heights given{};
+        given.struct_size = sizeof given;
+        given.rows = rows;
+        given.columns = columns;
+        given.values = heights;
+        given.row_stride = detail::stride_in_bytes<T>(options.row_stride);
+        std::memcpy(given.spacing, options.spacing.data(), sizeof given.spacing);
+        std::memcpy(given.origin, options.origin.data(), sizeof given.origin);
+        given.no_data = options.no_data.value_or(0.0);
+        given.has_no_data = options.no_data ? 1 : 0;
+        given.scalar = scalar_of<T>();
+        return made(context, [&](gusset_context *c, gusset_net **net) { return gusset_net_from_heights_create(c, &given, net); });
     }
 
     std::size_t rows() const { return view().rows; }
     std::size_t columns() const { return view().columns; }
-    std::size_t node_count() const { return rows() * columns(); }
+    std::size_t node_count() const {
+        const gusset_net_arrays arrays = view();
+        return arrays.rows * arrays.columns;
+    }
     /// True for double, false for float.
     bool is_double() const { return view().scalar == GUSSET_F64; }
 
     /// The coordinates, to be read, valid until the net is changed. T: float or double, whichever the net has.
     template <class T>
-    Coordinates<const T> coordinates() const {
+    Coordinates<const T> coordinates() const & {
         return matrices<const T>(view());
     }
-    /// The same, to be written, valid until the next call with this net.
     template <class T>
-    Coordinates<T> edit() {
+    Coordinates<const T> coordinates() const && = delete;
+    /// The same, to be written, valid until the next call with this net. Nodes that are glued must be kept equal: see snap.
+    template <class T>
+    Coordinates<T> edit() & {
+        require<T>(view());
         gusset_net_arrays arrays{};
         arrays.struct_size = sizeof arrays;
         detail::check(gusset_net_edit(nullptr, get(), &arrays));
         return matrices<T>(arrays);
     }
+    template <class T>
+    Coordinates<T> edit() && = delete;
     /// Node (i, j), whatever the type.
-    std::array<double, 3> at(std::size_t i, std::size_t j) const {
+    Point3 at(std::size_t i, std::size_t j) const {
         const gusset_net_arrays arrays = view();
         if (i >= arrays.rows || j >= arrays.columns) {
             throw std::out_of_range("gusset: no such node");
         }
         const std::size_t offset = i * arrays.row_stride + j * arrays.column_stride;
-        std::array<double, 3> node;
+        Point3 node{};
         const void *from[3] = {arrays.x, arrays.y, arrays.z};
         for (std::size_t k = 0; k < 3; ++k) {
             const char *number = static_cast<const char *>(from[k]) + offset;
@@ -159,6 +128,32 @@ public:
             }
         }
         return node;
+    }
+    /// A copy of all nodes, row after row. Point: as for of_points, of floats or doubles whichever the net has.
+    template <class Point = Point3>
+    std::vector<Point> points(const Context &context = Context()) const {
+        std::vector<Point> out(node_count());
+        gusset_net_arrays arrays = of_container(rows(), columns(), out);
+        context.call([&](gusset_context *c) { return gusset_net_read(c, get(), &arrays); });
+        return out;
+    }
+    /// Copies the coordinates to the caller's matrices, of as many rows and columns.
+    template <class T>
+    void read(const Coordinates<T> &out, const Context &context = Context()) const {
+        static_assert(!std::is_const_v<T>, "to be written");
+        const auto like_x = [&](const MatrixView<T> &other) {
+            return other.rows() == out.x.rows() && other.columns() == out.x.columns() && other.stride() == out.x.stride();
+        };
+        if (!like_x(out.y) || !like_x(out.z)) {
+            throw std::invalid_argument("gusset: matrices of different sizes");
+        }
+        gusset_net_arrays arrays = of_pointers(out.x.rows(), out.x.columns(), out.x.data(), out.y.data(), out.z.data());
+        arrays.row_stride = detail::stride_in_bytes<T>(out.x.stride());
+        context.call([&](gusset_context *c) { return gusset_net_read(c, get(), &arrays); });
+    }
+    /// Makes missing every node of which a coordinate is `value`.
+    void clear_no_data(double value, const Context &context = Context()) {
+        context.call([&](gusset_context *c) { return gusset_net_clear_no_data(c, get(), value); });
     }
 
     /// The sides, if they say all about the links.
@@ -174,13 +169,13 @@ public:
     }
     /// The characteristic matrix: 2 * rows rows of columns bytes.
     std::vector<uint8_t> matrix() const {
-        return filled<uint8_t>([&](uint8_t *out, std::size_t capacity, std::size_t *written) {
-            return gusset_net_matrix(get(), out, capacity, written);
+        return detail::filled<uint8_t>([&](uint8_t *out, std::size_t capacity, std::size_t *written) {
+            detail::check(gusset_net_matrix(get(), out, capacity, written));
         });
     }
     std::vector<Seam> seams() const {
-        return filled<Seam>([&](Seam *out, std::size_t capacity, std::size_t *written) {
-            return gusset_net_seams(get(), out, capacity, written);
+        return detail::filled<Seam>([&](Seam *out, std::size_t capacity, std::size_t *written) {
+            detail::check(gusset_net_seams(get(), out, capacity, written));
         });
     }
     /// Glues otherwise; positions stay what they are.
@@ -188,6 +183,186 @@ public:
         const gusset_net_gluing given = as_c(gluing, view());
         context.call([&](gusset_context *c) { return gusset_net_set_gluing(c, get(), &given); });
     }
+    /// Glues as the coordinates tell; see gusset_net_derive.
+    void derive(double tolerance = 0.0, const Context &context = Context()) {
+        context.call([&](gusset_context *c) { return gusset_net_derive(c, get(), tolerance); });
+    }
+    /// Glues nodes, all or none; positions stay what they are.
+    void glue(Span<const LocalGluing> gluings, const Context &context = Context()) {
+        context.call([&](gusset_context *c) { return gusset_net_glue(c, get(), gluings.data(), gluings.size()); });
+    }
+    void glue(const LocalGluing &gluing, const Context &context = Context()) { glue({&gluing, 1}, context); }
+    void glue(std::initializer_list<LocalGluing> gluings, const Context &context = Context()) {
+        glue({gluings.begin(), gluings.size()}, context);
+    }
+    /// Unglues pairs of nodes, and moves what becomes separate apart; returns how many pieces moved. See gusset_net_unglue.
+    std::size_t unglue(Span<const LocalGluing> gluings, double separation = 0.0, const Context &context = Context()) {
+        std::size_t moved = 0;
+        context.call([&](gusset_context *c) {
+            return gusset_net_unglue(c, get(), gluings.data(), gluings.size(), separation, &moved);
+        });
+        return moved;
+    }
+    std::size_t unglue(const LocalGluing &gluing, double separation = 0.0, const Context &context = Context()) {
+        return unglue({&gluing, 1}, separation, context);
+    }
+    std::size_t unglue(std::initializer_list<LocalGluing> gluings, double separation = 0.0,
+                       const Context &context = Context()) {
+        return unglue({gluings.begin(), gluings.size()}, separation, context);
+    }
+    /// Contracts links by their numbers, such as Analysis::contracted; follow it with snap.
+    void absorb(Indices links, const Context &context = Context()) {
+        context.call([&](gusset_context *c) { return gusset_net_absorb(c, get(), links.data(), links.size()); });
+    }
+    /// Contracts every link whose ends are one point already.
+    void saturate(const Context &context = Context()) {
+        context.call([&](gusset_context *c) { return gusset_net_saturate(c, get()); });
+    }
+    /// Gives glued nodes the position of the first of them; returns how many nodes got other bits.
+    uint64_t snap(const Context &context = Context()) {
+        uint64_t moved = 0;
+        context.call([&](gusset_context *c) { return gusset_net_snap(c, get(), &moved); });
+        return moved;
+    }
+    /// For each node the smallest node that is the same point.
+    std::vector<uint32_t> classes(const Context &context = Context()) const {
+        std::vector<uint32_t> out(node_count());
+        std::size_t written = 0;
+        context.call([&](gusset_context *c) { return gusset_net_classes(c, get(), out.data(), out.size(), &written); });
+        return out;
+    }
+    /// The local gluing at a node, if any. cyclic: links that lead back to the first row or column count too.
+    std::optional<GluingType> classify_node(uint32_t node, bool cyclic = false, const Context &context = Context()) const {
+        gusset_gluing_type found = GUSSET_TYPE_NONE;
+        context.call([&](gusset_context *c) { return gusset_net_classify_node(c, get(), node, cyclic ? 1 : 0, &found); });
+        return type(found);
+    }
+    /// What a cell has become, if it is no quad.
+    std::optional<GluingType> classify_cell(uint32_t cell, const Context &context = Context()) const {
+        gusset_gluing_type found = GUSSET_TYPE_NONE;
+        context.call([&](gusset_context *c) { return gusset_net_classify_cell(c, get(), cell, &found); });
+        return type(found);
+    }
+    Histogram histogram(const Context &context = Context()) const {
+        Histogram found{};
+        context.call(
+            [&](gusset_context *c) { return gusset_net_histogram(c, get(), found.nodes.data(), found.cells.data()); });
+        return found;
+    }
+
+    /// A copy with coordinates of another type.
+    Net converted(Scalar scalar, const Context &context = Context()) const {
+        return made(context, [&](gusset_context *c, gusset_net **out) {
+            return gusset_net_convert_create(c, get(), static_cast<uint32_t>(scalar), out);
+        });
+    }
+    /// The net within some rows and columns.
+    Net part(std::size_t row_first, std::size_t row_count, std::size_t column_first, std::size_t column_count,
+             const Context &context = Context()) const {
+        return made(context, [&](gusset_context *c, gusset_net **out) {
+            return gusset_net_part_create(c, get(), row_first, row_count, column_first, column_count, out);
+        });
+    }
+    Net transposed(const Context &context = Context()) const {
+        return made(context, [&](gusset_context *c, gusset_net **out) { return gusset_net_transpose_create(c, get(), out); });
+    }
+    /// The last column first, or the last row.
+    Net flipped(Direction direction, const Context &context = Context()) const {
+        return made(context, [&](gusset_context *c, gusset_net **out) {
+            return gusset_net_flip_create(c, get(), static_cast<gusset_direction>(direction), out);
+        });
+    }
+    Net turned(int32_t quarters, const Context &context = Context()) const {
+        return made(context,
+                    [&](gusset_context *c, gusset_net **out) { return gusset_net_turn_create(c, get(), quarters, out); });
+    }
+    /// A larger net that is the same surface.
+    Net reformatted(const ReformatOptions &options, const Context &context = Context()) const {
+        const gusset_reformat_options given = detail::as_c(options);
+        return made(context, [&](gusset_context *c, gusset_net **out) {
+            return gusset_net_reformat_create(c, get(), &given, out);
+        });
+    }
+    /// The inverse: without rows and columns that are the one before them again.
+    Net compacted(const Context &context = Context()) const {
+        return made(context, [&](gusset_context *c, gusset_net **out) { return gusset_net_compact_create(c, get(), out); });
+    }
+    Net resampled(std::size_t rows, std::size_t columns, Interpolation interpolation = Interpolation::bicubic,
+                  const Context &context = Context()) const {
+        return made(context, [&](gusset_context *c, gusset_net **out) {
+            return gusset_net_resample_create(c, get(), rows, columns, static_cast<gusset_interpolation>(interpolation), out);
+        });
+    }
+    /// The rows and columns that matter most.
+    Decimated decimated(double tolerance, const Context &context = Context()) const;
+    /// Nets of 2^k + 1 rows and columns, the finest first; see gusset_net_pyramid_create.
+    std::vector<Net> pyramid(Interpolation interpolation = Interpolation::bicubic, const Context &context = Context()) const;
+
+    std::size_t bridge_count() const {
+        std::size_t count = 0;
+        detail::check(gusset_net_bridge_count(get(), &count));
+        return count;
+    }
+    Bridge bridge(std::size_t index) const;
+    /// properties: nothing leaves them.
+    void set_bridge(std::size_t index, BridgeMode mode, double tolerance = 0.0,
+                    const std::optional<BridgeProperties> &properties = std::nullopt, const Context &context = Context()) {
+        context.call([&](gusset_context *c) {
+            return gusset_net_set_bridge(c, get(), index, static_cast<gusset_bridge_mode>(mode), tolerance,
+                                         properties ? &*properties : nullptr);
+        });
+    }
+    /// The nets on both sides of a bridge, as they were joined; see gusset_net_split.
+    std::pair<Net, Net> split(std::size_t bridge, const Context &context = Context()) const;
+
+    /// Moves all nodes by operations, the first one first.
+    void transform(Span<const Operation> operations, const Context &context = Context()) {
+        context.call([&](gusset_context *c) { return gusset_net_transform(c, get(), operations.data(), operations.size()); });
+    }
+    void transform(const Operation &operation, const Context &context = Context()) { transform({&operation, 1}, context); }
+    void transform(std::initializer_list<Operation> operations, const Context &context = Context()) {
+        transform({operations.begin(), operations.size()}, context);
+    }
+    /// Moves all nodes by fields, the first one first. time: for fields with keys.
+    void deform(Span<const Field> fields, double time = 0.0, const Context &context = Context()) {
+        const std::vector<gusset_field> given = detail::as_c(fields);
+        context.call([&](gusset_context *c) { return gusset_net_deform(c, get(), given.data(), given.size(), time); });
+    }
+    void deform(const Field &field, double time = 0.0, const Context &context = Context()) { deform({&field, 1}, time, context); }
+    void deform(std::initializer_list<Field> fields, double time = 0.0, const Context &context = Context()) {
+        deform({fields.begin(), fields.size()}, time, context);
+    }
+    /// Moves consecutive nodes, from node `first` on, by writing to the spans; returns false to stop. May throw: the exception
+    /// comes out of the call. It must use neither the net nor the context.
+    template <class T>
+    using MoveNodes = std::function<bool(std::size_t first, Span<T> x, Span<T> y, Span<T> z)>;
+    /// Moves all nodes by a function, then makes glued nodes equal. T: float or double, whichever the net has. What was done
+    /// before a stop or an exception stays done.
+    template <class T>
+    void deform_rows(const MoveNodes<T> &move, const Context &context = Context());
+    /// Moves every node along its normal.
+    void displace(double distance, const Context &context = Context()) {
+        context.call([&](gusset_context *c) { return gusset_net_displace(c, get(), distance); });
+    }
+
+    /// Area, volume, box.
+    gusset_measures measure(const Context &context = Context()) const {
+        gusset_measures found{};
+        found.struct_size = sizeof found;
+        context.call([&](gusset_context *c) { return gusset_net_measure(c, get(), &found); });
+        return found;
+    }
+    /// Volume, centroid, tensor of inertia.
+    gusset_moments moments(const Context &context = Context()) const {
+        gusset_moments found{};
+        found.struct_size = sizeof found;
+        context.call([&](gusset_context *c) { return gusset_net_moments(c, get(), &found); });
+        return found;
+    }
+    Planarity planarity(double tolerance = 0.0, const Context &context = Context()) const;
+    /// T: float or double, whichever the net has.
+    template <class T>
+    Normals<T> normals(const Context &context = Context()) const;
 
     gusset_net *get() const noexcept { return net_.get(); }
 
@@ -196,6 +371,19 @@ private:
         void operator()(gusset_net *net) const noexcept { gusset_net_destroy(net); }
     };
 
+    template <class Function>
+    static Net made(const Context &context, Function &&function) {
+        gusset_net *created = nullptr;
+        context.call([&](gusset_context *c) { return function(c, &created); });
+        return Net(created);
+    }
+    template <class T>
+    static constexpr uint32_t scalar_of() {
+        return std::is_same_v<std::remove_const_t<T>, double> ? GUSSET_F64 : GUSSET_F32;
+    }
+    static std::optional<GluingType> type(gusset_gluing_type found) {
+        return found == GUSSET_TYPE_NONE ? std::nullopt : std::optional<GluingType>(static_cast<GluingType>(found));
+    }
     gusset_net_arrays view() const {
         gusset_net_arrays arrays{};
         arrays.struct_size = sizeof arrays;
@@ -203,10 +391,14 @@ private:
         return arrays;
     }
     template <class T>
-    static Coordinates<T> matrices(const gusset_net_arrays &arrays) {
-        if ((arrays.scalar == GUSSET_F64) != std::is_same_v<std::remove_const_t<T>, double>) {
+    static void require(const gusset_net_arrays &arrays) {
+        if (arrays.scalar != scalar_of<T>()) {
             throw std::invalid_argument("gusset: the net has coordinates of the other type");
         }
+    }
+    template <class T>
+    static Coordinates<T> matrices(const gusset_net_arrays &arrays) {
+        require<T>(arrays);
         const auto one = [&](void *data) {
             return MatrixView<T>(static_cast<T *>(data), arrays.rows, arrays.columns, arrays.row_stride / sizeof(T));
         };
@@ -219,17 +411,26 @@ private:
         arrays.struct_size = sizeof arrays;
         arrays.rows = rows;
         arrays.columns = columns;
-        // Only gusset_net_borrow writes there, and it is given what may be written.
+        // Only gusset_net_borrow and gusset_net_read write there, and they are given what may be written.
         arrays.x = const_cast<T *>(x);
         arrays.y = const_cast<T *>(y);
         arrays.z = const_cast<T *>(z);
-        arrays.scalar = std::is_same_v<T, double> ? GUSSET_F64 : GUSSET_F32;
+        arrays.scalar = scalar_of<T>();
         return arrays;
     }
-    template <class T>
-    static std::size_t stride_in_bytes(std::size_t stride) {
-        return stride > std::numeric_limits<std::size_t>::max() / sizeof(T) ? std::numeric_limits<std::size_t>::max()
-                                                                            : stride * sizeof(T);
+    template <class Points>
+    static gusset_net_arrays of_container(std::size_t rows, std::size_t columns, const Points &points) {
+        using Point = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(points))>>;
+        using T = std::decay_t<decltype(std::declval<const Point &>()[0])>;
+        static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "points of float or double");
+        static_assert(sizeof(Point) >= 3 * sizeof(T), "three coordinates");
+        if (columns != 0 && (rows > std::size(points) / columns || rows * columns != std::size(points))) {
+            throw std::invalid_argument("gusset: the number of points is not rows * columns");
+        }
+        const T *data = reinterpret_cast<const T *>(std::data(points));
+        gusset_net_arrays arrays = of_pointers(rows, columns, data, data + 1, data + 2);
+        arrays.column_stride = sizeof(Point);
+        return arrays;
     }
     static gusset_net_gluing as_c(const Gluing &gluing, const gusset_net_arrays &arrays) {
         const std::size_t bytes = gluing.matrix.size();
@@ -248,24 +449,21 @@ private:
     template <class Function>
     static Net create(Function function, const gusset_net_arrays &arrays, const Gluing &gluing, const Context &context) {
         const gusset_net_gluing given = as_c(gluing, arrays);
-        gusset_net *created = nullptr;
-        context.call([&](gusset_context *c) { return function(c, &arrays, &given, &created); });
-        return Net(created);
-    }
-    template <class T, class Function>
-    static std::vector<T> filled(Function &&function) {
-        std::size_t count = 0;
-        detail::check(function(nullptr, 0, &count));
-        std::vector<T> out(count);
-        if (count != 0) {
-            detail::check(function(out.data(), count, &count));
-        }
-        return out;
+        return made(context, [&](gusset_context *c, gusset_net **created) { return function(c, &arrays, &given, created); });
     }
 
     std::unique_ptr<gusset_net, Destroy> net_;
 };
 
+/// The net that was left, its rows and columns among the old ones, and how far it deviates.
+struct Decimated {
+    Net net;
+    std::vector<uint32_t> rows, columns;
+    double deviation;
+};
+
 } // namespace gusset
+
+#include <gusset/net_members.hpp>
 
 #endif // GUSSET_NET_HPP

@@ -80,6 +80,25 @@ pub(super) fn results<'a, T: bytemuck::Pod>(
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
+/// A buffer of the caller's for `count` handles.
+pub(super) fn handles<'a, T>(
+    pointer: *mut *mut T,
+    count: usize,
+    name: &'static str,
+) -> Result<&'a mut [*mut T], Failure> {
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    aligned(pointer, name)?;
+    bytes(pointer.cast_const().cast(), count, size_of::<*mut T>(), name)?;
+    // SAFETY: not NULL, aligned, at most isize::MAX bytes; that it has room for so many is the caller's promise. They are
+    // written before they are read.
+    Ok(unsafe {
+        pointer.write_bytes(0, count);
+        std::slice::from_raw_parts_mut(pointer, count)
+    })
+}
+
 /// Frees what a `_create` function gave out; NULL is allowed.
 pub(super) fn destroy<T>(handle: *mut T) {
     // A destructor cannot fail; should one panic, the host must not see it.

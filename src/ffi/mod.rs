@@ -13,6 +13,11 @@
 //! | [`stitch_options`] | how to stitch |
 //! | [`outline`], [`outline_options`], [`frame`] | curves through points, and across and along a body |
 //! | [`net`], [`net_gluing`] | the handle of a net and its coordinates; what is glued to what |
+//! | [`net_glue`], [`net_complex`], [`net_validate`], [`net_primitive`] | gluing by hand and its types, surfaces, checks, shapes |
+//! | [`net_transform`], [`net_field`], [`net_analyse`] | how nets are moved and deformed, and what that does to them |
+//! | [`net_normals`], [`net_measure`], [`net_resample`] | normals, areas and volumes, other sizes |
+//! | [`net_arrange`], [`net_join`] | nets arranged anew; nets joined and taken apart |
+//! | [`net_mesh`], [`net_scene`], [`net_stream`] | nets to meshes and back; nets in groups; nets as bytes |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -40,7 +45,22 @@ mod guard;
 mod input;
 pub mod mesh;
 pub mod net;
+pub mod net_analyse;
+pub mod net_arrange;
+pub mod net_complex;
+pub mod net_field;
+pub mod net_glue;
 pub mod net_gluing;
+pub mod net_join;
+pub mod net_measure;
+pub mod net_mesh;
+pub mod net_normals;
+pub mod net_primitive;
+pub mod net_resample;
+pub mod net_scene;
+pub mod net_stream;
+pub mod net_transform;
+pub mod net_validate;
 pub mod orient;
 pub mod outline;
 pub mod outline_options;

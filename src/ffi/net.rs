@@ -19,7 +19,8 @@ use std::sync::Arc;
 pub struct gusset_net(Arc<Net<'static>>);
 
 /// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
-/// x, y, z one after the other are matrices whose column_stride is three numbers.
+/// x, y, z one after the other are matrices whose column_stride is three numbers; matrices kept by columns have a row_stride of one
+/// number and a column_stride of a column.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct gusset_net_arrays {
@@ -117,19 +118,26 @@ struct Layout {
 
 impl Layout {
     fn of(shape: Shape, arrays: &gusset_net_arrays, size: usize) -> Result<Self, Failure> {
-        let column = if arrays.column_stride == 0 { size } else { arrays.column_stride };
-        let width = (shape.columns() - 1).checked_mul(column).and_then(|n| n.checked_add(size));
-        let row = if arrays.row_stride == 0 { shape.columns().checked_mul(column) } else { Some(arrays.row_stride) };
-        let span = row.zip(width).and_then(|(row, width)| (shape.rows() - 1).checked_mul(row)?.checked_add(width));
-        let (Some(row), Some(width), Some(span)) = (row, width, span.filter(|&span| span <= isize::MAX as usize))
-        else {
-            return Err(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 }.into());
+        let overflow = || Failure::from(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 });
+        let extent = |count: usize, stride: usize, each: usize| {
+            (count - 1).checked_mul(stride).and_then(|n| n.checked_add(each)).ok_or_else(overflow)
         };
-        if column < size || row < width {
-            let (stride, least) = if column < size { (column, size) } else { (row, width) };
-            return Err(Error::StrideTooSmall { stride: stride as u64, least: least as u64 }.into());
-        }
-        Ok(Layout { row, column, span })
+        let column = if arrays.column_stride == 0 { size } else { arrays.column_stride };
+        let row = match arrays.row_stride {
+            0 => shape.columns().checked_mul(column).ok_or_else(overflow)?,
+            given => given,
+        };
+        // Rows one after the other, or columns one after the other: numbers must not overlap.
+        let (width, height) = (extent(shape.columns(), column, size)?, extent(shape.rows(), row, size)?);
+        let (stride, least) = if column < size || row < size {
+            (column.min(row), size)
+        } else if row < width && column < height {
+            (row, width)
+        } else {
+            let span = extent(shape.rows(), row, width)?;
+            return if span <= isize::MAX as usize { Ok(Layout { row, column, span }) } else { Err(overflow()) };
+        };
+        Err(Error::StrideTooSmall { stride: stride as u64, least: least as u64 }.into())
     }
 
     /// Where number (i, j) begins.
@@ -272,6 +280,20 @@ pub unsafe extern "C" fn gusset_net_clone(
     create(context, copy, "copy", |_| Ok(gusset_net::of_shared(input::reference(net, "net")?.share()?)))
 }
 
+/// Makes a copy of a net, with its gluing and its bridges, with coordinates of another type. scalar: GUSSET_F32 or GUSSET_F64. converted:
+/// receives it, for gusset_net_destroy; NULL on failure. From double to float coordinates are rounded, and nodes whose coordinates
+/// are too large for it become missing. Errors: UNKNOWN_VALUE, OUT_OF_MEMORY. O(nodes). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_convert_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    scalar: u32,
+    converted: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, converted, "converted", |_| Ok(gusset_net::new(read(net)?.converted(self::scalar(scalar)?)?)))
+}
+
 /// Destroys a net; NULL is allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
@@ -303,7 +325,7 @@ fn lend_all(net: &Net<'_>) -> gusset_net_arrays {
     each!(net.coordinates(), planes => lend(planes, scalar))
 }
 
-/// Lends size and coordinates to be read, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
+/// Lends size and coordinates to be read only, as copies may share them, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
 /// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -325,8 +347,9 @@ pub unsafe extern "C" fn gusset_net_edit(
     net: *mut gusset_net,
     arrays: *mut gusset_net_arrays,
 ) -> gusset_status {
+    let out = input::output_struct(arrays, "arrays");
     guard(context, |_| {
-        let out = input::output_struct(arrays, "arrays")?;
+        let out = out?;
         let net = edit(net)?;
         let mut lent = lend_all(net);
         // The pointers must come from where they may be written through.

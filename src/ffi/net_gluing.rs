@@ -116,21 +116,25 @@ pub(super) fn sides_bits(sides: Sides) -> gusset_sides {
         | bit(sides.pole_right, GUSSET_SIDES_POLE_RIGHT)
 }
 
+/// A seam of the caller's.
+pub(super) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
+    if seam.reserved != 0 {
+        return Err(Failure::unknown("reserved", seam.reserved.into()));
+    }
+    let run = |row, column, row_step, column_step| Run { row, column, row_step, column_step };
+    Ok(Seam {
+        a: run(seam.row_a, seam.column_a, seam.row_step_a, seam.column_step_a),
+        b: run(seam.row_b, seam.column_b, seam.row_step_b, seam.column_step_b),
+        count: seam.count,
+    })
+}
+
 /// Seams of the caller's, at any alignment.
 pub(super) fn seams(data: *const gusset_seam, count: usize) -> Result<Vec<Seam>, Failure> {
     let bytes = input::bytes(data.cast(), count, size_of::<gusset_seam>(), "seams")?;
     let mut seams = alloc::with_capacity(count)?;
     for bytes in bytes.chunks_exact(size_of::<gusset_seam>()) {
-        let seam: gusset_seam = bytemuck::pod_read_unaligned(bytes);
-        let run = |row, column, row_step, column_step| Run { row, column, row_step, column_step };
-        if seam.reserved != 0 {
-            return Err(Failure::unknown("reserved", seam.reserved.into()));
-        }
-        seams.push(Seam {
-            a: run(seam.row_a, seam.column_a, seam.row_step_a, seam.column_step_a),
-            b: run(seam.row_b, seam.column_b, seam.row_step_b, seam.column_step_b),
-            count: seam.count,
-        });
+        seams.push(seam(&bytemuck::pod_read_unaligned(bytes))?);
     }
     Ok(seams)
 }

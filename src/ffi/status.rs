@@ -92,6 +92,10 @@ pub enum gusset_status {
     GUSSET_ERROR_SCENE_CYCLE = 1306,
     /// A scene without nets.
     GUSSET_ERROR_EMPTY_SCENE = 1307,
+    /// A field of deformation is not defined at a node.
+    GUSSET_ERROR_FIELD_UNDEFINED = 1320,
+    /// A net is glued elsewhere than along whole sides, or has bridges.
+    GUSSET_ERROR_GLUED_INSIDE = 1321,
     /// Memory could not be had.
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
     /// The host cancelled.
@@ -140,6 +144,8 @@ pub const GUSSET_ELEMENT_BRIDGE: gusset_element = 17;
 pub const GUSSET_ELEMENT_ENTRY: gusset_element = 18;
 /// A byte of a stream.
 pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
+/// One of the operations, fields or gluings that were given.
+pub const GUSSET_ELEMENT_ITEM: gusset_element = 21;
 /// A place along the side of a net; the value is a distance.
 pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;
 
@@ -174,6 +180,14 @@ impl Failure {
     pub(super) fn no_such(what: &'static str, index: usize) -> Self {
         let message = format!("there is no {what} {index}");
         Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
+    }
+
+    /// The same failure, of item `index` of an array of the caller's, unless it is about an element already.
+    pub(super) fn of_item(self, index: usize) -> Self {
+        match self.element {
+            GUSSET_ELEMENT_NONE => Failure { element: GUSSET_ELEMENT_ITEM, index: index as u64, ..self },
+            _ => self,
+        }
     }
 
     /// The same failure, of input mesh `input`.
@@ -258,6 +272,8 @@ impl From<Error> for Failure {
             Error::BadStream { byte, .. } => (GUSSET_ERROR_BAD_STREAM, GUSSET_ELEMENT_BYTE, byte, 0.0),
             Error::SceneCycle { entry } => at(GUSSET_ERROR_SCENE_CYCLE, GUSSET_ELEMENT_ENTRY, entry),
             Error::EmptyScene => none(GUSSET_ERROR_EMPTY_SCENE),
+            Error::FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node),
+            Error::GluedInside => none(GUSSET_ERROR_GLUED_INSIDE),
             Error::OptionOutOfRange { value, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, value),
             Error::OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Error::Cancelled => none(GUSSET_ERROR_CANCELLED),
@@ -290,10 +306,10 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         6 => c"the buffer is too small",
         7 => c"the context is in use",
         8 => c"there is no such element",
-        9 => c"the position stride is too small",
+        9 => c"a stride does not fit",
         10 => c"exactly one of face_offsets and face_size must be given",
         11 => c"arrays overlap",
-        1000 => c"the mesh is too large",
+        1000 => c"an input is too large",
         1001 => c"an array exceeds the address space",
         1002 => c"the mesh is empty",
         1003 => c"offsets are not monotone from 0 to their elements",
@@ -323,6 +339,8 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         1305 => c"the stream is damaged",
         1306 => c"a group would contain itself",
         1307 => c"the scene has no nets",
+        1320 => c"field not defined at a node",
+        1321 => c"glued elsewhere than along sides",
         2000 => c"out of memory",
         2001 => c"cancelled",
         9999 => c"internal error",

@@ -14,7 +14,9 @@ pub mod param;
 
 mod assemble;
 mod boundary_loops;
+mod deform;
 mod fill_holes;
+mod net_shape;
 mod orient;
 mod outline;
 mod stitch;
@@ -39,7 +41,7 @@ pub struct Filter {
     pub help: &'static str,
     /// Where the method comes from.
     pub reference: &'static str,
-    /// What each input is; the last kind repeats.
+    /// What each input is; the last kind repeats. None for filters that make something of nothing.
     pub inputs: &'static [InputKind],
     /// The least number of inputs.
     pub min_inputs: usize,
@@ -66,6 +68,8 @@ pub static FILTERS: &[Filter] = &[
     fill_holes::FILTER,
     assemble::FILTER,
     outline::FILTER,
+    net_shape::FILTER,
+    deform::FILTER,
 ];
 
 impl Filter {

@@ -161,6 +161,9 @@ impl<'a> Net<'a> {
     }
 
     /// True if the cell at (i, j) is there: its four nodes have finite coordinates, and no hidden bridge has it.
+    /// A node that is missing takes nothing from the nodes that are glued to it: their cells are there, and the vertex is
+    /// where the first of its nodes is that is not missing. [`Complex::of`](super::complex::Complex::of) and
+    /// [`Net::to_mesh`] hold to this.
     pub fn is_present(&self, i: usize, j: usize) -> bool {
         let corners = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
         corners.into_iter().all(|(i, j)| self.get(i, j).is_finite()) && !self.is_hidden(i, j)
@@ -171,6 +174,30 @@ impl<'a> Net<'a> {
         self.bridges.iter().any(|bridge| bridge.is_hidden() && bridge.has_cell(i, j))
     }
 
+    /// A copy with coordinates of a type, with the same gluing and the same bridges. From double to single precision they are
+    /// rounded: glued nodes stay equal. What is too large becomes infinite, and the node missing.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn converted(&self, scalar: Scalar) -> Result<Net<'static>> {
+        fn planes<A: Real, B: Real>(from: &Planes<'_, A>) -> Result<Planes<'static, B>> {
+            let mut to = Planes::zeroed(from.shape())?;
+            for i in 0..from.shape().rows() {
+                for (to, from) in to.row_mut(i).into_iter().zip(from.row(i)) {
+                    to.iter_mut().zip(from).for_each(|(to, &from)| *to = B::of(from.into()));
+                }
+            }
+            Ok(to)
+        }
+        let coordinates = match scalar {
+            _ if scalar == self.coordinates.scalar() => self.coordinates.copied()?,
+            Scalar::F32 => Coordinates::F32(each!(&self.coordinates, from => planes(from)?)),
+            Scalar::F64 => Coordinates::F64(each!(&self.coordinates, from => planes(from)?)),
+        };
+        let bridges = alloc::collect(self.bridges.iter().cloned())?;
+        Ok(Net { coordinates, topology: self.topology.copied()?, bridges })
+    }
+
     /// A copy in memory of ours.
     ///
     /// # Errors
@@ -178,7 +205,7 @@ impl<'a> Net<'a> {
     pub fn copied(&self) -> Result<Net<'static>> {
         Ok(Net {
             coordinates: self.coordinates.copied()?,
-            topology: self.topology.clone(),
+            topology: self.topology.copied()?,
             bridges: alloc::collect(self.bridges.iter().cloned())?,
         })
     }

@@ -4,6 +4,10 @@ use super::{Real, Shape};
 use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;
+use std::ops::Range;
+
+/// Numbers that are written at a time by [`Planes::written`].
+const WRITTEN: usize = 1 << 13;
 
 /// A cache line, so that what we allocate begins on one.
 #[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -34,6 +38,37 @@ impl<'a, T: Real> Planes<'a, T> {
     pub fn zeroed(shape: Shape) -> Result<Self> {
         let each = (shape.node_count() * size_of::<T>()).div_ceil(size_of::<Line>());
         Ok(Planes { shape, stride: shape.columns(), store: Store::Own { lines: alloc::zeroed(3 * each)?, each } })
+    }
+
+    /// Matrices in memory of ours, of which each number is written once: X, Y and Z (0, 1, 2) in turn, some rows at a time.
+    ///
+    /// Memory that was used before and is given out again would have to be zeroed for [`Planes::zeroed`], which takes as long
+    /// as copying to it. Here rows go through a buffer that stays in the cache.
+    pub(crate) fn written(shape: Shape, mut write: impl FnMut(usize, Range<usize>, &mut [T])) -> Result<Self> {
+        let (rows, columns, per_line) = (shape.rows(), shape.columns(), size_of::<Line>() / size_of::<T>());
+        let each = shape.node_count().div_ceil(per_line);
+        let height = (WRITTEN / columns).clamp(1, rows);
+        let mut lines: Vec<Line> = alloc::with_capacity(3 * each)?;
+        let mut buffer: Vec<Line> = alloc::zeroed((height * columns + per_line - 1).div_ceil(per_line))?;
+        for axis in 0..3 {
+            // The numbers at the start of the buffer that do not fill a line yet.
+            let mut held = 0;
+            for first in (0..rows).step_by(height) {
+                let range = first..rows.min(first + height);
+                let end = held + range.len() * columns;
+                write(axis, range, &mut bytemuck::cast_slice_mut(&mut buffer)[held..end]);
+                let full = end / per_line;
+                lines.extend_from_slice(&buffer[..full]);
+                held = end % per_line;
+                if held > 0 {
+                    buffer[0] = buffer[full];
+                }
+            }
+            if held > 0 {
+                lines.push(buffer[0]);
+            }
+        }
+        Ok(Planes { shape, stride: columns, store: Store::Own { lines, each } })
     }
 
     /// Matrices of the host's, read and written in place. `stride`: numbers from row to row, 0 for rows without gaps. The last

@@ -25,6 +25,9 @@ pub trait Real:
     /// The name of the type.
     const SCALAR: Scalar;
 
+    /// The greatest finite number.
+    const GREATEST: f64;
+
     /// Rounds to this type.
     fn of(value: f64) -> Self;
 
@@ -41,6 +44,7 @@ mod sealed {
 
 impl Real for f32 {
     const SCALAR: Scalar = Scalar::F32;
+    const GREATEST: f64 = f32::MAX as f64;
 
     #[inline(always)]
     fn of(value: f64) -> Self {
@@ -55,6 +59,7 @@ impl Real for f32 {
 
 impl Real for f64 {
     const SCALAR: Scalar = Scalar::F64;
+    const GREATEST: f64 = f64::MAX;
 
     #[inline(always)]
     fn of(value: f64) -> Self {

@@ -93,6 +93,14 @@ impl Shape {
         [node, end]
     }
 
+    /// The links between two nodes; there are two of them only where two rows or columns are all.
+    pub(crate) fn links_between(self, [a, b]: [u32; 2]) -> impl Iterator<Item = u32> {
+        [2 * a, 2 * a + 1, 2 * b, 2 * b + 1].into_iter().filter(move |&link| {
+            let ends = self.ends(link);
+            ends == [a, b] || ends == [b, a]
+        })
+    }
+
     /// True for a link between neighbours, false for one that leads back to the first column or row.
     pub fn is_inner(self, link: u32) -> bool {
         let (i, j) = self.place(link / 2);

@@ -3,7 +3,7 @@
 use super::{Links, Topology};
 use crate::alloc;
 use crate::error::Result;
-use crate::net::{Shape, Sides};
+use crate::net::{Matrix, Shape, Sides};
 
 /// The classes of glued nodes. The representative of a class is its smallest node.
 #[derive(Debug, Clone)]
@@ -31,12 +31,11 @@ impl Classes {
             return Ok(Classes { shape, kind: Kind::Sides(SideClasses::new(shape, *sides)) });
         }
         let mut forest = Forest::new(shape.node_count())?;
-        let mut join = |[a, b]: [u32; 2]| forest.join(a, b);
         match &topology.links {
-            Links::Sides(sides) => sides.links(shape).for_each(|link| join(shape.ends(link))),
-            Links::Matrix(matrix) => matrix.links().for_each(|link| join(shape.ends(link))),
+            Links::Sides(sides) => sides.links(shape).for_each(|link| forest.join(shape.ends(link))),
+            Links::Matrix(matrix) => forest.contract(shape, matrix),
         }
-        topology.seams().iter().for_each(|seam| seam.pairs(shape).for_each(&mut join));
+        topology.seams().iter().flat_map(|seam| seam.pairs(shape)).for_each(|pair| forest.join(pair));
         Ok(Classes { shape, kind: Kind::Table(forest.flattened()) })
     }
 
@@ -69,20 +68,47 @@ impl Classes {
         self.representative(a) == self.representative(b)
     }
 
-    /// True if only nodes on the four sides can be glued.
-    pub(crate) fn is_of_sides(&self) -> bool {
-        matches!(self.kind, Kind::Sides(_))
-    }
-
     /// The representative of every node.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn table(&self) -> Result<Vec<u32>> {
         match &self.kind {
-            Kind::Sides(_) => alloc::collect((0..self.shape.node_count()).map(|n| self.representative(n as u32))),
+            Kind::Sides(_) => {
+                let mut table = alloc::collect((0..self.shape.node_count()).map(|node| node as u32))?;
+                self.glued(|node, representative| {
+                    table[node as usize] = representative;
+                    Ok(())
+                })?;
+                Ok(table)
+            }
             Kind::Table(table) => alloc::copied(table),
         }
+    }
+
+    /// Gives each node that is not its own representative to `visit`, and its representative. O(H + W) for sides alone,
+    /// else O(nodes).
+    pub(crate) fn glued(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
+        let (h, w) = (self.shape.rows(), self.shape.columns());
+        match &self.kind {
+            Kind::Sides(sides) => {
+                let ends = |i: usize| if i == 0 || i + 1 == h { 1 } else { w - 1 };
+                for (i, j) in (0..h).flat_map(|i| (0..w).step_by(ends(i)).map(move |j| (i, j))) {
+                    let (node, representative) = (self.shape.node(i, j), sides.representative(self.shape, i, j));
+                    if representative != node {
+                        visit(node, representative)?;
+                    }
+                }
+            }
+            Kind::Table(table) => {
+                for (node, &representative) in (0..).zip(table) {
+                    if representative != node {
+                        visit(node, representative)?;
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The classes of two nodes and more, in the order of their representatives.
@@ -93,17 +119,7 @@ impl Classes {
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn groups(&self) -> Result<Groups> {
         let mut glued = Vec::new();
-        let mut add = |node: u32| {
-            let representative = self.representative(node);
-            if representative == node { Ok(()) } else { alloc::push(&mut glued, (representative, node)) }
-        };
-        let (h, w) = (self.shape.rows(), self.shape.columns());
-        if self.is_of_sides() {
-            (0..w).flat_map(|j| [(0, j), (h - 1, j)]).try_for_each(|(i, j)| add(self.shape.node(i, j)))?;
-            (1..h - 1).flat_map(|i| [(i, 0), (i, w - 1)]).try_for_each(|(i, j)| add(self.shape.node(i, j)))?;
-        } else {
-            (0..h * w).try_for_each(|node| add(node as u32))?;
-        }
+        self.glued(|node, representative| alloc::push(&mut glued, (representative, node)))?;
         glued.sort_unstable();
         let mut groups = Groups { offsets: alloc::filled(0, 1)?, members: alloc::with_capacity(2 * glued.len())? };
         for class in glued.chunk_by(|a, b| a.0 == b.0) {
@@ -159,7 +175,8 @@ impl Groups {
 struct SideClasses {
     rows_closed: bool,
     columns_closed: bool,
-    /// Of the poles at the top, the bottom, the left and the right, as they are once closed rows and columns are folded.
+    /// Of the poles at the top, the bottom, the left and the right, as they are once closed rows and columns are
+    /// folded.
     poles: [Option<u32>; 4],
 }
 
@@ -198,6 +215,9 @@ impl SideClasses {
     }
 }
 
+/// The even bits.
+const WEST: u64 = 0x5555_5555_5555_5555;
+
 /// Disjoint sets of nodes whose roots are their smallest members.
 pub(crate) struct Forest {
     parents: Vec<u32>,
@@ -206,6 +226,11 @@ pub(crate) struct Forest {
 impl Forest {
     pub(crate) fn new(count: usize) -> Result<Self> {
         Ok(Forest { parents: alloc::collect((0..count).map(|node| node as u32))? })
+    }
+
+    /// A forest in which every node is a child of its entry, or a root.
+    pub(super) fn of(representatives: Vec<u32>) -> Self {
+        Forest { parents: representatives }
     }
 
     pub(crate) fn find(&mut self, mut node: u32) -> u32 {
@@ -217,9 +242,39 @@ impl Forest {
         node
     }
 
-    pub(crate) fn join(&mut self, a: u32, b: u32) {
+    pub(crate) fn join(&mut self, [a, b]: [u32; 2]) {
         let (a, b) = (self.find(a), self.find(b));
         self.parents[a.max(b) as usize] = a.min(b);
+    }
+
+    /// Joins the ends of all links of a matrix, in a forest that has joined nothing yet.
+    ///
+    /// Nodes are taken in order, 32 at a time, and those without links to the west or north are passed over. A node
+    /// with one of the two becomes a child of its neighbour's parent, without a search for the root; only where both
+    /// lead to different parents are trees joined.
+    fn contract(&mut self, shape: Shape, matrix: &Matrix) {
+        let (h, w) = (shape.rows(), shape.columns());
+        for (i, j) in (0..h).flat_map(|i| (0..w).step_by(32).map(move |j| (i, j))) {
+            let first = i * w + j;
+            // Bit 2k: the link west of node k of these; bit 2k + 1: north. The first column's would lead back.
+            let west = if j > 0 { matrix.bits(2 * (first - 1)) } else { matrix.bits(2 * first) << 2 };
+            let north = if i > 0 { matrix.bits(2 * (first - w)) } else { 0 };
+            let here = (west & WEST) | (north & !WEST);
+            let mut left = if w - j < 32 { here & ((1 << (2 * (w - j))) - 1) } else { here };
+            while left != 0 {
+                let k = left.trailing_zeros() / 2;
+                let (west, north) = (left >> (2 * k) & 1, left >> (2 * k + 1) & 1);
+                left &= !(3 << (2 * k));
+                let node = first + k as usize;
+                let [a, b] = [node - west as usize, node - w * north as usize].map(|other| self.parents[other]);
+                self.parents[node] = a.min(b);
+                if west & north != 0 && a != b {
+                    self.join([a, b]);
+                }
+            }
+        }
+        let back = (0..h).map(|i| 2 * shape.node(i, w - 1)).chain((0..w).map(|j| 2 * shape.node(h - 1, j) + 1));
+        back.filter(|&link| matrix.get(link)).for_each(|link| self.join(shape.ends(link)));
     }
 
     /// The root of every node. Parents come before their children: one pass is enough.

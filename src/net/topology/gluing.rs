@@ -1,12 +1,14 @@
 //! The 18 local gluings (paper, Fig. 4).
 //!
-//! Up to translation, the ways in which the star of a node (its four links) or the rim of a cell can be glued number 18: 13
-//! partitions come from contracting links of a star (15 sets, two of them translates), 11 from the partitions of the four corners
-//! of a cell that do not cross (14, without the identity and two translates), and 6 are both. The nineteenth, both pairs of
-//! opposite corners, crosses itself: no surface does that.
+//! Up to translation, the ways in which the star of a node (its four links) or the rim of a cell can be glued number
+//! 18: 13 partitions come from contracting links of a star (15 sets, two of them translates), 11 from the partitions of
+//! the four corners of a cell that do not cross (14, without the identity and two translates), and 6 are both. The
+//! nineteenth, both pairs of opposite corners, crosses itself: no surface does that.
 
-use super::{Classes, Topology};
+use super::edit::place_of_cell;
+use super::{Classes, Matrix, Topology};
 use crate::error::Result;
+use crate::net::Shape;
 
 /// One of the 18 local gluings, by its number:
 ///
@@ -42,7 +44,8 @@ const OF_STAR: [Option<u8>; 16] = [
     Some(9),
     Some(12),
 ];
-/// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a corner of the node between them.
+/// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a corner of the node
+/// between them.
 const OF_CELL: [Option<u8>; 16] = [
     None,
     Some(0),
@@ -69,6 +72,21 @@ impl GluingType {
     /// All of them.
     pub fn all() -> impl ExactSizeIterator<Item = GluingType> {
         (0..Self::COUNT as u8).map(GluingType)
+    }
+
+    /// The type of a number; `None` above 17.
+    pub fn from_number(number: u32) -> Option<Self> {
+        u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::COUNT).map(GluingType)
+    }
+
+    /// The links of a star that make it: see [`Gluing::Star`](super::Gluing::Star). `None` above 12.
+    pub(super) fn star_mask(self) -> Option<u8> {
+        (0..16u8).find(|&mask| OF_STAR[usize::from(mask)] == Some(self.0))
+    }
+
+    /// The links of a cell that make it; `None` for diagonals.
+    pub(super) fn cell_mask(self) -> Option<u8> {
+        (0..16u8).find(|&mask| OF_CELL[usize::from(mask)] == Some(self.0))
     }
 
     /// The number, 0 to 17.
@@ -101,17 +119,27 @@ impl GluingType {
     }
 }
 
-/// The star of node (i, j): which of its links have become a point. `cyclic`: links that lead back to the first row and column
-/// count too. `None`: no link has.
+/// The links of node (i, j): east, south, west, north, round the sides of the net.
+pub(crate) fn star_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
+    let (h, w) = (shape.rows(), shape.columns());
+    let here = 2 * shape.node(i, j);
+    [here, here + 1, 2 * shape.node(i, (j + w - 1) % w), 2 * shape.node((i + h - 1) % h, j) + 1]
+}
+
+/// The links of the cell at (i, j): top, right, bottom, left.
+pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
+    let [a, b, _, d] = shape.corners(i, j);
+    [2 * a, 2 * b + 1, 2 * d, 2 * a + 1]
+}
+
+/// The star of node (i, j): which of its links have become a point. `cyclic`: links that lead back to the first row and
+/// column count too. `None`: no link has.
 pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
     let shape = classes.shape();
-    let (h, w) = (shape.rows(), shape.columns());
-    let bit = |there: bool, link: u32, mask: usize| if there && classes.contracts(link) { mask } else { 0 };
-    let mask = bit(cyclic || j + 1 < w, 2 * shape.node(i, j), 1)
-        | bit(cyclic || i + 1 < h, 2 * shape.node(i, j) + 1, 2)
-        | bit(cyclic || j > 0, 2 * shape.node(i, (j + w - 1) % w), 4)
-        | bit(cyclic || i > 0, 2 * shape.node((i + h - 1) % h, j) + 1, 8);
-    OF_STAR[mask].map(GluingType)
+    let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
+    let links = star_links(shape, i, j);
+    let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.contracts(links[k]));
+    OF_STAR[set.fold(0, |mask, k| mask | 1 << k)].map(GluingType)
 }
 
 /// What the cell at (i, j) has become; `None` if it is a quad.
@@ -120,6 +148,27 @@ pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType
     let mask = usize::from(a == b) | usize::from(b == c) << 1 | usize::from(c == d) << 2 | usize::from(d == a) << 3;
     let diagonal = if a == c { Some(16) } else { (b == d).then_some(17) };
     OF_CELL[mask].or(diagonal).map(GluingType)
+}
+
+impl Topology {
+    /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the [`Classes`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuchNode`](crate::Error::NoSuchNode), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn node_type(&self, node: u32, cyclic: bool) -> Result<Option<GluingType>> {
+        self.shape().check_node(node)?;
+        let (i, j) = self.shape().place(node);
+        Ok(classify_node(&Classes::of(self)?, i, j, cyclic))
+    }
+
+    /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the [`Classes`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuchCell`](crate::Error::NoSuchCell), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn cell_type(&self, cell: u32) -> Result<Option<GluingType>> {
+        let (i, j) = place_of_cell(self.shape(), cell)?;
+        Ok(classify_cell(&Classes::of(self)?, i, j))
+    }
 }
 
 /// How often each type occurs.
@@ -136,19 +185,33 @@ pub struct Histogram {
 /// # Errors
 /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub fn histogram(topology: &Topology) -> Result<Histogram> {
-    let (shape, classes) = (topology.shape(), Classes::of(topology)?);
+    let shape = topology.shape();
+    let (h, w) = (shape.rows(), shape.columns());
+    let table = Classes::of(topology)?.table()?;
+    let links = Matrix::of_table(shape, &table)?;
     let mut histogram = Histogram::default();
-    let count = |counts: &mut [u64; GluingType::COUNT], found: Option<GluingType>| {
-        if let Some(found) = found {
-            counts[found.number()] += 1;
+    let count = |counts: &mut [u64; GluingType::COUNT], found: Option<u8>| {
+        if let Some(number) = found {
+            counts[usize::from(number)] += 1;
         }
     };
-    for i in 0..shape.rows() {
-        for j in 0..shape.columns() {
-            count(&mut histogram.nodes, classify_node(&classes, i, j, false));
-            if i + 1 < shape.rows() && j + 1 < shape.columns() {
-                count(&mut histogram.cells, classify_cell(&classes, i, j));
-            }
+    for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
+        let node = i * w + j;
+        // The pairs of bits of nodes: 1 for the link to the east, 2 for that to the south.
+        let pair = |there: bool, node: usize| if there { links.pair(node) } else { 0 };
+        let (right, down) = (j + 1 < w, i + 1 < h);
+        let here = links.pair(node) & (usize::from(right) | usize::from(down) << 1);
+        let (west, north) = (pair(j > 0, node.wrapping_sub(1)), pair(i > 0, node.wrapping_sub(w)));
+        count(&mut histogram.nodes, OF_STAR[here | (west & 1) << 2 | (north & 2) << 2]);
+        if right && down {
+            let (east, south) = (links.pair(node + 1), links.pair(node + w));
+            let mask = (here & 1) | (east & 2) | (south & 1) << 2 | (here & 2) << 2;
+            let diagonal = match mask {
+                0 if table[node] == table[node + w + 1] => Some(16),
+                0 if table[node + 1] == table[node + w] => Some(17),
+                _ => None,
+            };
+            count(&mut histogram.cells, OF_CELL[mask].or(diagonal));
         }
     }
     Ok(histogram)

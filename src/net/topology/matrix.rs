@@ -3,11 +3,12 @@
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::net::{Shape, Sides};
+use std::ops::Range;
 
 const WORD: usize = u64::BITS as usize;
 
-/// The paper's matrix C, 2H x W bits, 1 for a contracted link: its element (2i, j) is link `2 * node(i, j)` here and (2i + 1, j)
-/// link `2 * node(i, j) + 1` (rows and columns from 0), so that the two bits of a node lie together.
+/// The paper's matrix C, 2H x W bits, 1 for a contracted link: its element (2i, j) is link `2 * node(i, j)` here and
+/// (2i + 1, j) link `2 * node(i, j) + 1` (rows and columns from 0), so that the two bits of a node lie together.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Matrix {
     words: Vec<u64>,
@@ -69,10 +70,77 @@ impl Matrix {
 
     /// The contracted links, in order.
     pub fn links(&self) -> impl Iterator<Item = u32> {
-        self.words.iter().enumerate().flat_map(|(at, &word)| {
-            std::iter::successors((word != 0).then_some(word), |&w| Some(w & (w - 1)).filter(|&rest| rest != 0))
-                .map(move |w| (at * WORD) as u32 + w.trailing_zeros())
-        })
+        bits(&self.words, 0)
+    }
+
+    /// Contracts the vertical links of a range of nodes.
+    pub(crate) fn contract_down(&mut self, nodes: Range<usize>) {
+        const VERTICAL: u64 = 0xAAAA_AAAA_AAAA_AAAA;
+        let (start, end) = (2 * nodes.start, 2 * nodes.end);
+        for at in start / WORD..end.div_ceil(WORD) {
+            let from = u64::MAX << start.saturating_sub(at * WORD).min(WORD - 1);
+            let to = u64::MAX >> ((at + 1) * WORD).saturating_sub(end).min(WORD - 1);
+            self.words[at] |= VERTICAL & from & to;
+        }
+    }
+
+    /// Those of them in a range.
+    pub(crate) fn links_in(&self, range: Range<u32>) -> impl Iterator<Item = u32> {
+        let words = range.start as usize / WORD..(range.end as usize).div_ceil(WORD);
+        let first = words.start;
+        bits(&self.words[words], first).skip_while(move |&link| link < range.start).take_while(move |&l| l < range.end)
+    }
+
+    /// The two bits of a node: 1 for its horizontal link, 2 for its vertical one.
+    pub(super) fn pair(&self, node: usize) -> usize {
+        (self.words[2 * node / WORD] >> (2 * node % WORD)) as usize & 3
+    }
+
+    /// 64 bits from one on; those after the end are 0.
+    pub(super) fn bits(&self, from: usize) -> u64 {
+        let (word, shift) = (from / WORD, from % WORD);
+        let next = self.words.get(word + 1).map_or(0, |&next| next << 1 << (WORD - 1 - shift));
+        self.words[word] >> shift | next
+    }
+
+    /// Every link contracted whose ends have the same entry of a table of nodes. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub(super) fn of_table(shape: Shape, table: &[u32]) -> Result<Self> {
+        let mut matrix = Matrix::empty(shape)?;
+        let (h, w) = (shape.rows(), shape.columns());
+        for i in 0..h {
+            let row = &table[i * w..(i + 1) * w];
+            let below = &table[(i + 1) % h * w..][..w];
+            for j in (0..w).step_by(WORD / 2) {
+                let count = (w - j).min(WORD / 2);
+                let pairs = row[j..j + count].iter().zip(&below[j..j + count]);
+                let bits = pairs.enumerate().fold(0, |bits, (k, (here, below))| {
+                    let east = if j + k + 1 < w { row[j + k + 1] } else { row[0] };
+                    bits | u64::from(*here == east) << (2 * k) | u64::from(here == below) << (2 * k + 1)
+                });
+                matrix.put(2 * (i * w + j), bits);
+            }
+        }
+        Ok(matrix)
+    }
+
+    /// Sets those of 64 bits from one on that are 1.
+    fn put(&mut self, from: usize, bits: u64) {
+        let (word, shift) = (from / WORD, from % WORD);
+        self.words[word] |= bits << shift;
+        if let Some(next) = self.words.get_mut(word + 1) {
+            *next |= bits >> 1 >> (WORD - 1 - shift);
+        }
+    }
+
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub(super) fn copied(&self) -> Result<Self> {
+        Ok(Matrix { words: alloc::copied(&self.words)? })
     }
 
     /// The sides that say the same, if there are any.
@@ -86,7 +154,14 @@ impl Matrix {
             pole_left: self.get(2 * shape.node(0, 0) + 1),
             pole_right: self.get(2 * shape.node(0, w - 1) + 1),
         };
-        Ok((Matrix::of_sides(shape, sides)? == *self).then_some(sides))
+        // As many, and each of them: no second matrix is needed.
+        let ones: usize = self.words.iter().map(|word| word.count_ones() as usize).sum();
+        let mut said = 0;
+        let all = sides.links(shape).all(|link| {
+            said += 1;
+            self.get(link)
+        });
+        Ok((all && said == ones).then_some(sides))
     }
 
     /// The bytes of [`Matrix::from_bytes`].
@@ -98,4 +173,12 @@ impl Matrix {
         let element = |row: usize, j: usize| u8::from(self.get(2 * shape.node(row / 2, j) + (row % 2) as u32));
         alloc::collect((0..2 * h * w).map(|at| element(at / w, at % w)))
     }
+}
+
+/// The bits that are set in words, of which the first is number `first`.
+fn bits(words: &[u64], first: usize) -> impl Iterator<Item = u32> {
+    words.iter().zip(first..).flat_map(|(&word, at)| {
+        std::iter::successors((word != 0).then_some(word), |&w| Some(w & (w - 1)).filter(|&rest| rest != 0))
+            .map(move |w| (at * WORD) as u32 + w.trailing_zeros())
+    })
 }

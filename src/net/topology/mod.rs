@@ -3,8 +3,10 @@
 //! * [`Sides`]: closures that need no matrix. * [`Matrix`]: the paper's characteristic matrix. * [`Seam`]: what neither can say.
 //! * [`Classes`]: the nodes that are one point. * [`Reduced`]: what is left of a cell. * [`GluingType`]: the 18 local gluings.
 
+mod canonical;
 mod cell;
 mod classes;
+mod edit;
 mod gluing;
 mod matrix;
 mod seam;
@@ -13,6 +15,8 @@ mod sides;
 pub use cell::Reduced;
 pub(crate) use classes::Forest;
 pub use classes::{Classes, Groups};
+pub use edit::{Diagonal, Gluing};
+pub(crate) use gluing::star_links;
 pub use gluing::{GluingType, Histogram, classify_cell, classify_node, histogram};
 pub use matrix::Matrix;
 pub use seam::{Run, Seam};
@@ -33,9 +37,10 @@ pub enum Links {
 
 /// The gluing of a net: its contracted links and its seams.
 ///
-/// It is kept in one form: links that sides can describe are sides, seams that links can describe are links, seams are in
-/// order, and no cell is crossed (see [`Reduced::Crossing`]). Two topologies that contract the same links and list the same
-/// seams are equal; for those that glue the same nodes in different ways compare [`Topology::saturated`].
+/// It is kept in one form: links that sides can describe are sides, seams that links can describe are links, seams are
+/// in order, and no cell is crossed (see [`Reduced::Crossing`]). Two topologies are equal if they contract the same
+/// links by name and list the same seams, and take faces the same way round. The same nodes may be glued by other links
+/// and seams, such as one of four pairs or two of two: whether they are, [`Topology::saturated`] decides.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Topology {
     shape: Shape,
@@ -71,6 +76,62 @@ impl Topology {
         Ok(topology)
     }
 
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn copied(&self) -> Result<Self> {
+        let links = match &self.links {
+            Links::Sides(sides) => Links::Sides(*sides),
+            Links::Matrix(matrix) => Links::Matrix(matrix.copied()?),
+        };
+        Ok(Topology { shape: self.shape, links, seams: alloc::copied(&self.seams)?, reversed: self.reversed })
+    }
+
+    /// From links and seams of topologies, put together so that no cell can be crossed: unlike [`Topology::new`] it
+    /// does not look, and a seam stays one even where links could say the same. O(contracted links + pairs of seams).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub(crate) fn assembled(shape: Shape, links: Links, mut seams: Vec<Seam>, reversed: bool) -> Result<Self> {
+        seams.iter_mut().for_each(|seam| *seam = seam.canonical());
+        seams.sort_unstable();
+        seams.dedup();
+        let links = match links {
+            Links::Matrix(matrix) => matrix.as_sides(shape)?.map_or(Links::Matrix(matrix), Links::Sides),
+            sides => sides,
+        };
+        Ok(Topology { shape, links, seams, reversed })
+    }
+
+    /// From the parts of a topology in its one form, as somebody else has kept them; `None` if they are in another one.
+    /// O(nodes + pairs of seams).
+    ///
+    /// # Errors
+    /// [`Error::BadSeam`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
+    pub(crate) fn canonical(shape: Shape, links: Links, seams: Vec<Seam>) -> Result<Option<Self>> {
+        seams.iter().enumerate().try_for_each(|(index, seam)| seam.check(shape, index))?;
+        if !seams.is_sorted_by(|a, b| a < b) || seams.iter().any(|seam| seam.canonical() != *seam) {
+            return Ok(None);
+        }
+        if let Links::Matrix(matrix) = &links
+            && matrix.as_sides(shape)?.is_some()
+        {
+            return Ok(None);
+        }
+        let topology = Topology { shape, links, seams, reversed: false };
+        topology.check_crossings()?;
+        Ok(Some(topology))
+    }
+
+    /// Shows every link that is contracted by name, in no particular order.
+    pub(crate) fn each_contracted(&self, show: impl FnMut(u32)) {
+        match &self.links {
+            Links::Sides(sides) => sides.links(self.shape).for_each(show),
+            Links::Matrix(matrix) => matrix.links().for_each(show),
+        }
+    }
+
     /// The size of the net.
     pub fn shape(&self) -> Shape {
         self.shape
@@ -94,7 +155,8 @@ impl Topology {
         &self.seams
     }
 
-    /// True if faces are to be taken the other way round, for their normals to be what they were: nets that were flipped.
+    /// True if faces are to be taken the other way round, for their normals to be what they were: nets that were
+    /// flipped.
     pub fn is_reversed(&self) -> bool {
         self.reversed
     }
@@ -120,75 +182,65 @@ impl Topology {
     pub fn matrix(&self) -> Result<Matrix> {
         match &self.links {
             Links::Sides(sides) => Matrix::of_sides(self.shape, *sides),
-            Links::Matrix(matrix) => Ok(matrix.clone()),
+            Links::Matrix(matrix) => matrix.copied(),
         }
     }
 
-    /// The same gluing with every link contracted whose ends are one point: the canonical form. O(nodes).
+    /// The same gluing with every link contracted whose ends are one point, and seams for what links cannot say: the
+    /// canonical form. It follows from the classes alone: two topologies of one size that glue the same nodes, and take
+    /// faces the same way round, have equal ones. O(nodes), and a sort of the classes that seams glue.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn saturated(&self) -> Result<Self> {
-        let classes = Classes::of(self)?;
-        let mut matrix = Matrix::empty(self.shape)?;
-        for link in 0..2 * self.shape.node_count() as u32 {
-            if classes.contracts(link) {
-                matrix.set(link, true);
-            }
+        let table = Classes::of(self)?.table()?;
+        let matrix = Matrix::of_table(self.shape, &table)?;
+        let links = match matrix.as_sides(self.shape)? {
+            Some(sides) => Links::Sides(sides),
+            None => Links::Matrix(matrix),
+        };
+        let mut saturated = Topology { shape: self.shape, links, seams: Vec::new(), reversed: self.reversed };
+        if !self.seams.is_empty() {
+            let pieces = Classes::of(&saturated)?.table()?;
+            saturated.seams = canonical::seams(self.shape, &table, &pieces)?;
         }
-        let mut saturated = Topology::new(self.shape, Links::Matrix(matrix), &[])?;
-        // Seams that the links now say are left out.
-        let mut forest = Forest::new(self.shape.node_count())?;
-        saturated.matrix()?.links().for_each(|link| {
-            let [a, b] = self.shape.ends(link);
-            forest.join(a, b);
-        });
-        for seam in &self.seams {
-            let mut news = false;
-            for [a, b] in seam.pairs(self.shape) {
-                news |= forest.find(a) != forest.find(b);
-                forest.join(a, b);
-            }
-            if news {
-                alloc::push(&mut saturated.seams, *seam)?;
-            }
-        }
-        Ok(saturated.with_reversed(self.reversed))
+        Ok(saturated)
     }
 
     /// Adds a seam in its canonical form: as links, if each pair of nodes is joined by one.
     fn add_seam(&mut self, seam: Seam) -> Result<()> {
-        let link = |[a, b]: [u32; 2]| {
-            [2 * a, 2 * a + 1, 2 * b, 2 * b + 1].into_iter().find(|&link| {
-                let ends = self.shape.ends(link);
-                ends == [a, b] || ends == [b, a]
-            })
-        };
-        if seam.pairs(self.shape).all(|[a, b]| a == b) {
+        let shape = self.shape;
+        if seam.pairs(shape).all(|[a, b]| a == b) {
             return Ok(());
         }
-        if seam.pairs(self.shape).all(|pair| link(pair).is_some()) {
-            let links: Vec<u32> = seam.pairs(self.shape).filter_map(link).collect();
-            let mut matrix = self.matrix()?;
-            links.into_iter().for_each(|link| matrix.set(link, true));
-            self.links = Links::Matrix(matrix);
+        let link = |pair: [u32; 2]| shape.links_between(pair).next();
+        if seam.pairs(shape).all(|pair| link(pair).is_some()) {
+            if let Links::Sides(sides) = self.links {
+                self.links = Links::Matrix(Matrix::of_sides(shape, sides)?);
+            }
+            if let Links::Matrix(matrix) = &mut self.links {
+                seam.pairs(shape).filter_map(link).for_each(|link| matrix.set(link, true));
+            }
             return Ok(());
         }
         alloc::push(&mut self.seams, seam.canonical())
     }
 
     /// [`Error::CrossingCell`] for the first cell whose opposite corners are glued crosswise.
-    fn check_crossings(&self) -> Result<()> {
+    pub(crate) fn check_crossings(&self) -> Result<()> {
         if matches!(self.links, Links::Sides(_)) && self.seams.is_empty() {
             return Ok(());
         }
-        let classes = Classes::of(self)?;
-        for i in 0..self.shape.rows() - 1 {
-            for j in 0..self.shape.columns() - 1 {
-                let [a, b, c, d] = classes.corners(i, j);
-                if a == c && b == d && a != b {
-                    return Err(Error::CrossingCell { cell: self.shape.cell(i, j) });
-                }
+        let (table, w) = (Classes::of(self)?.table()?, self.shape.columns());
+        for (i, rows) in table.chunks_exact(w).zip(table[w..].chunks_exact(w)).enumerate() {
+            let crosses = |j: usize| {
+                let ([a, b], [d, c]) = ([rows.0[j], rows.0[j + 1]], [rows.1[j], rows.1[j + 1]]);
+                (a == c) & (b == d) & (a != b)
+            };
+            // A loop without branches: there is hardly ever one.
+            if (0..w - 1).fold(false, |any, j| any | crosses(j)) {
+                let j = (0..w - 1).find(|&j| crosses(j)).unwrap_or(0);
+                return Err(Error::CrossingCell { cell: self.shape.cell(i, j) });
             }
         }
         Ok(())

@@ -40,6 +40,11 @@ impl Run {
         })
     }
 
+    /// Rows and columns exchanged.
+    pub(crate) fn transposed(self) -> Self {
+        Run { row: self.column, column: self.row, row_step: self.column_step, column_step: self.row_step }
+    }
+
     /// The same nodes, the last one first.
     fn reversed(self, count: u32) -> Self {
         let (row, column) = self.place(count - 1);
@@ -76,7 +81,11 @@ impl Seam {
 
     /// The smallest of the ways to write this seam down.
     pub(crate) fn canonical(self) -> Self {
-        let Seam { mut a, mut b, count } = self;
+        let Seam { mut a, mut b, mut count } = self;
+        if [a, b].iter().all(|run| (run.row_step, run.column_step) == (0, 0)) {
+            // The same pair again and again.
+            count = 1;
+        }
         if count == 1 {
             (a.row_step, a.column_step, b.row_step, b.column_step) = (0, 0, 0, 0);
         }
@@ -84,6 +93,15 @@ impl Seam {
         let ways = [(a, b), (b, a), (last_a, last_b), (last_b, last_a)];
         let (a, b) = ways.into_iter().min().unwrap_or((a, b));
         Seam { a, b, count }
+    }
+
+    /// Its pairs `from..to`, of which there are some.
+    pub(super) fn part(self, from: u32, to: u32) -> Self {
+        let at = |run: Run| {
+            let (row, column) = run.place(from);
+            Run { row: row as u32, column: column as u32, ..run }
+        };
+        Seam { a: at(self.a), b: at(self.b), count: to - from }
     }
 
     /// The pairs of nodes.

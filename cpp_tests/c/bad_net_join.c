@@ -1,0 +1,304 @@
+/* Nets arranged anew, joined, taken apart, as meshes: what a host can get wrong, and what it gets if it does not. */
+#include "check.h"
+#include <math.h>
+
+static gusset_context *context;
+
+/* rows x columns nodes: x = column + shift, y = row, z = 0. */
+static gusset_net *grid(size_t rows, size_t columns, double shift, gusset_sides sides) {
+    static double x[64], y[64], z[64];
+    const gusset_net_arrays arrays = {sizeof arrays, rows, columns, x, y, z, 0, 0, GUSSET_F64, 0};
+    gusset_net_gluing gluing;
+    gusset_net *net = NULL;
+
+    memset(&gluing, 0, sizeof gluing);
+    gluing.struct_size = sizeof gluing;
+    gluing.sides = sides;
+    for (size_t k = 0; k < rows * columns; k++) {
+        x[k] = (double)(k % columns) + shift;
+        y[k] = (double)(k / columns);
+        z[k] = 0;
+    }
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, &gluing, &net));
+    return net;
+}
+
+static double at(const gusset_net *net, int axis, size_t i, size_t j) {
+    gusset_net_arrays view;
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    return ((const double *)(axis == 0 ? view.x : axis == 1 ? view.y : view.z))[i * view.columns + j];
+}
+
+static int has_size(const gusset_net *net, size_t rows, size_t columns) {
+    gusset_net_arrays view;
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    return view.rows == rows && view.columns == columns;
+}
+
+static void arranged(void) {
+    gusset_net *net = grid(3, 5, 0, GUSSET_SIDES_TUBE), *out = (gusset_net *)misaligned(), *back = NULL;
+    gusset_reformat_options options = {sizeof options, 5, 0, GUSSET_REPLICATE_AT, GUSSET_REPLICATE_LAST, 1, 0}, bad;
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_part_create(context, NULL, 0, 2, 0, 2, &out));
+    CHECK(out == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_part_create(context, net, 0, 2, 0, 2, NULL));
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_part_create(context, net, 0, 1, 0, 2, &out));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_part_create(context, net, 2, 2, 0, 2, &out));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_part_create(context, net, 0, 2, SIZE_MAX, 2, &out));
+    EXPECT(GUSSET_OK, gusset_net_part_create(context, net, 1, 2, 2, 3, &out));
+    CHECK(has_size(out, 2, 3) && at(out, 0, 0, 0) == 2 && at(out, 1, 1, 2) == 2);
+    gusset_net_destroy(out);
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_transpose_create(context, NULL, &out));
+    EXPECT(GUSSET_OK, gusset_net_transpose_create(context, net, &out));
+    CHECK(has_size(out, 5, 3) && at(out, 0, 4, 1) == 4);
+    gusset_net_destroy(out);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_flip_create(context, NULL, GUSSET_DIRECTION_DOWN, &out));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_flip_create(context, net, 2, &out));
+    EXPECT(GUSSET_OK, gusset_net_flip_create(context, net, GUSSET_DIRECTION_RIGHT, &out));
+    CHECK(at(out, 0, 0, 0) == 4 && at(out, 1, 0, 0) == 0);
+    gusset_net_destroy(out);
+    EXPECT(GUSSET_OK, gusset_net_flip_create(context, net, GUSSET_DIRECTION_DOWN, &out));
+    CHECK(at(out, 0, 0, 0) == 0 && at(out, 1, 0, 0) == 2);
+    gusset_net_destroy(out);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_turn_create(context, NULL, 1, &out));
+    EXPECT(GUSSET_OK, gusset_net_turn_create(context, net, -2147483647, &out));
+    CHECK(has_size(out, 5, 3));
+    gusset_net_destroy(out);
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_reformat_create(context, NULL, &options, &out));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_reformat_create(context, net, NULL, &out));
+    bad = options, bad.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_reformat_create(context, net, &bad, &out));
+    bad = options, bad.row_replication = GUSSET_REPLICATE_REFUSE;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_reformat_create(context, net, &bad, &out));
+    bad = options, bad.rows = 2;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_reformat_create(context, net, &bad, &out));
+    bad = options, bad.row_index = 3;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_reformat_create(context, net, &bad, &out));
+    bad = options, bad.columns = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_reformat_create(context, net, &bad, &out));
+    CHECK(out == NULL);
+    EXPECT(GUSSET_OK, gusset_net_reformat_create(context, net, &options, &out));
+    CHECK(has_size(out, 5, 5) && at(out, 1, 3, 0) == 1 && at(out, 1, 4, 0) == 2);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_compact_create(context, NULL, &back));
+    EXPECT(GUSSET_OK, gusset_net_compact_create(context, out, &back));
+    CHECK(has_size(back, 3, 5));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_clear_no_data(context, NULL, 1));
+    EXPECT(GUSSET_OK, gusset_net_clear_no_data(context, back, 4));
+    CHECK(isnan(at(back, 1, 0, 4)) && at(back, 1, 1, 3) == 1);
+    gusset_net_destroy(back);
+    gusset_net_destroy(out);
+    gusset_net_destroy(net);
+}
+
+static void joined(void) {
+    gusset_net *a = grid(3, 4, 0, GUSSET_SIDES_TUBE), *b = grid(4, 3, 9, GUSSET_SIDES_SHEET);
+    gusset_net *out = (gusset_net *)misaligned(), *first = (gusset_net *)misaligned(), *second = NULL;
+    const gusset_net *nets[3] = {a, b, NULL}, *unaligned_nets[3];
+    gusset_join_options options, bad;
+    gusset_bridge bridge;
+    gusset_bridge_properties given = {1, 2, 3, 4};
+    size_t count = 7;
+
+    memset(&options, 0, sizeof options);
+    options.struct_size = sizeof options;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_concatenate_create(context, nets, 3, &options, &out));
+    CHECK(out == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_concatenate_create(context, NULL, 2, &options, &out));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_concatenate_create(context, nets, 2, &options, NULL));
+    EXPECT(GUSSET_ERROR_EMPTY_SCENE, gusset_net_concatenate_create(context, nets, 0, &options, &out));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_concatenate_create(context, nets, SIZE_MAX, &options, &out));
+    bad = options, bad.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.direction = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.mode = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.turn = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.equalise = 6;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.equalise = GUSSET_REPLICATE_REFUSE;
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.tolerance = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.twist = 1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    bad = options, bad.mode = GUSSET_BRIDGE_WELD;
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_concatenate_create(context, nets, 2, &bad, &out));
+    CHECK(out == NULL);
+
+    memcpy(unaligned_nets, nets, sizeof nets);
+    options.properties = given;
+    EXPECT(GUSSET_OK, gusset_net_concatenate_create(context, unaligned_nets, 2, &options, &out));
+    CHECK(has_size(out, 4, 7) && at(out, 0, 0, 4) == 9);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bridge_count(NULL, &count));
+    CHECK(count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bridge_count(out, NULL));
+    EXPECT(GUSSET_OK, gusset_net_bridge_count(out, &count));
+    CHECK(count == 1);
+    bridge.struct_size = sizeof bridge;
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_bridge(out, 1, &bridge));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bridge(out, 0, NULL));
+    EXPECT(GUSSET_OK, gusset_net_bridge(out, 0, &bridge));
+    CHECK(bridge.at == 4 && bridge.start == 0 && bridge.end == 4 && bridge.kind == GUSSET_BRIDGE_RIBBON);
+    CHECK(bridge.mode == GUSSET_BRIDGE_KEEP && bridge.direction == GUSSET_DIRECTION_RIGHT);
+    CHECK(bridge.properties.stiffness == 3 && bridge.properties.user == 4);
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_set_bridge(context, NULL, 0, GUSSET_BRIDGE_HIDE, 0, NULL));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_set_bridge(context, out, 1, GUSSET_BRIDGE_HIDE, 0, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_set_bridge(context, out, 0, 3, 0, NULL));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_set_bridge(context, out, 0, GUSSET_BRIDGE_HIDE, -1, NULL));
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_set_bridge(context, out, 0, GUSSET_BRIDGE_WELD, 0.5, NULL));
+    given.user = 5;
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
+           gusset_net_set_bridge(context, out, 0, GUSSET_BRIDGE_HIDE, 0, (gusset_bridge_properties *)misaligned()));
+    EXPECT(GUSSET_OK, gusset_net_set_bridge(context, out, 0, GUSSET_BRIDGE_HIDE, 0, &given));
+    EXPECT(GUSSET_OK, gusset_net_bridge(out, 0, &bridge));
+    CHECK(bridge.mode == GUSSET_BRIDGE_HIDE && bridge.properties.user == 5);
+
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_split(context, out, 1, &first, &second));
+    CHECK(first == NULL && second == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split(context, NULL, 0, &first, &second));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split(context, out, 0, NULL, &second));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split(context, out, 0, &first, NULL));
+    EXPECT(GUSSET_OK, gusset_net_split(context, out, 0, &first, &second));
+    CHECK(has_size(first, 3, 4) && has_size(second, 4, 3) && at(second, 0, 0, 2) == 11);
+    gusset_net_destroy(first);
+    gusset_net_destroy(second);
+    gusset_net_destroy(out);
+    EXPECT(GUSSET_OK, gusset_net_concatenate_create(NULL, nets, 1, NULL, &out));
+    CHECK(has_size(out, 3, 4));
+    gusset_net_destroy(out);
+    gusset_net_destroy(a);
+    gusset_net_destroy(b);
+}
+
+static void meshes(void) {
+    gusset_net *net = grid(4, 5, 0, GUSSET_SIDES_TWO_POLES), *found = NULL;
+    gusset_net_mesh *mesh = (gusset_net_mesh *)misaligned();
+    gusset_net_mesh_options options, bad;
+    gusset_net_mesh_maps maps;
+    gusset_mesh_view view;
+    gusset_net_grid *grid_found = (gusset_net_grid *)misaligned();
+    gusset_net_grid_parts parts;
+
+    memset(&options, 0, sizeof options);
+    options.struct_size = sizeof options;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_create(context, NULL, NULL, &mesh));
+    CHECK(mesh == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_create(context, net, NULL, NULL));
+    bad = options, bad.struct_size = 0;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    bad = options, bad.faces = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    bad = options, bad.no_weld = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    bad = options, bad.keep_unused = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    bad = options, bad.fill_corners = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    bad = options, bad.texture = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    bad = options, bad.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_mesh_create(context, net, &bad, &mesh));
+    options.texture = 1;
+    EXPECT(GUSSET_OK, gusset_net_mesh_create(context, net, &options, &mesh));
+    view.struct_size = sizeof view, maps.struct_size = sizeof maps;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_view(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_view(mesh, NULL));
+    EXPECT(GUSSET_OK, gusset_net_mesh_view(mesh, &view));
+    /* Two poles and two rings of four; a ring of quads between fans of triangles. */
+    CHECK(view.vertex_count == 10 && view.face_count == 12 && view.scalar == GUSSET_F64);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_parts(NULL, &maps));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_parts(mesh, NULL));
+    EXPECT(GUSSET_OK, gusset_net_mesh_parts(mesh, &maps));
+    CHECK(maps.vertex_of_node.count == 20 && maps.node_of_vertex.count == 10 && maps.cell_of_face.count == 12);
+    CHECK(maps.wires.count == 0 && maps.texture_corners.count == 40 && maps.texture_count == 18);
+    CHECK(maps.vertex_of_node.data[9] == maps.vertex_of_node.data[5]);
+
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_create(context, NULL, UINT32_MAX, &grid_found));
+    CHECK(grid_found == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_create(context, &view, UINT32_MAX, NULL));
+    EXPECT(GUSSET_ERROR_NO_GRID, gusset_net_grid_create(context, &view, 12, &grid_found));
+    const gusset_mesh_view triangles = pyramid(pyramid_up);
+    EXPECT(GUSSET_ERROR_NO_GRID, gusset_net_grid_create(context, &triangles, UINT32_MAX, &grid_found));
+    EXPECT(GUSSET_OK, gusset_net_grid_create(context, &view, UINT32_MAX, &grid_found));
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_view(NULL, &parts));
+    EXPECT(GUSSET_OK, gusset_net_grid_view(grid_found, &parts));
+    CHECK(parts.vertex_of_node.count == 20 && parts.face_of_cell.count == 12);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_net(context, NULL, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_net(context, grid_found, NULL));
+    EXPECT(GUSSET_OK, gusset_net_grid_net(context, grid_found, &found));
+    gusset_net_mesh_destroy(mesh);
+    gusset_net_grid_destroy(grid_found);
+    CHECK(has_size(found, 4, 5));
+    gusset_net_destroy(found);
+    gusset_net_destroy(net);
+    gusset_net_mesh_destroy(NULL);
+    gusset_net_grid_destroy(NULL);
+}
+
+static void heights(void) {
+    unsigned char bytes[6 * 4 + 1];
+    const float values[6] = {0, 1, 2, 3, -99, 5};
+    gusset_heights heights, bad;
+    gusset_net *net = (gusset_net *)misaligned();
+
+    memset(&heights, 0, sizeof heights);
+    memcpy(bytes + 1, values, sizeof values);
+    heights.struct_size = sizeof heights;
+    heights.rows = 2, heights.columns = 3;
+    heights.values = bytes + 1;
+    heights.spacing[0] = 2, heights.spacing[1] = -1;
+    heights.scalar = GUSSET_F32;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_from_heights_create(context, NULL, &net));
+    CHECK(net == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_from_heights_create(context, &heights, NULL));
+    bad = heights, bad.struct_size = 1;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_from_heights_create(context, &bad, &net));
+    bad = heights, bad.rows = 1;
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_from_heights_create(context, &bad, &net));
+    bad = heights, bad.columns = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_from_heights_create(context, &bad, &net));
+    bad = heights, bad.values = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_from_heights_create(context, &bad, &net));
+    bad = heights, bad.row_stride = 11;
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_from_heights_create(context, &bad, &net));
+    bad = heights, bad.row_stride = SIZE_MAX;
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_from_heights_create(context, &bad, &net));
+    bad = heights, bad.spacing[1] = 0;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_from_heights_create(context, &bad, &net));
+    bad = heights, bad.origin[2] = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_from_heights_create(context, &bad, &net));
+    bad = heights, bad.scalar = 0;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_from_heights_create(context, &bad, &net));
+    bad = heights, bad.has_no_data = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_from_heights_create(context, &bad, &net));
+    CHECK(net == NULL);
+    heights.has_no_data = 1, heights.no_data = -99;
+    EXPECT(GUSSET_OK, gusset_net_from_heights_create(context, &heights, &net));
+    gusset_net_arrays view;
+    view.struct_size = sizeof view;
+    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    CHECK(view.scalar == GUSSET_F32 && ((const float *)view.x)[5] == 4 && ((const float *)view.y)[5] == -1);
+    CHECK(isnan(((const float *)view.z)[4]) && ((const float *)view.z)[5] == 5);
+    gusset_net_destroy(net);
+}
+
+int main(void) {
+    const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
+    if (gusset_context_create(&context) != GUSSET_OK || up.face_count != down.face_count) {
+        return 1;
+    }
+    arranged();
+    joined();
+    meshes();
+    heights();
+    gusset_context_destroy(context);
+    return failures != 0;
+}

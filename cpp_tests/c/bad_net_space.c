@@ -1,0 +1,388 @@
+/* Nets in space: what a host can get wrong when it moves, deforms, measures and resamples them, and what it gets if
+   it does not. */
+#include "check.h"
+#include <math.h>
+
+enum { ROWS = 5, COLUMNS = 9, NODES = ROWS * COLUMNS, CELLS = (ROWS - 1) * (COLUMNS - 1) };
+
+static gusset_context *context;
+static double x[NODES], y[NODES], z[NODES];
+
+/* x = column, y = row, z = 0. */
+static gusset_net *sheet(void) {
+    gusset_net_arrays arrays = {sizeof arrays, ROWS, COLUMNS, x, y, z, 0, 0, GUSSET_F64, 0};
+    gusset_net *net = NULL;
+    for (int k = 0; k < NODES; k++) {
+        x[k] = k % COLUMNS, y[k] = k / COLUMNS, z[k] = 0;
+    }
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
+    return net;
+}
+
+/* A square prism, 2 x 2 x 2, with its caps drawn together in their middles. */
+static gusset_net *prism(void) {
+    static const double corners[5][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}};
+    double px[20], py[20], pz[20];
+    gusset_net_arrays arrays = {sizeof arrays, 4, 5, px, py, pz, 0, 0, GUSSET_F64, 0};
+    gusset_net_gluing gluing;
+    gusset_net *net = NULL;
+    memset(&gluing, 0, sizeof gluing);
+    gluing.struct_size = sizeof gluing;
+    gluing.sides = GUSSET_SIDES_TWO_POLES;
+    for (int k = 0; k < 20; k++) {
+        const int row = k / 5, pole = row == 0 || row == 3;
+        px[k] = pole ? 0 : corners[k % 5][0];
+        py[k] = pole ? 0 : corners[k % 5][1];
+        pz[k] = row < 2 ? -1 : 1;
+    }
+    EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, &gluing, &net));
+    return net;
+}
+
+static gusset_net_arrays view(const gusset_net *net) {
+    gusset_net_arrays arrays;
+    memset(&arrays, 0, sizeof arrays);
+    arrays.struct_size = sizeof arrays;
+    EXPECT(GUSSET_OK, gusset_net_view(net, &arrays));
+    return arrays;
+}
+
+static double x_of(const gusset_net *net, int node) { return ((const double *)view(net).x)[node]; }
+static double y_of(const gusset_net *net, int node) { return ((const double *)view(net).y)[node]; }
+
+static gusset_operation operation(uint32_t kind, double a, double b, double c, double d) {
+    gusset_operation made;
+    memset(&made, 0, sizeof made);
+    made.kind = kind;
+    made.values[0] = a, made.values[1] = b, made.values[2] = c, made.values[3] = d;
+    return made;
+}
+
+static void transforms(void) {
+    const double quarter = acos(0.0);
+    gusset_net *net = sheet();
+    gusset_operation chain[7], bad;
+    unsigned char odd[sizeof chain + 1];
+    uint32_t reversed = 0;
+
+    chain[0] = operation(GUSSET_OPERATION_TRANSLATE, 1, 0, 0, 0);
+    chain[1] = operation(GUSSET_OPERATION_ROTATE, 0, 0, 5, quarter);
+    chain[2] = operation(GUSSET_OPERATION_ROTATE_AS_PRINTED, 0, 0, 5, quarter);
+    chain[3] = operation(GUSSET_OPERATION_SCALE, 2, 0, 0, 0);
+    chain[4] = operation(GUSSET_OPERATION_COMPRESS, 0.5, 0, 0, 0);
+    chain[4].axis = GUSSET_AXIS_Y;
+    chain[5] = operation(GUSSET_OPERATION_STRETCH, 1, 1, -1, 0);
+    chain[6] = operation(GUSSET_OPERATION_MATRIX, 1, 0, 0, 10);
+    chain[6].values[5] = 1, chain[6].values[10] = 1;
+    memcpy(odd + 1, chain, sizeof chain);
+    EXPECT(GUSSET_OK, gusset_net_transform(context, net, (const gusset_operation *)(const void *)(odd + 1), 7));
+    /* (3, 2) -> (4, 2), there and back, x2, x / 2, + 10 */
+    CHECK(fabs(x_of(net, 2 * COLUMNS + 3) - 14) < 1e-14 && fabs(y_of(net, 2 * COLUMNS + 3) - 4) < 1e-14);
+    EXPECT(GUSSET_OK, gusset_net_topology(net, NULL, NULL, &reversed));
+    CHECK(reversed == 1);
+    EXPECT(GUSSET_OK, gusset_net_transform(context, net, NULL, 0));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_transform(context, net, NULL, 1));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_transform(context, NULL, chain, 1));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_net_transform(context, net, chain, SIZE_MAX));
+    bad = chain[0], bad.kind = 0;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_transform(context, net, &bad, 1));
+    bad = chain[0], bad.axis = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_transform(context, net, &bad, 1));
+    bad = chain[4], bad.axis = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_transform(context, net, &bad, 1));
+    bad = operation(GUSSET_OPERATION_ROTATE, 0, 0, 0, 1);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_transform(context, net, &bad, 1));
+    bad = operation(GUSSET_OPERATION_SCALE, NAN, 0, 0, 0);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_transform(context, net, &bad, 1));
+    gusset_net_destroy(net);
+}
+
+static gusset_field field(uint32_t kind, uint32_t axis, double a, double b, double c, double d) {
+    gusset_field made;
+    memset(&made, 0, sizeof made);
+    made.struct_size = sizeof made;
+    made.kind = kind;
+    made.axis = axis;
+    made.strength = 1;
+    made.values[0] = a, made.values[1] = b, made.values[2] = c, made.values[3] = d;
+    return made;
+}
+
+static void kinds_of_fields(void) {
+    static const double offsets[24] = {0, 0, 0, 0, 0, 0, 0, 0, 1};
+    gusset_field fields[12];
+    fields[0] = field(GUSSET_FIELD_AFFINE, 0, 1, 0, 0, 3);
+    fields[0].values[5] = 1, fields[0].values[10] = 1;
+    fields[1] = field(GUSSET_FIELD_TWIST, GUSSET_AXIS_X, 0.1, 0, 0, 0);
+    fields[2] = field(GUSSET_FIELD_TAPER, GUSSET_AXIS_X, 0.1, 0, 0, 0);
+    fields[3] = field(GUSSET_FIELD_BEND, GUSSET_AXIS_X, 0.1, 0, INFINITY, 0);
+    fields[4] = field(GUSSET_FIELD_SHEAR, GUSSET_AXIS_X, 0.5, 0, 0, 0);
+    fields[4].other_axis = GUSSET_AXIS_Y;
+    fields[5] = field(GUSSET_FIELD_SPHERIFY, 0, 0, 0, -9, 2);
+    fields[6] = field(GUSSET_FIELD_CYLINDER_WRAP, GUSSET_AXIS_Y, 2, 0, 0, 0);
+    fields[7] = field(GUSSET_FIELD_TORUS_WRAP, GUSSET_AXIS_Z, 3, 1, 0, 0);
+    fields[8] = field(GUSSET_FIELD_LATTICE, 0, -50, -50, -50, 50);
+    fields[8].values[4] = 50, fields[8].values[5] = 50;
+    fields[8].offsets = offsets;
+    fields[8].counts[0] = fields[8].counts[1] = fields[8].counts[2] = 2;
+    fields[9] = field(GUSSET_FIELD_PROJECTION, 0, 1, 0, 0, 0);
+    fields[9].values[5] = 1, fields[9].values[10] = 1, fields[9].values[15] = 2;
+    fields[10] = field(GUSSET_FIELD_PARALLEL, 0, 0, 0, 0, 0);
+    fields[10].values[5] = 1, fields[10].values[7] = 1, fields[10].values[8] = 1;
+    fields[11] = field(GUSSET_FIELD_PERSPECTIVE, 0, 0, 0, 9, 0);
+    fields[11].values[8] = 1;
+    for (int k = 0; k < 12; k++) {
+        gusset_net *net = sheet();
+        EXPECT(GUSSET_OK, gusset_net_deform(context, net, &fields[k], 1, 0));
+        fields[k].strength = 0.5;
+        EXPECT(GUSSET_OK, gusset_net_deform(context, net, &fields[k], 1, 0));
+        gusset_net_destroy(net);
+    }
+    {
+        gusset_net *net = sheet();
+        EXPECT(GUSSET_OK, gusset_net_deform(context, net, fields, 12, 0));
+        gusset_net_destroy(net);
+    }
+}
+
+static void wrong_fields(void) {
+    static const double keys[4] = {0, 0, 2, 1};
+    gusset_net *net = sheet();
+    gusset_field good = field(GUSSET_FIELD_SHEAR, GUSSET_AXIS_X, 1, 0, 0, 0), bad;
+    good.other_axis = GUSSET_AXIS_Y;
+    good.keys = keys, good.key_count = 2;
+    /* Half of the shear at time 1. */
+    EXPECT(GUSSET_OK, gusset_net_deform(context, net, &good, 1, 1.0));
+    CHECK(x_of(net, COLUMNS) == 0.5 && x_of(net, 2 * COLUMNS + 1) == 2.0);
+    EXPECT(GUSSET_OK, gusset_net_deform(context, net, &good, 1, -7.0));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_deform(context, net, &good, 1, NAN));
+    EXPECT(GUSSET_OK, gusset_net_deform(context, net, NULL, 0, 0));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, net, NULL, 1, 0));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, NULL, &good, 1, 0));
+    EXPECT(GUSSET_ERROR_OUT_OF_MEMORY, gusset_net_deform(context, net, &good, SIZE_MAX, 0));
+    bad = good, bad.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = good, bad.kind = 13;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = good, bad.axis = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = good, bad.other_axis = GUSSET_AXIS_X;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = good, bad.easing = 3;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = good, bad.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = good, bad.keys = NULL;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, net, &bad, 1, 0));
+    bad = good, bad.strength = INFINITY;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_deform(context, net, &bad, 1, 0.5));
+    bad = field(GUSSET_FIELD_LATTICE, 0, 0, 0, 0, 1);
+    bad.values[4] = bad.values[5] = 1;
+    bad.counts[0] = 33, bad.counts[1] = bad.counts[2] = 2;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_deform(context, net, &bad, 1, 0));
+    bad.counts[0] = 2;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform(context, net, &bad, 1, 0));
+    /* The centre of the sphere is a node. */
+    bad = field(GUSSET_FIELD_SPHERIFY, 0, 0, 0, 0, 1);
+    EXPECT(GUSSET_ERROR_FIELD_UNDEFINED, gusset_net_deform(context, net, &bad, 1, 0));
+    CHECK(x_of(net, COLUMNS) == 0.5);
+    gusset_net_destroy(net);
+}
+
+static int lift(void *user, size_t first, size_t count, void *px, void *py, void *pz) {
+    size_t *calls = user;
+    if (first == 0 && *calls > 100) {
+        return 1;
+    }
+    CHECK(px != NULL && py != NULL);
+    for (size_t k = 0; k < count; k++) {
+        ((double *)pz)[k] = (double)(first + k);
+    }
+    *calls += count;
+    return 0;
+}
+
+static void functions_of_the_host(void) {
+    gusset_net *net = prism();
+    size_t nodes = 0;
+    uint64_t moved = 7;
+    EXPECT(GUSSET_OK, gusset_net_deform_rows(context, net, lift, &nodes));
+    CHECK(nodes == 20);
+    /* Snapped: the last row is one point, its first. */
+    CHECK(((const double *)view(net).z)[19] == 15.0);
+    nodes = 1000;
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_net_deform_rows(context, net, lift, &nodes));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform_rows(context, net, NULL, &nodes));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_deform_rows(context, NULL, lift, &nodes));
+    EXPECT(GUSSET_OK, gusset_net_snap(context, net, &moved));
+    CHECK(moved == 0);
+    EXPECT(GUSSET_OK, gusset_net_snap(context, net, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_snap(context, NULL, &moved));
+    EXPECT(GUSSET_OK, gusset_net_displace(context, net, 0.25));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_displace(context, net, NAN));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_displace(context, NULL, 1));
+    gusset_net_destroy(net);
+}
+
+static void analyses(void) {
+    const double radius = (COLUMNS - 1) / (4 * acos(0.0));
+    gusset_net *net = sheet(), *after = sheet();
+    gusset_net_analysis *analysis = (gusset_net_analysis *)misaligned();
+    gusset_net_analysis_parts parts;
+    gusset_field wrap = field(GUSSET_FIELD_CYLINDER_WRAP, GUSSET_AXIS_Y, radius, 0, 0, 0);
+    gusset_field stand = field(GUSSET_FIELD_AFFINE, 0, 0, 0, 1, 0), both[2];
+    const uint32_t bad_link = 2 * NODES;
+    uint64_t moved = 0;
+    uint32_t sides = 0;
+
+    /* About y the arc is z and the height x: exchange them first. */
+    stand.values[5] = 1, stand.values[8] = -1;
+    both[0] = stand, both[1] = wrap;
+    memset(&parts, 0, sizeof parts);
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analyse_fields_create(context, NULL, both, 2, 0, 1e-9, &analysis));
+    CHECK(analysis == NULL);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analyse_fields_create(context, net, both, 2, 0, -1, &analysis));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analyse_fields_create(context, net, both, 2, 0, 1e-9, NULL));
+    EXPECT(GUSSET_OK, gusset_net_analyse_fields_create(context, net, both, 2, 0, 1e-9, &analysis));
+    EXPECT(GUSSET_OK, gusset_net_analysis_view(analysis, &parts));
+    CHECK(parts.link_count == 2 * NODES && parts.cell_count == CELLS && parts.determinants != NULL && parts.soft == 0);
+    CHECK(parts.contracted_count == ROWS && parts.contracted[0] == 2 * (COLUMNS - 1) && parts.stars[0] == 0);
+    CHECK(parts.torn_count == 0 && parts.torn == NULL && parts.folded_count == 0);
+    CHECK(fabs(parts.determinants[0] - 1) < 1e-7);
+    EXPECT(GUSSET_OK, gusset_net_deform(context, net, both, 2, 0));
+    EXPECT(GUSSET_OK, gusset_net_absorb(context, net, parts.contracted, parts.contracted_count));
+    EXPECT(GUSSET_OK, gusset_net_snap(context, net, &moved));
+    CHECK(moved == ROWS);
+    EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, NULL, NULL));
+    CHECK(sides == GUSSET_SIDES_TUBE);
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_absorb(context, net, &bad_link, 1));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_absorb(context, net, NULL, 1));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_absorb(context, NULL, &bad_link, 0));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_view(analysis, NULL));
+    parts.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_analysis_view(analysis, &parts));
+    gusset_net_analysis_destroy(analysis);
+
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_net_analyse_create(context, after, after, 0, &analysis));
+    EXPECT(GUSSET_OK, gusset_net_analysis_view(analysis, &parts));
+    CHECK(parts.soft == 1 && parts.determinants == NULL && parts.links[0] == 1.0 && parts.cells[CELLS - 1] == 1.0);
+    gusset_net_analysis_destroy(analysis);
+    gusset_net_analysis_destroy(NULL);
+    gusset_net_destroy(net);
+    net = prism();
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_analyse_create(context, net, after, 0, &analysis));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analyse_create(context, net, net, NAN, &analysis));
+    CHECK(analysis == NULL);
+    gusset_net_destroy(net);
+    gusset_net_destroy(after);
+}
+
+static void normals_and_measures(void) {
+    gusset_net *net = prism();
+    double nx[20], ny[20], nz[20], cells[12];
+    uint64_t without = 9;
+    size_t written = 7;
+    gusset_measures measures;
+    gusset_moments moments;
+    gusset_planarity summary;
+    gusset_net_arrays own = view(net);
+
+    EXPECT(GUSSET_OK, gusset_net_normals(context, net, nx, ny, nz, 20, &without));
+    CHECK(without == 0 && nz[0] == -1 && nz[19] == 1 && nx[5] == nx[9] && fabs(nx[5] - ny[5]) < 1e-15);
+    EXPECT(GUSSET_OK, gusset_net_normals(context, net, nx, ny, nz, 20, NULL));
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_normals(context, net, nx, ny, nz, 19, &without));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_normals(context, net, nx, NULL, nz, 20, &without));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_normals(context, NULL, nx, ny, nz, 20, &without));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_net_normals(context, net, misaligned(), ny, nz, 20, &without));
+    EXPECT(GUSSET_ERROR_OVERLAP, gusset_net_normals(context, net, nx, nx, nz, 20, &without));
+    EXPECT(GUSSET_ERROR_OVERLAP, gusset_net_normals(context, net, nx, ny, own.y, 20, &without));
+
+    measures.struct_size = sizeof measures;
+    moments.struct_size = sizeof moments;
+    summary.struct_size = sizeof summary;
+    EXPECT(GUSSET_OK, gusset_net_measure(context, net, &measures));
+    CHECK(measures.volume == 8 && measures.area == 24 && measures.low[0] == -1 && measures.high[2] == 1);
+    CHECK(measures.area_vector[0] == 0 && measures.area_vector[1] == 0 && measures.area_vector[2] == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_measure(context, NULL, &measures));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_measure(context, net, NULL));
+    EXPECT(GUSSET_OK, gusset_net_moments(context, net, &moments));
+    CHECK(fabs(moments.volume - 8) < 1e-13 && fabs(moments.centroid[2]) < 1e-15);
+    CHECK(fabs(moments.inertia[0] - 16.0 / 3) < 1e-13 && fabs(moments.inertia[1]) < 1e-13);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_moments(context, NULL, &moments));
+    moments.struct_size = 0;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_moments(context, net, &moments));
+    EXPECT(GUSSET_OK, gusset_net_planarity(context, net, 0, NULL, 0, &written, &summary));
+    CHECK(written == 12 && summary.worst == 0 && summary.above == 0);
+    EXPECT(GUSSET_OK, gusset_net_planarity(context, net, 0, cells, 12, &written, &summary));
+    CHECK(cells[11] == 0);
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_planarity(context, net, 0, cells, 11, &written, &summary));
+    CHECK(written == 12);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_planarity(context, net, NAN, cells, 12, &written, &summary));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_planarity(context, net, 0, cells, 12, NULL, &summary));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_planarity(context, net, 0, cells, 12, &written, NULL));
+    gusset_net_destroy(net);
+}
+
+static void sizes(void) {
+    gusset_net *net = sheet(), *made = (gusset_net *)misaligned(), *levels[GUSSET_PYRAMID_LEVELS];
+    const uint32_t link = 2 * (2 * COLUMNS + 3);
+    uint32_t rows[ROWS], columns[COLUMNS];
+    double deviation = -1;
+    size_t count = 0;
+
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_resample_create(context, net, 9, 9, 2, &made));
+    CHECK(made == NULL);
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_net_resample_create(context, net, 1, 9, 0, &made));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_net_resample_create(context, net, SIZE_MAX, 9, 0, &made));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_resample_create(context, NULL, 9, 9, 0, &made));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_resample_create(context, net, 9, 9, 0, NULL));
+    EXPECT(GUSSET_OK, gusset_net_resample_create(context, net, 9, 5, GUSSET_INTERPOLATION_BILINEAR, &made));
+    CHECK(view(made).rows == 9 && view(made).columns == 5 && y_of(made, 5) == 0.5 && x_of(made, 1) == 2);
+    gusset_net_destroy(made);
+    EXPECT(GUSSET_OK, gusset_net_resample_create(context, net, 9, 5, GUSSET_INTERPOLATION_BICUBIC, &made));
+    gusset_net_destroy(made);
+
+    EXPECT(GUSSET_OK, gusset_net_decimate_create(context, net, 1e-9, rows, columns, &deviation, &made));
+    CHECK(view(made).rows == 2 && view(made).columns == 2 && rows[1] == 4 && columns[1] == 8 && deviation == 0);
+    gusset_net_destroy(made);
+    EXPECT(GUSSET_OK, gusset_net_decimate_create(context, net, 0, NULL, NULL, NULL, &made));
+    gusset_net_destroy(made);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_decimate_create(context, net, -1, rows, columns, &deviation, &made));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_decimate_create(context, NULL, 0, rows, columns, &deviation, &made));
+
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_pyramid_create(context, net, 0, levels, 3, &count));
+    CHECK(count == 4 && levels[0] == NULL && levels[2] == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_pyramid_create(context, net, 0, NULL, 3, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_pyramid_create(context, net, 0, levels, 3, NULL));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_pyramid_create(context, net, 7, levels, 3, &count));
+    EXPECT(GUSSET_OK, gusset_net_pyramid_create(context, net, 0, levels, GUSSET_PYRAMID_LEVELS, &count));
+    CHECK(count == 4 && levels[4] == NULL && view(levels[3]).rows == 2 && view(levels[3]).columns == 2);
+    for (size_t k = 0; k < count; k++) {
+        gusset_net_destroy(levels[k]);
+    }
+
+    EXPECT(GUSSET_OK, gusset_net_absorb(context, net, &link, 1));
+    EXPECT(GUSSET_ERROR_GLUED_INSIDE, gusset_net_resample_create(context, net, 9, 9, 0, &made));
+    EXPECT(GUSSET_ERROR_GLUED_INSIDE, gusset_net_decimate_create(context, net, 0, NULL, NULL, NULL, &made));
+    EXPECT(GUSSET_ERROR_GLUED_INSIDE, gusset_net_pyramid_create(context, net, 0, levels, 32, &count));
+    gusset_net_destroy(net);
+}
+
+int main(void) {
+    const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
+    if (gusset_context_create(&context) != GUSSET_OK || up.face_count != down.face_count) {
+        return 1;
+    }
+    transforms();
+    kinds_of_fields();
+    wrong_fields();
+    functions_of_the_host();
+    analyses();
+    normals_and_measures();
+    sizes();
+    gusset_context_destroy(context);
+    return failures != 0;
+}

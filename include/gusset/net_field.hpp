@@ -1,0 +1,209 @@
+// Spatial operations and fields of deformation. Include gusset.hpp, not this.
+#ifndef GUSSET_NET_FIELD_HPP
+#define GUSSET_NET_FIELD_HPP
+
+#include <gusset/net_types.hpp>
+
+#include <algorithm>
+
+namespace gusset {
+
+/// An axis of coordinates.
+enum class Axis : uint32_t { x = GUSSET_AXIS_X, y = GUSSET_AXIS_Y, z = GUSSET_AXIS_Z };
+
+/// Three rows of four numbers, the fourth of each the displacement; see gusset_transform.
+using Transform = gusset_transform;
+/// A map of homogeneous coordinates: four rows of four.
+using Projection = std::array<double, 16>;
+
+/// The transform that leaves everything where it is.
+inline Transform identity() { return {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}; }
+/// The transform that moves by a vector.
+inline Transform translation(const Point3 &by) { return {{1, 0, 0, by[0], 0, 1, 0, by[1], 0, 0, 1, by[2]}}; }
+
+namespace detail {
+inline double *put(double *to, double number) {
+    *to = number;
+    return to + 1;
+}
+inline double *put(double *to, const Point3 &numbers) { return std::copy(numbers.begin(), numbers.end(), to); }
+/// Numbers one behind the other.
+template <class... Parts>
+void put_all(double *to, const Parts &...parts) {
+    ((to = put(to, parts)), ...);
+    static_cast<void>(to);
+}
+} // namespace detail
+
+/// A spatial operation: a step of Net::transform. See the constants GUSSET_OPERATION_...
+struct Operation : gusset_operation {
+    static Operation translate(const Point3 &by) { return Operation(GUSSET_OPERATION_TRANSLATE, by); }
+    /// About the axis through `point`, by the right hand, in radians.
+    static Operation rotate(const Point3 &direction, double angle, const Point3 &point = {}) {
+        return Operation(GUSSET_OPERATION_ROTATE, direction, angle, point);
+    }
+    /// The same by the left hand.
+    static Operation rotate_as_printed(const Point3 &direction, double angle, const Point3 &point = {}) {
+        return Operation(GUSSET_OPERATION_ROTATE_AS_PRINTED, direction, angle, point);
+    }
+    /// About the origin.
+    static Operation scale(double ratio) { return Operation(GUSSET_OPERATION_SCALE, ratio); }
+    /// About an axis of coordinates.
+    static Operation compress(Axis axis, double ratio) {
+        Operation made(GUSSET_OPERATION_COMPRESS, ratio);
+        made.axis = static_cast<gusset_axis>(axis);
+        return made;
+    }
+    static Operation stretch(const Point3 &ratios) { return Operation(GUSSET_OPERATION_STRETCH, ratios); }
+    static Operation matrix(const Transform &map) {
+        Operation made(GUSSET_OPERATION_MATRIX);
+        std::memcpy(made.values, map.rows, sizeof map.rows);
+        return made;
+    }
+
+private:
+    template <class... Parts>
+    explicit Operation(gusset_operation_kind kind_, const Parts &...parts) : gusset_operation{} {
+        kind = kind_;
+        detail::put_all(values, parts...);
+    }
+};
+static_assert(sizeof(Operation) == sizeof(gusset_operation), "nothing added");
+
+/// How a strength goes from one key to the next.
+enum class Easing : uint32_t {
+    linear = GUSSET_EASING_LINEAR,
+    smooth = GUSSET_EASING_SMOOTH,
+    hold = GUSSET_EASING_HOLD
+};
+/// A time, and the strength of a field there.
+struct Key {
+    double time, strength;
+};
+
+/// A field of deformation, for Net::deform. It owns its keys and offsets. See the constants GUSSET_FIELD_... and gusset_field.
+class Field {
+public:
+    static Field affine(const Transform &map) {
+        Field made(GUSSET_FIELD_AFFINE);
+        std::memcpy(made.field_.values, map.rows, sizeof map.rows);
+        return made;
+    }
+    /// `rate`: radians for each unit along the axis from the coordinate `from` on.
+    static Field twist(Axis axis, double rate, double from = 0.0) {
+        return Field(GUSSET_FIELD_TWIST, rate, from).about(axis);
+    }
+    /// `rate`: how much distances from the axis grow for each unit along it from the coordinate `from` on.
+    static Field taper(Axis axis, double rate, double from = 0.0) {
+        return Field(GUSSET_FIELD_TAPER, rate, from).about(axis);
+    }
+    /// Between two coordinates on the axis, towards the axis that follows.
+    static Field bend(Axis axis, double curvature, double from = 0.0,
+                      double to = std::numeric_limits<double>::infinity()) {
+        return Field(GUSSET_FIELD_BEND, curvature, from, to).about(axis);
+    }
+    /// The coordinate on `axis` grows by `rate` times that on `other`.
+    static Field shear(Axis axis, Axis other, double rate) {
+        Field made = Field(GUSSET_FIELD_SHEAR, rate).about(axis);
+        made.field_.other_axis = static_cast<gusset_axis>(other);
+        return made;
+    }
+    static Field spherify(const Point3 &centre, double radius) { return Field(GUSSET_FIELD_SPHERIFY, centre, radius); }
+    /// Of the two axes that follow, the first becomes the arc, from the second one on, and the second the height above the
+    /// cylinder.
+    static Field wrap_cylinder(Axis axis, double radius) {
+        return Field(GUSSET_FIELD_CYLINDER_WRAP, radius).about(axis);
+    }
+    static Field wrap_torus(Axis axis, double radius, double tube_radius) {
+        return Field(GUSSET_FIELD_TORUS_WRAP, radius, tube_radius).about(axis);
+    }
+    /// Free-form deformation. `offsets`: how far each of counts[0] * counts[1] * counts[2] control points is moved, x running
+    /// first.
+    static Field lattice(const Point3 &low, const Point3 &high, const std::array<uint32_t, 3> &counts,
+                         std::vector<Point3> offsets) {
+        std::size_t wanted = 1;
+        bool fits = true;
+        for (uint32_t count : counts) {
+            // What is more than 32 is refused by the call, with a report.
+            fits = fits && count <= 32;
+            wanted *= fits ? count : 1;
+        }
+        if (fits && wanted != offsets.size()) {
+            throw std::invalid_argument("gusset: the number of offsets is not that of the control points");
+        }
+        Field made(GUSSET_FIELD_LATTICE, low, high);
+        made.offsets_ = std::move(offsets);
+        std::memcpy(made.field_.counts, counts.data(), sizeof made.field_.counts);
+        return made;
+    }
+    static Field projection(const Projection &map) {
+        Field made(GUSSET_FIELD_PROJECTION);
+        std::memcpy(made.field_.values, map.data(), sizeof made.field_.values);
+        return made;
+    }
+    /// Onto a plane, along a direction.
+    static Field parallel(const Point3 &point, const Point3 &normal, const Point3 &direction) {
+        return Field(GUSSET_FIELD_PARALLEL, point, normal, direction);
+    }
+    /// Onto a plane, along the lines through the eye.
+    static Field perspective(const Point3 &eye, const Point3 &point, const Point3 &normal) {
+        return Field(GUSSET_FIELD_PERSPECTIVE, eye, point, normal);
+    }
+
+    /// The same field, done in part: 0 not at all, 1 all of it. With keys, it multiplies what they say.
+    Field in_part(double strength) const {
+        Field made = *this;
+        made.field_.strength = strength;
+        return made;
+    }
+    /// The same field with a strength that depends on the time, which increases from key to key.
+    Field keyed(std::vector<Key> keys, Easing easing = Easing::linear) const {
+        static_assert(sizeof(Key) == 2 * sizeof(double), "packed");
+        Field made = *this;
+        made.keys_ = std::move(keys);
+        made.field_.easing = static_cast<gusset_easing>(easing);
+        return made;
+    }
+
+    /// As the C interface has it; it borrows from this, which must outlive it.
+    gusset_field get() const & {
+        gusset_field field = field_;
+        field.keys = keys_.empty() ? nullptr : &keys_.data()->time;
+        field.key_count = keys_.size();
+        field.offsets = offsets_.empty() ? nullptr : offsets_.data()->data();
+        return field;
+    }
+    gusset_field get() const && = delete;
+
+private:
+    template <class... Parts>
+    explicit Field(gusset_field_kind kind, const Parts &...parts) {
+        field_.struct_size = sizeof field_;
+        field_.kind = kind;
+        field_.strength = 1.0;
+        detail::put_all(field_.values, parts...);
+    }
+    Field about(Axis axis) && {
+        field_.axis = static_cast<gusset_axis>(axis);
+        return std::move(*this);
+    }
+
+    gusset_field field_{};
+    std::vector<Key> keys_;
+    std::vector<Point3> offsets_;
+};
+
+namespace detail {
+inline std::vector<gusset_field> as_c(Span<const Field> fields) {
+    std::vector<gusset_field> given;
+    given.reserve(fields.size());
+    for (const Field &field : fields) {
+        given.push_back(field.get());
+    }
+    return given;
+}
+} // namespace detail
+
+} // namespace gusset
+
+#endif // GUSSET_NET_FIELD_HPP

@@ -1,0 +1,152 @@
+//! The three closures of a box, the paper's cube among them (its Fig. 6).
+//!
+//! A vertex of a box has the angle 3/2 pi around it, an odd multiple of a right angle, which only a corner of the net
+//! can give; a net has four corners and a box eight vertices. So some cells must degenerate. All three closures wrap
+//! the four lateral faces with a closed band of rows and differ in how the rows beyond it cover the two caps. Where a
+//! node lies on the box is a function of its row and column, and links are contracted that join a place to itself.
+
+use crate::error::{Error, Result};
+use crate::net::topology::{Links, Matrix, Run, Seam};
+use crate::net::{Shape, Sides, Topology};
+
+/// How the caps of a box are covered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum BoxKind {
+    /// Two opposite rims of the cap sweep over it until they meet in a slit, which is then zipped up from both ends.
+    /// All faces are unit quads, all vertices but the eight have four edges, and the characteristic matrix says it all.
+    #[default]
+    Slit,
+    /// The paper's crosswise unwrapping: one block of the net is the cap, the three blocks beside it are drawn together
+    /// to its sides. All faces are unit quads; the last row of each cap is a [`Seam`].
+    Cross,
+    /// Concentric rings. Fewest nodes; cells on the diagonals of the caps are split into two triangles.
+    Concentric,
+}
+
+/// A box of `cells` unit cells in x, y and z as a net.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Cuboid {
+    /// How the caps, at both ends of z, are covered.
+    pub kind: BoxKind,
+    /// The number of cells along x, y and z; each at least 1.
+    pub cells: [u32; 3],
+}
+
+impl Cuboid {
+    /// A cube.
+    pub fn cube(kind: BoxKind, cells: u32) -> Self {
+        Cuboid { kind, cells: [cells; 3] }
+    }
+
+    /// The size of the net.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (no cells), [`Error::TooLarge`].
+    pub fn shape(&self) -> Result<Shape> {
+        if self.cells.contains(&0) {
+            return Err(Error::OptionOutOfRange { option: "cells", value: 0.0 });
+        }
+        let [a, b, c] = self.cells.map(|n| n as usize);
+        Shape::new(c + 1 + 2 * self.cap_rows(), 2 * (a + b) + 1)
+    }
+
+    /// The rows beyond the lateral faces, at each end.
+    fn cap_rows(&self) -> usize {
+        let [a, b, _] = self.cells.map(|n| n as usize);
+        match self.kind {
+            BoxKind::Slit => a.div_ceil(2) + b.div_ceil(2),
+            BoxKind::Cross => b,
+            BoxKind::Concentric => a.div_ceil(2).max(b.div_ceil(2)),
+        }
+    }
+
+    /// What is glued to what.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (no cells), [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub fn topology(&self) -> Result<Topology> {
+        let shape = self.shape()?;
+        let (h, w) = (shape.rows(), shape.columns());
+        let mut matrix = Matrix::of_sides(shape, Sides::TUBE)?;
+        for i in (0..h).filter(|&i| i == 0 || self.level(i) == self.level(i - 1) || self.is_cap_row(i)) {
+            for j in 0..w {
+                let here = self.place(i, j);
+                if j + 1 < w && here == self.place(i, j + 1) {
+                    matrix.set(2 * shape.node(i, j), true);
+                }
+                if i > 0 && here == self.place(i - 1, j) {
+                    matrix.set(2 * shape.node(i - 1, j) + 1, true);
+                }
+            }
+        }
+        let [a, b, _] = self.cells;
+        let seam = |row| Seam { a: Run::along_row(row, 0, 1), b: Run::along_row(row, 2 * a + b, -1), count: a + 1 };
+        let seams = [seam(0), seam(h as u32 - 1)];
+        let seams = if self.kind == BoxKind::Cross { &seams[..] } else { &[] };
+        Topology::new(shape, Links::Matrix(matrix), seams)
+    }
+
+    fn is_cap_row(&self, i: usize) -> bool {
+        self.depth(i) > 0
+    }
+
+    /// How many rows row i is beyond the lateral faces.
+    fn depth(&self, i: usize) -> usize {
+        let (cap, c) = (self.cap_rows(), self.cells[2] as usize);
+        cap.saturating_sub(i).max(i.saturating_sub(cap + c))
+    }
+
+    /// The z of row i.
+    fn level(&self, i: usize) -> u32 {
+        i.saturating_sub(self.cap_rows()).min(self.cells[2] as usize) as u32
+    }
+
+    /// Where node (i, j) is, in cells from the box's corner. Rows go from the bottom to the top, columns round the box
+    /// counter-clockwise seen from above.
+    pub fn place(&self, i: usize, j: usize) -> [u32; 3] {
+        let [a, b, _] = self.cells;
+        let (depth, column) = (self.depth(i) as u32, j as u32 % (2 * (a + b)));
+        let [x, y] = match self.kind {
+            BoxKind::Slit => {
+                let (s, t) = (depth.min(b.div_ceil(2)), depth.saturating_sub(b.div_ceil(2)));
+                let [x, y] = self.rim(column);
+                [drawn_in(x, t, a), drawn_in(y, s, b)]
+            }
+            BoxKind::Concentric => {
+                let [x, y] = self.rim(column);
+                [drawn_in(x, depth, a), drawn_in(y, depth, b)]
+            }
+            BoxKind::Cross => self.crosswise(depth, column),
+        };
+        [x, y, self.level(i)]
+    }
+
+    /// Where a column meets the rim of a cap: along x, along y, back along x, back along y.
+    fn rim(&self, column: u32) -> [u32; 2] {
+        let [a, b, _] = self.cells;
+        match column {
+            k if k <= a => [k, 0],
+            k if k <= a + b => [a, k - a],
+            k if k <= 2 * a + b => [2 * a + b - k, b],
+            k => [0, 2 * (a + b) - k],
+        }
+    }
+
+    /// The first block is the cap itself, from its rim at y = 0; the third, opposite, is drawn together to its rim at y
+    /// = b; the two between to those at x = a and x = 0, where they follow the first block's end.
+    fn crosswise(&self, depth: u32, column: u32) -> [u32; 2] {
+        let [a, b, _] = self.cells;
+        let [x, y] = self.rim(column);
+        match column {
+            k if k <= a => [x, depth],
+            k if k > a + b && k < 2 * a + b => [x, b],
+            _ => [x, y.max(depth)],
+        }
+    }
+}
+
+/// A coordinate between 0 and `size`, drawn in by `steps` from both ends; of an odd size the last step moves one end
+/// only.
+fn drawn_in(value: u32, steps: u32, size: u32) -> u32 {
+    value.clamp(steps.min(size.div_ceil(2)), size - steps.min(size / 2))
+}

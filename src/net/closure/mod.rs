@@ -1,0 +1,62 @@
+//! Closures that need more than [`Sides`]: boxes, and surfaces with a side turned round.
+//!
+//! A net is a rectangle, and a closed surface is a rectangle whose sides are glued. What [`Sides`] say,
+//! and the characteristic matrix in general, glues neighbours and the ends of rows and columns; a side that is glued to
+//! another one the other way round, or to itself folded, is a [`Seam`].
+
+mod cuboid;
+
+pub use cuboid::{BoxKind, Cuboid};
+
+use super::topology::{Links, Run, Seam};
+use super::{Shape, Sides, Topology};
+use crate::error::{Error, Result};
+
+/// A Möbius strip: the last column is the first one upside down. Euler's characteristic 0, one boundary loop.
+///
+/// # Errors
+/// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
+pub fn moebius(shape: Shape) -> Result<Topology> {
+    Topology::new(shape, Links::Sides(Sides::SHEET), &[turned_columns(shape)])
+}
+
+/// A Klein bottle: columns are closed, and the last column is the first one upside down. Euler's characteristic 0,
+/// closed.
+///
+/// # Errors
+/// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
+pub fn klein(shape: Shape) -> Result<Topology> {
+    let sides = Sides { columns_closed: true, ..Sides::SHEET };
+    Topology::new(shape, Links::Sides(sides), &[turned_columns(shape)])
+}
+
+/// A projective plane: opposite nodes of the rim are one. Euler's characteristic 1, closed.
+///
+/// # Errors
+/// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
+pub fn projective_plane(shape: Shape) -> Result<Topology> {
+    let (h, w) = (shape.rows() as u32, shape.columns() as u32);
+    let rows = Seam { a: Run::along_row(0, 0, 1), b: Run::along_row(h - 1, w - 1, -1), count: w };
+    Topology::new(shape, Links::Sides(Sides::SHEET), &[turned_columns(shape), rows])
+}
+
+/// A pillow: a tube laid flat whose two rims are folded shut. A sphere with four vertices of two edges, unlike any that
+/// [`Sides`] describe.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for an even number of columns: a row is folded at its first and its middle node.
+/// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
+pub fn pillow(shape: Shape) -> Result<Topology> {
+    let (h, w) = (shape.rows() as u32, shape.columns() as u32);
+    if w % 2 == 0 {
+        return Err(Error::OptionOutOfRange { option: "columns", value: w.into() });
+    }
+    let folded = |row| Seam { a: Run::along_row(row, 0, 1), b: Run::along_row(row, w - 1, -1), count: w.div_ceil(2) };
+    Topology::new(shape, Links::Sides(Sides::TUBE), &[folded(0), folded(h - 1)])
+}
+
+/// The last column is the first one upside down.
+fn turned_columns(shape: Shape) -> Seam {
+    let (h, w) = (shape.rows() as u32, shape.columns() as u32);
+    Seam { a: Run::along_column(0, w - 1, 1), b: Run::along_column(h - 1, 0, -1), count: h }
+}

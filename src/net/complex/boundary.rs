@@ -1,0 +1,134 @@
+//! The boundary: edges of one face, in chains.
+
+use super::scan::FanEnds;
+use super::{Edge, group};
+use crate::alloc;
+use crate::error::{Error, Result};
+
+/// The chains of edges that have one face each.
+///
+/// Where the boundary passes a vertex more than once, a chain goes on along the fan of faces it came along. All chains
+/// are loops, but for those that end at edges of three faces and more.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Boundary {
+    offsets: Vec<u32>,
+    nodes: Vec<u32>,
+    open: Vec<bool>,
+}
+
+impl Boundary {
+    /// The number of chains.
+    pub fn len(&self) -> usize {
+        self.open.len()
+    }
+
+    /// True if no edge has one face.
+    pub fn is_empty(&self) -> bool {
+        self.open.is_empty()
+    }
+
+    /// The vertices of chain k, each by its smallest node, with the faces on the left.
+    pub fn get(&self, k: usize) -> &[u32] {
+        &self.nodes[self.offsets[k] as usize..self.offsets[k + 1] as usize]
+    }
+
+    /// True if chain k does not end where it begins.
+    pub fn is_open(&self, k: usize) -> bool {
+        self.open[k]
+    }
+
+    /// 1 for each chain that does not end where it begins, 0 for the others.
+    pub(crate) fn open_flags(&self) -> Result<Vec<u32>> {
+        alloc::collect(self.open.iter().map(|&open| open.into()))
+    }
+
+    /// The number of edges of chain k.
+    pub fn edge_count(&self, k: usize) -> usize {
+        self.get(k).len() - usize::from(self.open[k])
+    }
+
+    /// All chains.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        (0..self.len()).map(|k| self.get(k))
+    }
+
+    /// 0, then the end of each chain among the nodes.
+    pub fn offsets(&self) -> &[u32] {
+        &self.offsets
+    }
+
+    /// The vertices of all chains, one chain after the other.
+    pub fn nodes(&self) -> &[u32] {
+        &self.nodes
+    }
+
+    /// Chains of `edges` of a net of `count` nodes, each once, in the direction of its face or (`reversed`) against it.
+    /// `fan_ends`: the pairs of edges that belong together at vertices that have more than two. A sort of the edges.
+    pub(super) fn of(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize, reversed: bool) -> Result<Self> {
+        let limit = u64::from(u32::MAX / 2);
+        if edges.len() as u64 > limit {
+            return Err(Error::TooLarge { what: "edges of one face", count: edges.len() as u64, limit });
+        }
+        let partners = partners(edges, fan_ends, count)?;
+        let mut boundary = Boundary { offsets: alloc::filled(0, 1)?, ..Boundary::default() };
+        let mut done: Vec<bool> = alloc::filled(false, edges.len())?;
+        // First those that have an end, from there; then the loops.
+        let mut walk = |end: usize| {
+            if done[end / 2] {
+                return Ok(());
+            }
+            let mut at = end;
+            loop {
+                done[at / 2] = true;
+                alloc::push(&mut boundary.nodes, edges[at / 2][at % 2])?;
+                match partners[at ^ 1] as usize {
+                    next if next == at ^ 1 => {
+                        alloc::push(&mut boundary.nodes, edges[at / 2][1 - at % 2])?;
+                        break alloc::push(&mut boundary.open, true)?;
+                    }
+                    next if next == end => break alloc::push(&mut boundary.open, false)?,
+                    next => at = next,
+                }
+            }
+            let start = boundary.offsets[boundary.offsets.len() - 1] as usize;
+            if reversed {
+                boundary.nodes[start..].reverse();
+            }
+            alloc::push(&mut boundary.offsets, boundary.nodes.len() as u32)
+        };
+        (0..partners.len()).filter(|&end| partners[end] as usize == end).try_for_each(&mut walk)?;
+        (0..edges.len()).try_for_each(|edge| walk(2 * edge))?;
+        Ok(boundary)
+    }
+}
+
+/// For each end of each edge (number `2 * edge + side`) the end of the edge that the chain goes on with, or itself.
+fn partners(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize) -> Result<Vec<u32>> {
+    group::sort(fan_ends, count, |fan| fan[0])?;
+    let mut partners: Vec<u32> = alloc::collect((0..2 * edges.len()).map(|end| end as u32))?;
+    // (vertex, the edge's other vertex, number)
+    let mut ends: Vec<(u32, u32, u32)> = alloc::with_capacity(2 * edges.len())?;
+    for (edge, &[a, b]) in (0..).zip(edges) {
+        ends.extend([(a, b, 2 * edge), (b, a, 2 * edge + 1)]);
+    }
+    group::sort(&mut ends, count, |end| end.0)?;
+    let mut fans = fan_ends.iter().peekable();
+    for group in ends.chunk_by(|a, b| a.0 == b.0) {
+        let mut join = |a: u32, b: u32| {
+            (partners[a as usize], partners[b as usize]) = (b, a);
+        };
+        if let [a, b] = group {
+            join(a.2, b.2);
+            continue;
+        }
+        let find = |other: u32| group.binary_search_by_key(&other, |end| end.1).map(|at| group[at].2);
+        // Both lists are in the order of the vertices.
+        while fans.next_if(|fan| fan[0] < group[0].0).is_some() {}
+        while let Some(fan) = fans.next_if(|fan| fan[0] == group[0].0) {
+            if let (Ok(a), Ok(b)) = (find(fan[1]), find(fan[2])) {
+                join(a, b);
+            }
+        }
+    }
+    Ok(partners)
+}

@@ -1,0 +1,114 @@
+//! Connectedness and orientability.
+
+use super::edges::faces;
+use super::presence::Presence;
+use super::scan::{Scan, Side};
+use crate::alloc;
+use crate::error::Result;
+use crate::net::topology::{Classes, Forest};
+
+/// The number of pieces. O(nodes), unless all cells are there, which hang together.
+pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> {
+    if presence.is_all() {
+        return Ok(1);
+    }
+    let shape = classes.shape();
+    let mut forest = Forest::new(shape.node_count())?;
+    let mut touched: Vec<bool> = alloc::filled(false, shape.node_count())?;
+    let mut row: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
+    for i in 0..shape.rows() - 1 {
+        presence.row(shape, i, &mut row);
+        for j in (0..shape.columns() - 1).filter(|&j| row[j + 1] == 1) {
+            let [a, b, c, d] = shape.corners(i, j);
+            for node in [b, c, d] {
+                forest.join([a, node]);
+            }
+            [a, b, c, d].into_iter().for_each(|node| touched[node as usize] = true);
+        }
+    }
+    // A glued node that no cell touches joins nothing.
+    let mut first: Vec<u32> = Vec::new();
+    classes.glued(|node, representative| {
+        if first.is_empty() {
+            first = alloc::filled(u32::MAX, shape.node_count())?;
+        }
+        for node in [representative, node].into_iter().filter(|&node| touched[node as usize]) {
+            match &mut first[representative as usize] {
+                first if *first == u32::MAX => *first = node,
+                first => forest.join([*first, node]),
+            }
+        }
+        Ok(())
+    })?;
+    let roots = (0..shape.node_count()).filter(|&node| touched[node] && forest.find(node as u32) == node as u32);
+    Ok(roots.count() as u64)
+}
+
+/// True if the faces can be turned so that no two run along an edge the same way; edges of three faces and more are
+/// left out. O(cells).
+pub(super) fn is_orientable(scan: &Scan<'_>, classes: &Classes, presence: &Presence) -> Result<bool> {
+    let shape = classes.shape();
+    let (h, w) = (shape.rows(), shape.columns());
+    let mut signs = Signs::new(shape.cell_count())?;
+    let mut row: Vec<u8> = alloc::zeroed(w + 1)?;
+    let mut next: Vec<u8> = alloc::zeroed(w + 1)?;
+    let plain = |a: u32, b: u32| !scan.is_glued(a) && !scan.is_glued(b);
+    presence.row(shape, 0, &mut row);
+    for i in 0..h - 1 {
+        presence.row(shape, i + 1, &mut next);
+        for j in (0..w - 1).filter(|&j| row[j + 1] == 1) {
+            let [_, b, c, d] = shape.corners(i, j);
+            if row[j + 2..].first() == Some(&1) && plain(b, c) {
+                signs.join(shape.cell(i, j), shape.cell(i, j + 1), false);
+            }
+            if next[j + 1] == 1 && plain(c, d) {
+                signs.join(shape.cell(i, j), shape.cell(i + 1, j), false);
+            }
+        }
+        std::mem::swap(&mut row, &mut next);
+    }
+    let pairs = scan.sides.chunk_by(|a: &Side, b: &Side| a.edge == b.edge).filter_map(|sides| match faces(sides) {
+        [a, b] => Some((a.cell, b.cell, a.sense == b.sense)),
+        _ => None,
+    });
+    let mut orientable = true;
+    pairs.for_each(|(a, b, opposed)| orientable &= signs.join(a, b, opposed));
+    Ok(orientable)
+}
+
+/// Disjoint sets of cells, each with the sign of every cell relative to its root's.
+struct Signs {
+    /// Twice the parent, plus 1 if the sign is the other one.
+    parents: Vec<u32>,
+}
+
+impl Signs {
+    fn new(count: usize) -> Result<Self> {
+        Ok(Signs { parents: alloc::collect((0..count).map(|cell| 2 * cell as u32))? })
+    }
+
+    /// Twice the root, plus 1 if the cell's sign is the other one.
+    fn find(&mut self, cell: u32) -> u32 {
+        let mut at = 2 * cell;
+        loop {
+            let parent = self.parents[at as usize / 2];
+            if parent / 2 == at / 2 {
+                return at;
+            }
+            let above = self.parents[parent as usize / 2] ^ parent & 1;
+            self.parents[at as usize / 2] = above;
+            at = above ^ at & 1;
+        }
+    }
+
+    /// Says that the signs are opposed or equal; false if they are known to be otherwise.
+    fn join(&mut self, a: u32, b: u32, opposed: bool) -> bool {
+        let (a, b) = (self.find(a), self.find(b));
+        if a / 2 == b / 2 {
+            return (a ^ b) & 1 == u32::from(opposed);
+        }
+        let (least, greatest) = (a.min(b), a.max(b));
+        self.parents[greatest as usize / 2] = least & !1 | (least ^ greatest ^ u32::from(opposed)) & 1;
+        true
+    }
+}

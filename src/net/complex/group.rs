@@ -1,0 +1,36 @@
+//! Putting in order what belongs to vertices.
+
+use crate::alloc;
+use crate::error::Result;
+
+/// Sorts items that have the numbers of vertices, all below `count`, as their first criterion.
+///
+/// Many items are brought to their vertices first, in linear time, and only those of each vertex are sorted: on a net
+/// there are few of them but at poles.
+pub(super) fn sort<T: Ord + Copy>(items: &mut Vec<T>, count: usize, vertex: impl Fn(&T) -> u32) -> Result<()> {
+    if items.len() < count / 8 || items.len() < 256 || items.len() > u32::MAX as usize {
+        items.sort_unstable();
+        return Ok(());
+    }
+    // Where the items of each vertex begin; in the end, where they end.
+    let mut places: Vec<u32> = alloc::zeroed(count + 1)?;
+    for item in items.iter() {
+        places[vertex(item) as usize + 1] += 1;
+    }
+    for v in 0..count {
+        places[v + 1] += places[v];
+    }
+    let mut sorted = alloc::copied(items)?;
+    for item in items.iter() {
+        let place = &mut places[vertex(item) as usize];
+        sorted[*place as usize] = *item;
+        *place += 1;
+    }
+    let mut start = 0;
+    for &end in &places[..count] {
+        sorted[start..end as usize].sort_unstable();
+        start = end as usize;
+    }
+    *items = sorted;
+    Ok(())
+}

@@ -1,0 +1,143 @@
+//! Nets of heights over a grid, and of organised points such as range images.
+
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::mesh::{Positions, Scalar};
+use crate::net::arrange::planes;
+use crate::net::{Coordinates, Net, Planes, Real, Shape, Sides, Topology};
+use glam::DVec3;
+
+/// Heights over a grid: rows of numbers, as digital elevation models have them.
+#[derive(Debug, Clone, Copy)]
+pub struct Heights<'a, T> {
+    /// The size.
+    pub shape: Shape,
+    /// Row after row.
+    pub values: &'a [T],
+    /// Numbers from row to row; 0 for rows without gaps.
+    pub stride: usize,
+    /// From each column to the next (x), and from each row to the next (y): negative where rows run against y, as from north
+    /// to south. Neither is 0.
+    pub spacing: [f64; 2],
+    /// Where the first node is if its height is 0.
+    pub origin: DVec3,
+    /// The number that stands for a missing height; NaN and infinities always do.
+    pub no_data: Option<f64>,
+}
+
+/// The net of heights, in their type: x = origin + j spacing, y = origin + i spacing, z = origin + height. Missing heights become
+/// missing nodes. Faces are counter-clockwise from above, whichever way the rows run. O(nodes).
+///
+/// # Errors
+/// [`Error::StrideTooSmall`], [`Error::ArrayTooShort`], [`Error::SizeOverflow`]; [`Error::OptionOutOfRange`] for a spacing or an
+/// origin that is not finite, or a spacing that leaves no distance between nodes in the type of the heights; [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn net_of_heights<T: Real>(heights: &Heights<'_, T>, job: &Job<'_>) -> Result<Net<'static>>
+where
+    Coordinates<'static>: From<Planes<'static, T>>,
+{
+    let Heights { shape, values, stride, spacing: [dx, dy], origin, no_data } = *heights;
+    let bad = |value: &f64| !value.is_finite();
+    if let Some(value) = [dx, dy].into_iter().find(|value| bad(value) || *value == 0.0) {
+        return Err(Error::OptionOutOfRange { option: "spacing", value });
+    }
+    if let Some(value) = origin.to_array().into_iter().find(bad) {
+        return Err(Error::OptionOutOfRange { option: "origin", value });
+    }
+    // Neighbours must differ, and be finite, in the type that they are kept in.
+    for (origin, step, count) in [(origin.x, dx, shape.columns()), (origin.y, dy, shape.rows())] {
+        let at = |k: usize| T::of(origin + k as f64 * step);
+        if at(0) == at(1) || at(count - 2) == at(count - 1) || !at(count - 1).into().is_finite() {
+            return Err(Error::OptionOutOfRange { option: "spacing", value: step });
+        }
+    }
+    let no_data = no_data.map(|value| T::of(value).into());
+    let needed = Planes::<T>::length(shape, stride)?;
+    if values.len() < needed {
+        let (needed, given) = ((needed * size_of::<T>()) as u64, size_of_val(values) as u64);
+        return Err(Error::ArrayTooShort { what: "heights", needed, given });
+    }
+    let columns = shape.columns();
+    let stride = if stride == 0 { columns } else { stride };
+    let matrices = planes(shape, job, |axis, rows, to: &mut [T]| {
+        for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
+            match axis {
+                0 => to.iter_mut().enumerate().for_each(|(j, x)| *x = T::of(origin.x + j as f64 * dx)),
+                1 => to.fill(T::of(origin.y + i as f64 * dy)),
+                _ => {
+                    let from = &values[i * stride..][..columns];
+                    to.iter_mut().zip(from).for_each(|(z, &h)| *z = T::of(origin.z + height(h.into(), no_data)));
+                }
+            }
+        }
+    })?;
+    let topology = Topology::of_sides(shape, Sides::SHEET).with_reversed((dx < 0.0) != (dy < 0.0));
+    Ok(Net::new(Coordinates::from(matrices), topology))
+}
+
+/// The height, or NaN if it is missing.
+fn height(value: f64, no_data: Option<f64>) -> f64 {
+    if value.is_finite() && no_data != Some(value) { value } else { f64::NAN }
+}
+
+/// The net of organised points, such as range images: position i * columns + j is node (i, j), of the same value. A position of
+/// which a coordinate is NaN, infinite or `no_data` is a missing node. O(nodes).
+///
+/// # Errors
+/// [`Error::ArrayTooShort`] for fewer positions than nodes, [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn net_of_points(
+    shape: Shape,
+    points: &Positions<'_>,
+    no_data: Option<f64>,
+    job: &Job<'_>,
+) -> Result<Net<'static>> {
+    let count = shape.node_count();
+    if points.len() < count {
+        let size = points.scalar().position_size();
+        let (needed, given) = ((count * size) as u64, (points.len() * size) as u64);
+        return Err(Error::ArrayTooShort { what: "positions", needed, given });
+    }
+    let coordinates = match points.scalar() {
+        Scalar::F32 => Coordinates::F32(organised(shape, points, no_data, job)?),
+        Scalar::F64 => Coordinates::F64(organised(shape, points, no_data, job)?),
+    };
+    Ok(Net::new(coordinates, Topology::of_sides(shape, Sides::SHEET)))
+}
+
+fn organised<T: Real>(
+    shape: Shape,
+    points: &Positions<'_>,
+    no_data: Option<f64>,
+    job: &Job<'_>,
+) -> Result<Planes<'static, T>> {
+    let no_data = no_data.map(|value| T::of(value).into());
+    planes(shape, job, |axis, rows, to: &mut [T]| {
+        for (node, to) in (shape.node(rows.start, 0)..).zip(to) {
+            let p = points.get(node);
+            let missing = no_data.is_some_and(|value| p.to_array().contains(&value));
+            *to = T::of(if missing { f64::NAN } else { p[axis] });
+        }
+    })
+}
+
+impl Net<'_> {
+    /// Makes missing every node of which a coordinate is `value`, rounded to their type: the number that stands for what was not
+    /// seen. O(nodes).
+    pub fn clear_no_data(&mut self, value: f64) {
+        match self.coordinates_mut() {
+            Coordinates::F32(planes) => clear(planes, value),
+            Coordinates::F64(planes) => clear(planes, value),
+        }
+    }
+}
+
+fn clear<T: Real>(planes: &mut Planes<'_, T>, value: f64) {
+    let value = T::of(value);
+    for i in 0..planes.shape().rows() {
+        let [x, y, z] = planes.row_mut(i);
+        for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
+            if [*x, *y, *z].contains(&value) {
+                [*x, *y, *z] = [T::of(f64::NAN); 3];
+            }
+        }
+    }
+}

@@ -1,0 +1,306 @@
+//! The polygon mesh of a net.
+//!
+//! Classes of glued nodes become vertices, so that closed nets become closed meshes; cells become what is left of them when
+//! glued corners are one (paper, Fig. 4): quads, triangles, or nothing.
+
+use super::taken::Taken;
+use super::texture::Texture;
+use super::wires;
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::mesh::{MAX_ELEMENTS, Mesh, NONE, PositionBuffer, Scalar};
+use crate::net::hidden::Hidden;
+use crate::net::topology::Reduced;
+use crate::net::{Classes, Net, Planes, Real, each};
+use glam::DVec3;
+
+/// How quads are cut into triangles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Diagonal {
+    /// The shorter diagonal; from (i, j) to (i + 1, j + 1) where they are equal. Where that would be an edge that there is already,
+    /// as gluing may have it, the other one.
+    Shorter,
+    /// From (i, j) to (i + 1, j + 1), with the same exception.
+    Fixed,
+}
+
+/// How a net becomes a mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MeshOptions {
+    /// Triangles only; `None` keeps quads.
+    pub triangles: Option<Diagonal>,
+    /// One vertex for each class of glued nodes; else one for each node, and nothing is glued.
+    pub weld: bool,
+    /// Vertices that neither a face nor a wire uses are kept, as long as they are finite.
+    pub keep_unused: bool,
+    /// A cell of which just one corner is missing becomes a triangle; else it is left out.
+    pub fill_corners: bool,
+    /// Texture coordinates are wanted.
+    pub texture: bool,
+}
+
+impl Default for MeshOptions {
+    fn default() -> Self {
+        MeshOptions { triangles: None, weld: true, keep_unused: false, fill_corners: false, texture: false }
+    }
+}
+
+/// A net as a mesh, and what became what.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NetMesh {
+    /// The mesh; faces are counter-clockwise as the net's are. It may have none.
+    pub mesh: Mesh,
+    /// For each node its vertex, or `u32::MAX`.
+    pub vertex_of_node: Vec<u32>,
+    /// For each vertex the smallest of its nodes. The vertex lies where the first of them does that is not missing.
+    pub node_of_vertex: Vec<u32>,
+    /// For each face its cell.
+    pub cell_of_face: Vec<u32>,
+    /// Edges without faces, as vertices: threads, and whatever else is left of cells whose opposite sides are glued.
+    pub wires: Vec<[u32; 2]>,
+    /// Texture coordinates, if they were asked for.
+    pub texture: Option<Texture>,
+}
+
+impl Net<'_> {
+    /// The mesh of the net. It has the cells that [`Net::is_present`]. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn to_mesh(&self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
+        let corners = 4 * self.shape().cell_count() as u64 * if options.triangles.is_some() { 3 } else { 2 } / 2;
+        if corners > MAX_ELEMENTS {
+            return Err(Error::TooLarge { what: "corners", count: corners, limit: MAX_ELEMENTS });
+        }
+        each!(self.coordinates(), planes => build(self, planes, options, job))
+    }
+}
+
+fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
+    let shape = net.shape();
+    let classes = if options.weld {
+        Classes::of(net.topology())?.table()?
+    } else {
+        alloc::collect((0..shape.node_count()).map(|node| node as u32))?
+    };
+    let mut faces = Faces {
+        columns: shape.columns() as u32,
+        places: Places::new(planes, &classes)?,
+        planes,
+        options,
+        reversed: net.topology().is_reversed(),
+        nodes: alloc::with_capacity(4 * shape.cell_count())?,
+        offsets: alloc::with_capacity(shape.cell_count() + 1)?,
+        cells: alloc::with_capacity(shape.cell_count())?,
+        edges: Vec::new(),
+        taken: match options.triangles {
+            Some(_) => Some(Taken::new(shape, &classes)?),
+            None => None,
+        },
+        classes: &classes,
+    };
+    faces.offsets.push(0);
+    let hidden = Hidden::of(net)?;
+    let mut skip = alloc::filled(false, shape.columns() - 1)?;
+    for i in 0..shape.rows() - 1 {
+        if i % 64 == 0 {
+            job.step(0.7 * i as f64 / shape.rows() as f64, "cells to faces")?;
+        }
+        let ranges = hidden.row(i);
+        ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(true));
+        for (j, _) in skip.iter().enumerate().filter(|(_, skip)| !**skip) {
+            faces.add(shape.corners(i, j), shape.cell(i, j))?;
+        }
+        ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(false));
+    }
+    faces.finish(options, job)
+}
+
+/// Where nodes and classes are, if anywhere.
+struct Places {
+    /// Whether each node has finite coordinates.
+    finite: Vec<bool>,
+    /// The classes whose smallest node is missing, and the first one of each that is not: in order, and hardly ever any.
+    elsewhere: Vec<[u32; 2]>,
+}
+
+impl Places {
+    fn new<T: Real>(planes: &Planes<'_, T>, classes: &[u32]) -> Result<Self> {
+        let finite = finite(planes)?;
+        let mut elsewhere = Vec::new();
+        for ((node, &class), &finite_here) in (0..).zip(classes).zip(&finite) {
+            if finite_here && !finite[class as usize] {
+                alloc::push(&mut elsewhere, [class, node])?;
+            }
+        }
+        elsewhere.sort_unstable();
+        elsewhere.dedup_by_key(|entry| entry[0]);
+        Ok(Places { finite, elsewhere })
+    }
+
+    /// The node whose place is that of the class.
+    fn of_class(&self, class: u32) -> u32 {
+        match self.elsewhere.binary_search_by_key(&class, |entry| entry[0]) {
+            Ok(at) => self.elsewhere[at][1],
+            Err(_) => class,
+        }
+    }
+
+    fn has_class(&self, class: u32) -> bool {
+        self.finite[self.of_class(class) as usize]
+    }
+}
+
+/// Whether each node has finite coordinates.
+fn finite<T: Real>(planes: &Planes<'_, T>) -> Result<Vec<bool>> {
+    let columns = planes.shape().columns();
+    let mut finite = alloc::filled(true, planes.shape().node_count())?;
+    let zero = T::of(0.0);
+    for (i, finite) in finite.chunks_exact_mut(columns).enumerate() {
+        for row in planes.row(i) {
+            // x * 0 is 0 but for infinities and NaN.
+            finite.iter_mut().zip(row).for_each(|(finite, &x)| *finite &= x * zero == zero);
+        }
+    }
+    Ok(finite)
+}
+
+/// Faces while they are collected, their corners as nodes.
+struct Faces<'a, T> {
+    columns: u32,
+    places: Places,
+    planes: &'a Planes<'a, T>,
+    options: &'a MeshOptions,
+    reversed: bool,
+    classes: &'a [u32],
+    /// Where diagonals are drawn: the edges that none may repeat.
+    taken: Option<Taken>,
+    nodes: Vec<u32>,
+    offsets: Vec<u32>,
+    cells: Vec<u32>,
+    /// Edges of classes that cells without a face have left.
+    edges: Vec<[u32; 2]>,
+}
+
+impl<T: Real> Faces<'_, T> {
+    /// A cell with its corners in turn.
+    fn add(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+        let finite = corners.map(|node| self.places.finite[node as usize]);
+        match finite {
+            [true, true, true, true] => {}
+            _ if self.options.fill_corners => return self.add_corner(corners, finite, cell),
+            _ => return Ok(()),
+        }
+        let [a, b, c, d] = corners.map(|node| self.classes[node as usize]);
+        if a != b && b != c && c != d && d != a && a != c && b != d {
+            return self.quad(corners, cell);
+        }
+        match Reduced::new([a, b, c, d]) {
+            Reduced::Triangle(_) => self.triangle_of(corners, cell),
+            Reduced::Digon([p, q]) => alloc::push(&mut self.edges, [p, q]),
+            Reduced::Fold([p, q, r]) => {
+                alloc::push(&mut self.edges, [p, q])?;
+                alloc::push(&mut self.edges, [p, r])
+            }
+            Reduced::Quad(_) | Reduced::Point(_) | Reduced::Crossing(_) => Ok(()),
+        }
+    }
+
+    /// A cell of which corners are missing: a triangle, if the three others are three points.
+    fn add_corner(&mut self, corners: [u32; 4], finite: [bool; 4], cell: u32) -> Result<()> {
+        let mut there = (0..4).filter(|&k| finite[k]).map(|k| corners[k]);
+        let (Some(a), Some(b), Some(c)) = (there.next(), there.next(), there.next()) else { return Ok(()) };
+        let [p, q, r] = [a, b, c].map(|node| self.classes[node as usize]);
+        if p != q && q != r && r != p { self.face(&[a, b, c], cell) } else { Ok(()) }
+    }
+
+    /// A cell with one side contracted: of the two glued corners the latter stays.
+    fn triangle_of(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+        let class = |k: usize| self.classes[corners[k % 4] as usize];
+        let mut kept = (0..4).filter(|&k| class(k) != class(k + 1)).map(|k| corners[k]);
+        let (Some(a), Some(b), Some(c)) = (kept.next(), kept.next(), kept.next()) else { return Ok(()) };
+        self.face(&[a, b, c], cell)
+    }
+
+    fn quad(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
+        let [a, b, c, d] = corners;
+        let along = match self.options.triangles {
+            None => return self.face(&corners, cell),
+            Some(Diagonal::Fixed) => true,
+            // Measured between classes, so that glued cells agree.
+            Some(Diagonal::Shorter) => {
+                let between = |p: u32, q: u32| (self.position(p) - self.position(q)).length_squared();
+                between(a, c) <= between(b, d)
+            }
+        };
+        let ends = [[a, c], [b, d]].map(|ends| ends.map(|node| self.classes[node as usize]));
+        let is_taken = |k: usize| self.taken.as_ref().is_some_and(|taken| taken.has(ends[k]));
+        let [chosen, other] = if along { [0, 1] } else { [1, 0] };
+        let chosen = if is_taken(chosen) && !is_taken(other) { other } else { chosen };
+        if let Some(taken) = &mut self.taken {
+            taken.add(ends[chosen])?;
+        }
+        let [first, second] = if chosen == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+        self.face(&first, cell)?;
+        self.face(&second, cell)
+    }
+
+    fn position(&self, node: u32) -> DVec3 {
+        let node = self.places.of_class(self.classes[node as usize]);
+        self.planes.get((node / self.columns) as usize, (node % self.columns) as usize)
+    }
+
+    fn face(&mut self, corners: &[u32], cell: u32) -> Result<()> {
+        let start = self.nodes.len();
+        alloc::append(&mut self.nodes, corners)?;
+        if self.reversed {
+            // The first corner stays the first.
+            self.nodes[start + 1..].reverse();
+        }
+        alloc::push(&mut self.offsets, self.nodes.len() as u32)?;
+        alloc::push(&mut self.cells, cell)
+    }
+
+    /// Numbers the vertices: in the order of their nodes.
+    fn finish(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
+        job.step(0.7, "numbering vertices")?;
+        let wires = wires::without_faces(std::mem::take(&mut self.edges), &self.offsets, &self.nodes, self.classes)?;
+        let mut vertex = alloc::filled(NONE, self.classes.len())?;
+        let mut use_class = |node: u32| vertex[self.classes[node as usize] as usize] = 0;
+        self.nodes.iter().for_each(|&node| use_class(node));
+        wires.as_flattened().iter().for_each(|&class| use_class(class));
+        let mut node_of_vertex = Vec::new();
+        for node in 0..vertex.len() {
+            let own = self.classes[node] as usize == node;
+            if own && (vertex[node] == 0 || options.keep_unused && self.places.has_class(node as u32)) {
+                vertex[node] = node_of_vertex.len() as u32;
+                alloc::push(&mut node_of_vertex, node as u32)?;
+            } else {
+                // Of a node after its class's first one: what that has.
+                vertex[node] = vertex[self.classes[node] as usize];
+            }
+        }
+        let texture = if options.texture { Some(Texture::new(self.planes.shape(), &self.nodes)?) } else { None };
+        self.nodes.iter_mut().for_each(|node| *node = vertex[*node as usize]);
+        let positions = positions(self.planes, node_of_vertex.iter().map(|&node| self.places.of_class(node)))?;
+        let mesh = Mesh { positions, face_offsets: self.offsets, face_corners: self.nodes };
+        let wires = alloc::collect(wires.iter().map(|wire| wire.map(|class| vertex[class as usize])))?;
+        job.step(1.0, "numbering vertices")?;
+        Ok(NetMesh { mesh, vertex_of_node: vertex, node_of_vertex, cell_of_face: self.cells, wires, texture })
+    }
+}
+
+/// The positions of nodes, bit for bit.
+fn positions<T: Real>(planes: &Planes<'_, T>, nodes: impl ExactSizeIterator<Item = u32>) -> Result<PositionBuffer> {
+    let (matrices, stride, columns) = (planes.matrices(), planes.stride(), planes.shape().columns());
+    let points = nodes.map(|node| {
+        let at = node as usize / columns * stride + node as usize % columns;
+        matrices.map(|matrix| matrix[at])
+    });
+    let points: Vec<[T; 3]> = alloc::collect(points)?;
+    Ok(match T::SCALAR {
+        Scalar::F32 => PositionBuffer::F32(bytemuck::allocation::cast_vec(points)),
+        Scalar::F64 => PositionBuffer::F64(bytemuck::allocation::cast_vec(points)),
+    })
+}

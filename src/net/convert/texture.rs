@@ -1,0 +1,36 @@
+//! Texture coordinates of the mesh of a net.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::mesh::NONE;
+use crate::net::Shape;
+
+/// Texture coordinates: column and row, each from 0 to 1 (u = j / (W - 1), v = i / (H - 1)).
+///
+/// They belong to nodes, not to vertices: a vertex on a seam has one pair of coordinates on each side of it, so that an image
+/// goes round a closed net once and does not run back within its last column. This is what triangle networks, whose textures
+/// the paper complains of, leave to whoever draws them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Texture {
+    /// u and v, once for each node that a face uses, in the order of the nodes.
+    pub coordinates: Vec<[f64; 2]>,
+    /// For each corner of the mesh, which of them.
+    pub corners: Vec<u32>,
+}
+
+impl Texture {
+    /// Of faces whose corners are nodes.
+    pub(super) fn new(shape: Shape, nodes: &[u32]) -> Result<Self> {
+        let mut number = alloc::filled(NONE, shape.node_count())?;
+        nodes.iter().for_each(|&node| number[node as usize] = 0);
+        let mut coordinates = Vec::new();
+        let (rows, columns) = ((shape.rows() - 1) as f64, (shape.columns() - 1) as f64);
+        for (node, number) in (0..).zip(&mut number).filter(|(_, number)| **number == 0) {
+            *number = coordinates.len() as u32;
+            let (i, j) = shape.place(node);
+            alloc::push(&mut coordinates, [j as f64 / columns, i as f64 / rows])?;
+        }
+        let corners = alloc::collect(nodes.iter().map(|&node| number[node as usize]))?;
+        Ok(Texture { coordinates, corners })
+    }
+}

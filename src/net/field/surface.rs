@@ -1,0 +1,122 @@
+//! Deformations that are no fields: along the normals of the net, by a function of the host's; and gluing made exact
+//! again.
+
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::net::normals::normals;
+use crate::net::pieces;
+use crate::net::{Classes, Coordinates, Net, Planes, Real, each};
+
+/// Gives all nodes of a class the position of its representative, bit for bit. Returns how many nodes moved.
+///
+/// O(H + W) for a net that is glued along its sides alone, else O(nodes).
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub fn snap(net: &mut Net<'_>) -> Result<u64> {
+    let groups = Classes::of(net.topology())?.groups()?;
+    let mut moved = 0;
+    for class in groups.iter() {
+        each!(net.coordinates_mut(), planes => moved += snap_class(planes, class));
+    }
+    Ok(moved)
+}
+
+fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
+    let (shape, stride) = (planes.shape(), planes.stride());
+    let at = |node: u32| {
+        let (i, j) = shape.place(node);
+        i * stride + j
+    };
+    let (mut moved, mut matrices) = (0, planes.matrices_mut());
+    for &node in &class[1..] {
+        let mut differs = false;
+        for matrix in &mut matrices {
+            let (from, to) = (matrix[at(class[0])], &mut matrix[at(node)]);
+            differs |= bytemuck::bytes_of(to) != bytemuck::bytes_of(&from);
+            *to = from;
+        }
+        moved += u64::from(differs);
+    }
+    moved
+}
+
+/// Moves every node along its normal, by `distance` times the normal. Nodes without a normal stay. O(nodes), and as
+/// much memory as the coordinates take.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] if the distance is not finite, [`Error::FieldUndefined`] for the first node whose
+/// coordinates would overflow (no node is moved), [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
+    if !distance.is_finite() {
+        return Err(Error::OptionOutOfRange { option: "distance", value: distance });
+    }
+    let (normals, _) = normals(net, job)?;
+    match (net.coordinates_mut(), &normals) {
+        (Coordinates::F32(planes), Coordinates::F32(normals)) => add(planes, normals, distance)?,
+        (Coordinates::F64(planes), Coordinates::F64(normals)) => add(planes, normals, distance)?,
+        _ => {}
+    }
+    // Normals of a class are equal, and so are its positions, unless they were not before.
+    snap(net).map(|_| ())
+}
+
+fn add<T: Real>(planes: &mut Planes<'_, T>, normals: &Planes<'_, T>, distance: f64) -> Result<()> {
+    let distance = T::of(distance);
+    let shape = planes.shape();
+    for i in 0..shape.rows() {
+        for (row, normal) in planes.row(i).into_iter().zip(normals.row(i)) {
+            let lost = |(&x, &n): (&T, &T)| x.into().is_finite() && !(x + distance * n).into().is_finite();
+            if let Some(j) = row.iter().zip(normal).position(lost) {
+                return Err(Error::FieldUndefined { node: shape.node(i, j) });
+            }
+        }
+    }
+    for i in 0..shape.rows() {
+        for (row, normal) in planes.row_mut(i).into_iter().zip(normals.row(i)) {
+            row.iter_mut().zip(normal).for_each(|(x, &n)| *x = *x + distance * n);
+        }
+    }
+    Ok(())
+}
+
+/// Coordinates of consecutive nodes, in the net's type.
+#[derive(Debug)]
+pub enum RowsMut<'a> {
+    /// Single precision.
+    F32([&'a mut [f32]; 3]),
+    /// Double precision.
+    F64([&'a mut [f64]; 3]),
+}
+
+/// Moves the nodes by a function of the host's, then [`snap`]s.
+///
+/// `map` is called on this thread, with the number of the first node and the coordinates of consecutive nodes, to be
+/// changed in place, from the first node to the last. If it fails, or the host cancels, what was done so far stays
+/// done.
+///
+/// # Errors
+/// Those of `map`, [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn deform_rows(
+    net: &mut Net<'_>,
+    mut map: impl FnMut(usize, RowsMut<'_>) -> Result<()>,
+    job: &Job<'_>,
+) -> Result<()> {
+    let (count, mut next_step) = (net.shape().node_count() as f64, 0);
+    let mut step = |first: usize| {
+        if first < next_step {
+            return Ok(());
+        }
+        next_step = first + (1 << 20);
+        job.step(first as f64 / count, "deform")
+    };
+    match net.coordinates_mut() {
+        Coordinates::F32(planes) => {
+            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F32(rows))))?;
+        }
+        Coordinates::F64(planes) => {
+            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F64(rows))))?;
+        }
+    }
+    snap(net).map(|_| ())
+}

@@ -1,0 +1,62 @@
+//! Animation: the strength of a field as a function of time.
+
+use super::finite;
+use crate::error::{Error, Result};
+
+/// How a strength goes from one value to the next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Easing {
+    /// Evenly.
+    #[default]
+    Linear,
+    /// Starting and ending at rest: 3 t^2 - 2 t^3.
+    Smooth,
+    /// Stays at the one until it jumps to the other.
+    Hold,
+}
+
+/// A strength given at times, and between them by easing: before the first time and after the last it stays what it is
+/// there.
+///
+/// A field [`deform`](super::deform)s a copy of the net as it was at rest with the strength of the moment.
+#[derive(Debug, Clone, Copy)]
+pub struct Timed<'a> {
+    keys: &'a [[f64; 2]],
+    easing: Easing,
+}
+
+impl<'a> Timed<'a> {
+    /// `keys`: time and strength, at least one, times in increasing order.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`].
+    pub fn new(keys: &'a [[f64; 2]], easing: Easing) -> Result<Self> {
+        keys.iter().try_for_each(|&[time, strength]| finite(&[("time", time), ("strength", strength)]))?;
+        if let Some(pair) = keys.windows(2).find(|pair| pair[0][0] >= pair[1][0]) {
+            return Err(Error::OptionOutOfRange { option: "time", value: pair[1][0] });
+        }
+        if keys.is_empty() {
+            Err(Error::OptionOutOfRange { option: "keys", value: 0.0 })
+        } else {
+            Ok(Timed { keys, easing })
+        }
+    }
+
+    /// The strength at a time. At a key's own time it is exactly the key's. O(log keys).
+    pub fn strength(&self, time: f64) -> f64 {
+        let after = self.keys.partition_point(|key| key[0] <= time);
+        let before = self.keys[after.max(1) - 1];
+        match self.keys.get(after) {
+            Some(next) if after > 0 => {
+                let t = (time - before[0]) / (next[0] - before[0]);
+                let eased = match self.easing {
+                    Easing::Linear => t,
+                    Easing::Smooth => t * t * (3.0 - 2.0 * t),
+                    Easing::Hold => 0.0,
+                };
+                before[1] + eased * (next[1] - before[1])
+            }
+            _ => before[1],
+        }
+    }
+}

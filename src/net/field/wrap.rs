@@ -1,0 +1,107 @@
+//! Sheets laid onto surfaces: sphere, cylinder, torus. The wraps are what "hard" deformations are made of: they bring
+//! nodes together that the net did not glue. See [`analyse`](crate::net::analyse).
+
+use super::{Field, Points, each_point, each_point_widely, finite, partly};
+use crate::error::{Error, Result};
+use crate::net::transform::Axis;
+use glam::DVec3;
+
+/// Moves points onto a sphere, straight from its centre. In part: that part of the way. Not defined at the centre.
+#[derive(Debug, Clone, Copy)]
+pub struct Spherify {
+    centre: DVec3,
+    radius: f64,
+}
+
+impl Spherify {
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] if a number is not finite, or the radius not above 0; as for all that follow.
+    pub fn new(centre: DVec3, radius: f64) -> Result<Self> {
+        finite(&[("centre", centre.x), ("centre", centre.y), ("centre", centre.z)])?;
+        Ok(Spherify { centre, radius: positive("radius", radius)? })
+    }
+}
+
+impl Field for Spherify {
+    fn map(&self, strength: f64, points: Points<'_>) {
+        let centre = self.centre.to_array();
+        let map = |point: [f64; 3]| {
+            let away = [0, 1, 2].map(|k| point[k] - centre[k]);
+            // Scaled first: squares could overflow or vanish.
+            let largest = away[0].abs().max(away[1].abs()).max(away[2].abs());
+            let [x, y, z] = away.map(|value| value / largest);
+            let ratio = self.radius / (x * x + y * y + z * z).sqrt();
+            [centre[0] + ratio * x, centre[1] + ratio * y, centre[2] + ratio * z]
+        };
+        each_point_widely(points, partly(strength, map));
+    }
+
+    fn is_total(&self) -> bool {
+        false
+    }
+}
+
+/// Rolls space up about an axis. Of the two axes that follow it (x after z), the first becomes the arc and the second
+/// the height above the cylinder; nothing moves along the axis. In part: that part of the straight way.
+#[derive(Debug, Clone, Copy)]
+pub struct CylinderWrap {
+    axis: Axis,
+    radius: f64,
+}
+
+impl CylinderWrap {
+    /// # Errors
+    /// [`Error::OptionOutOfRange`].
+    pub fn new(axis: Axis, radius: f64) -> Result<Self> {
+        Ok(CylinderWrap { axis, radius: positive("radius", radius)? })
+    }
+}
+
+impl Field for CylinderWrap {
+    fn map(&self, strength: f64, points: Points<'_>) {
+        let map = |[u, v, w]: [f64; 3]| {
+            let (sine, cosine) = libm::sincos(u / self.radius);
+            let distance = self.radius + v;
+            [distance * sine, distance * cosine, w]
+        };
+        each_point(self.axis.last(points), partly(strength, map));
+    }
+}
+
+/// Rolls space up to a torus about an axis. Of the two axes that follow it (x after z), the first goes round the axis,
+/// and the second round the tube, from its outside towards the tip of the axis; the coordinate along the axis becomes
+/// the height above the torus. In part: that part of the straight way.
+#[derive(Debug, Clone, Copy)]
+pub struct TorusWrap {
+    axis: Axis,
+    major: f64,
+    minor: f64,
+}
+
+impl TorusWrap {
+    /// `major`: from the axis to the middle of the tube; `minor`: the radius of the tube. Arcs have the lengths they
+    /// had at these radii.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`].
+    pub fn new(axis: Axis, major: f64, minor: f64) -> Result<Self> {
+        Ok(TorusWrap { axis, major: positive("major", major)?, minor: positive("minor", minor)? })
+    }
+}
+
+impl Field for TorusWrap {
+    fn map(&self, strength: f64, points: Points<'_>) {
+        let map = |[u, v, w]: [f64; 3]| {
+            let (round_sine, round_cosine) = libm::sincos(u / self.major);
+            let (tube_sine, tube_cosine) = libm::sincos(v / self.minor);
+            let thickness = self.minor + w;
+            let distance = self.major + thickness * tube_cosine;
+            [distance * round_cosine, distance * round_sine, thickness * tube_sine]
+        };
+        each_point(self.axis.last(points), partly(strength, map));
+    }
+}
+
+fn positive(option: &'static str, value: f64) -> Result<f64> {
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(Error::OptionOutOfRange { option, value }) }
+}

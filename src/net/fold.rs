@@ -1,0 +1,217 @@
+//! Where a deformation has folded a net.
+//!
+//! A fold is where the surface comes to lie on itself: at a link whose two cells point the same way from it, in one plane,
+//! so that the angle between them is none; or in a cell two opposite sides of which cross. Whether lines are in one plane,
+//! on which side of a line they are, and whether they cross is the same after every affine map that has an inverse. So no
+//! such map folds anything, and however far a surface is bent or flattened, it is folded only where no angle is left.
+//!
+//! No angle: nodes moved by the tolerance, and what rounding may have moved them, could close it.
+
+use super::hidden::Hidden;
+use super::topology::Forest;
+use super::{Classes, Net, Planes, Real, Shape, each};
+use crate::alloc;
+use crate::error::Result;
+use crate::mesh::Scalar;
+use crate::par;
+use glam::DVec3;
+
+/// What can be said of a link or a cell.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Fold {
+    Yes,
+    No,
+    /// It is too small, or not there.
+    Unclear,
+}
+
+/// How much wider the margins are before the deformation: what is folded after must not have been nearly so before.
+const BEFORE: f64 = 8.0;
+
+/// Of each cell, -1 where it is turned over, else 1; empty if nothing is folded.
+///
+/// Folds part the cells into those of one side and those of the other; of the parts that hang together, the smaller side is
+/// turned over. Where there is no such parting, as round the end of a fold, the cells at the fold itself are.
+pub(super) fn sides(before: &Net<'_>, after: &Net<'_>, tolerance: f64, threads: usize) -> Result<Vec<i8>> {
+    let (shape, classes, hidden) = (before.shape(), Classes::of(before.topology())?, Hidden::of(before)?);
+    each!(before.coordinates(), old => each!(after.coordinates(), new => {
+        let search = Search { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
+        let rows = par::map(threads, 0..shape.rows() - 1, |i| search.is_folded_in_row(i));
+        if rows.contains(&true) { search.parted() } else { Ok(Vec::new()) }
+    }))
+}
+
+/// Two cells and the link between them, as the first has it.
+type Pair = ([u32; 2], [(usize, usize); 2]);
+
+struct Search<'a, A, B> {
+    shape: Shape,
+    classes: &'a Classes,
+    hidden: &'a Hidden,
+    old: &'a Planes<'a, A>,
+    new: &'a Planes<'a, B>,
+    tolerance: f64,
+}
+
+impl<A: Real, B: Real> Search<'_, A, B> {
+    fn is_folded_in_row(&self, i: usize) -> bool {
+        (0..self.shape.columns() - 1)
+            .any(|j| self.is_crossed(i, j) || self.pairs(i, j).any(|pair| self.is_folded(pair) == Some(true)))
+    }
+
+    /// Cell (i, j) with its neighbours to the east and south, also over a side that is glued to the one opposite.
+    fn pairs(&self, i: usize, j: usize) -> impl Iterator<Item = Pair> + '_ {
+        let shape = self.shape;
+        let (east, south) = ((j + 1) % (shape.columns() - 1), (i + 1) % (shape.rows() - 1));
+        let pairs = [
+            ((i, east), [(i, j + 1), (i + 1, j + 1)], [(i, east), (i + 1, east)]),
+            ((south, j), [(i + 1, j), (i + 1, j + 1)], [(south, j), (south, j + 1)]),
+        ];
+        let class = move |(i, j): (usize, usize)| self.classes.representative(shape.node(i, j));
+        let is_shown = |(i, j): (usize, usize)| !self.hidden.contains(i, j);
+        pairs
+            .into_iter()
+            .filter(move |&(next, link, same)| {
+                next != (i, j) && link.map(class) == same.map(class) && is_shown((i, j)) && is_shown(next)
+            })
+            .map(move |(next, link, _)| ([shape.cell(i, j), shape.cell(next.0, next.1)], link))
+    }
+
+    /// True if two cells are folded onto each other that were not before. None if that cannot be said.
+    fn is_folded(&self, (cells, link): Pair) -> Option<bool> {
+        let cells = cells.map(|cell| self.shape.cell_place(cell));
+        match at_link(self.new, link, cells, self.tolerance, 1.0) {
+            Fold::Yes => Some(at_link(self.old, link, cells, self.tolerance, BEFORE) == Fold::No),
+            Fold::No => Some(false),
+            Fold::Unclear => None,
+        }
+    }
+
+    /// True if opposite sides of cell (i, j) cross that did not before.
+    fn is_crossed(&self, i: usize, j: usize) -> bool {
+        in_cell(self.new, i, j, self.tolerance, 1.0) == Fold::Yes
+            && in_cell(self.old, i, j, self.tolerance, BEFORE) == Fold::No
+            && !self.hidden.contains(i, j)
+    }
+
+    /// Of each cell, the side of the folds that it is on.
+    fn parted(&self) -> Result<Vec<i8>> {
+        let count = self.shape.cell_count();
+        let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
+        // Each cell twice: as it is, and turned over.
+        let (mut forest, over) = (Forest::new(2 * count)?, count as u32);
+        let mut folded = Vec::new();
+        for pair in cells().flat_map(|(i, j)| self.pairs(i, j)) {
+            let [a, b] = pair.0;
+            match self.is_folded(pair) {
+                Some(true) => alloc::push(&mut folded, [a, b])?,
+                Some(false) => [[a, b], [a + over, b + over]].into_iter().for_each(|cells| forest.join(cells)),
+                None => {}
+            }
+        }
+        let mut at_ends = Vec::new();
+        for [a, b] in folded {
+            if forest.find(a) == forest.find(b) {
+                alloc::append(&mut at_ends, &[a, b])?;
+            } else {
+                [[a, b + over], [a + over, b]].into_iter().for_each(|cells| forest.join(cells));
+            }
+        }
+        // A part is known by its first cell as it is, whose side is 1.
+        let mut side = |cell: u32| {
+            let (root, turned) = (forest.find(cell), forest.find(cell + over));
+            (root.min(turned) as usize, if root < turned { 1i8 } else { -1 })
+        };
+        let mut balance: Vec<i32> = alloc::zeroed(count)?;
+        for cell in 0..over {
+            let (part, sign) = side(cell);
+            balance[part] += i32::from(sign);
+        }
+        let mut signs = alloc::with_capacity(count)?;
+        signs.extend((0..over).map(|cell| {
+            let (part, sign) = side(cell);
+            if balance[part] < 0 { -sign } else { sign }
+        }));
+        at_ends.into_iter().for_each(|cell| signs[cell as usize] = -1);
+        for (sign, (i, j)) in signs.iter_mut().zip(cells()) {
+            *sign = if self.is_crossed(i, j) { -1 } else { *sign };
+        }
+        Ok(signs)
+    }
+}
+
+/// The corners of cell (i, j), in order.
+fn corners<T: Real>(planes: &Planes<'_, T>, (i, j): (usize, usize)) -> [DVec3; 4] {
+    [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| planes.get(i, j))
+}
+
+/// By how much nodes may be off.
+fn error<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
+    let epsilon = if T::SCALAR == Scalar::F32 { f64::from(f32::EPSILON) } else { f64::EPSILON };
+    let largest = points.iter().fold(0.0, |largest: f64, point| largest.max(point.abs().max_element()));
+    tolerance + 8.0 * epsilon * largest
+}
+
+/// Vectors made of differences of nodes that may be off by `error`; scaled, so that products neither overflow nor vanish.
+fn scaled<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
+    let largest = vectors.iter().fold(0.0, |largest: f64, vector| largest.max(vector.abs().max_element()));
+    (vectors.map(|vector| vector / largest), error / largest)
+}
+
+/// Whether two cells at a link point the same way from it.
+fn at_link<T: Real>(
+    planes: &Planes<'_, T>,
+    link: [(usize, usize); 2],
+    cells: [(usize, usize); 2],
+    tolerance: f64,
+    margin: f64,
+) -> Fold {
+    let [p, q] = link.map(|(i, j)| planes.get(i, j));
+    let cells = cells.map(|cell| corners(planes, cell));
+    let error = error::<T>(cells.as_flattened(), tolerance);
+    // From the link to the middle of the opposite side, twice.
+    let [u, v] = cells.map(|[a, b, c, d]| (a - p) + (b - p) + (c - q) + (d - q));
+    let ([along, u, v], error) = scaled([q - p, u, v], error);
+    let [one, other] = [u, v].map(|away| along.cross(away));
+    let is_wide = |area: DVec3, away: DVec3| area.length() > 2.0 * error * (along.length() + away.length());
+    if !(is_wide(one, u) && is_wide(other, v)) {
+        return Fold::Unclear;
+    }
+    // The volume, and by how much it may be off.
+    let off = 2.0 * margin * error * (u.cross(v).length() + 2.0 * one.length() + 2.0 * other.length());
+    if one.dot(other) > 0.0 && one.dot(v).abs() <= off { Fold::Yes } else { Fold::No }
+}
+
+/// Whether two opposite sides of a cell cross.
+fn in_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64, margin: f64) -> Fold {
+    let points @ [a, b, c, d] = corners(planes, (i, j));
+    let error = error::<T>(&points, tolerance);
+    let found = [cross([a, b], [d, c], error, margin), cross([a, d], [b, c], error, margin)];
+    if found.contains(&Fold::Yes) {
+        Fold::Yes
+    } else if points.iter().all(|point| point.is_finite()) {
+        Fold::No
+    } else {
+        Fold::Unclear
+    }
+}
+
+/// Whether the line from p to q and the line from r to s cross, between their ends. With a wide margin they may miss each other
+/// by it.
+fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> Fold {
+    let ([u, v, across], error) = scaled([q - p, s - r, r - p], error);
+    let normal = u.cross(v);
+    let (area, size) = (normal.length(), u.length() + v.length());
+    let is_wide = area * margin > 2.0 * error * size;
+    if !is_wide {
+        return Fold::Unclear;
+    }
+    let unit = normal / area;
+    // Where they meet, in parts of each; and what an error of the nodes makes of that.
+    let [t, w] = [across.cross(v), across.cross(u)].map(|cross| cross.dot(unit) / area);
+    let slack = 4.0 * error * size / area;
+    let slack = if margin > 1.0 { -slack } else { slack };
+    let is_between = |part: f64| part > slack && part < 1.0 - slack;
+    let is_near = across.dot(unit).abs() <= 2.0 * margin * error * (1.0 + across.length() * size / area);
+    if is_near && is_between(t) && is_between(w) { Fold::Yes } else { Fold::No }
+}

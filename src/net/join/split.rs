@@ -1,0 +1,181 @@
+//! Taking joined nets apart.
+
+use super::prepare::restored;
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::net::arrange::{Rearrange, rearranged};
+use crate::net::{Bridge, BridgeMode, Direction, Net, Real, Shape, Topology};
+use std::ops::Range;
+
+impl Net<'_> {
+    /// The two nets on either side of a bridge: bit for bit, and glued as, those that [`concatenate`](super::concatenate) joined,
+    /// unless something was changed since. The bridge must run from side to side of the net; of a net that was joined of
+    /// joined ones, the last bridge does, and nets come back whole if they are taken apart in the reverse order. What is glued
+    /// across the bridge is cut. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::NoSuchBridge`], also for a bridge within a part of the net only; [`Error::CrossingCell`] if only what was glued
+    /// across the bridge made the opposite corners of a cell one; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
+        let no_such = Error::NoSuchBridge { bridge: index as u64 };
+        let bridge = self.bridges().get(index).filter(|bridge| bridge.is_whole(self.shape())).ok_or(no_such)?;
+        let mut parts = cut(self, bridge.direction, &[bridge.at as usize], &[index], job)?;
+        let second = parts.pop().ok_or(no_such)?;
+        let first = parts.pop().ok_or(no_such)?;
+        let [a, b] = &bridge.origins;
+        let [a, b] = [a, b].map(Option::as_deref);
+        Ok([restored(first, a, bridge.direction)?, restored(second, b, bridge.direction)?])
+    }
+
+    /// The nets between the bridges of a direction that run from side to side and were made last, all at once: the inverse of
+    /// [`concatenate_all`](super::concatenate_all). O(nodes).
+    ///
+    /// # Errors
+    /// As [`Net::split`].
+    pub fn split_all(&self, direction: Direction, job: &Job<'_>) -> Result<Vec<Net<'static>>> {
+        let whole = |bridge: &Bridge| bridge.direction == direction && bridge.is_whole(self.shape());
+        let last = self.bridges().iter().filter(|bridge| whole(bridge)).map(|bridge| bridge.nesting).min();
+        let whole = |bridge: &Bridge| whole(bridge) && Some(bridge.nesting) == last;
+        let mut indices = Vec::new();
+        for (index, _) in self.bridges().iter().enumerate().filter(|(_, bridge)| whole(bridge)) {
+            alloc::push(&mut indices, index)?;
+        }
+        indices.sort_by_key(|&index| self.bridges()[index].at);
+        indices.dedup_by_key(|index| self.bridges()[*index].at);
+        let cuts: Vec<usize> = alloc::collect(indices.iter().map(|&index| self.bridges()[index].at as usize))?;
+        let parts = cut(self, direction, &cuts, &indices, job)?;
+        let mut nets = alloc::with_capacity(parts.len())?;
+        for (k, part) in parts.into_iter().enumerate() {
+            // The account of a net is with the bridge before it; that of the first net with the one behind it.
+            let origin = match k {
+                0 => indices.first().and_then(|&index| self.bridges()[index].origins[0].as_deref()),
+                _ => self.bridges()[indices[k - 1]].origins[1].as_deref(),
+            };
+            nets.push(restored(part, origin, direction)?);
+        }
+        Ok(nets)
+    }
+}
+
+/// The nets before, between and behind some places, which are in order; `gone` are the bridges there.
+fn cut(
+    net: &Net<'_>,
+    direction: Direction,
+    cuts: &[usize],
+    gone: &[usize],
+    job: &Job<'_>,
+) -> Result<Vec<Net<'static>>> {
+    let count = direction.extent(net.shape()).0;
+    let mut ranges: Vec<Range<usize>> = alloc::with_capacity(cuts.len() + 1)?;
+    for &end in cuts.iter().chain(&[count]) {
+        let start = ranges.last().map_or(0, |range| range.end);
+        ranges.push(start..end);
+    }
+    let topologies = match direction {
+        Direction::Down => net.topology().rows_cut(&ranges)?,
+        Direction::Right => {
+            let mut parts = net.topology().transposed()?.rows_cut(&ranges)?;
+            parts.iter_mut().try_for_each(|part| {
+                *part = part.transposed()?;
+                Ok(())
+            })?;
+            parts
+        }
+    };
+    let welded = gone.iter().any(|&index| net.bridges()[index].mode == BridgeMode::Weld);
+    let crossed = crossed(net.topology(), direction, &ranges)?;
+    let mut bridges = bridges_cut(net, direction, &ranges, gone)?.into_iter();
+    let mut parts = alloc::with_capacity(ranges.len())?;
+    for (k, (range, topology)) in ranges.iter().zip(topologies).enumerate() {
+        if k % 256 == 0 {
+            job.step(k as f64 / ranges.len() as f64, "taking nets apart")?;
+        }
+        if welded || crossed[k] {
+            topology.check_crossings()?;
+        }
+        let how = Band { shape: topology.shape(), direction, first: range.start };
+        let mut part = Net::new(rearranged(net.coordinates(), &how, &Job::default())?, topology);
+        *part.bridges_mut() = bridges.next().unwrap_or_default();
+        let least = part.bridges().iter().map(|bridge| bridge.nesting).min().unwrap_or(0);
+        part.bridges_mut().iter_mut().for_each(|bridge| bridge.nesting -= least);
+        parts.push(part);
+    }
+    job.step(1.0, "taking nets apart")?;
+    Ok(parts)
+}
+
+/// For each range, whether seams glue nodes of it to others.
+fn crossed(topology: &Topology, direction: Direction, ranges: &[Range<usize>]) -> Result<Vec<bool>> {
+    let mut crossed = alloc::filled(false, ranges.len())?;
+    for seam in topology.seams() {
+        let range = |(i, j): (i64, i64)| {
+            let at = if direction == Direction::Down { i } else { j };
+            ranges.partition_point(|range| range.end as i64 <= at)
+        };
+        let ends = [seam.a, seam.b].map(|run| [range(run.place(0)), range(run.place(seam.count - 1))]);
+        let ends = ends.as_flattened();
+        let (low, high) = ends.iter().fold((ends[0], ends[0]), |(low, high), &k| (low.min(k), high.max(k)));
+        if low < high {
+            crossed[low..=high].fill(true);
+        }
+    }
+    Ok(crossed)
+}
+
+/// Each range's bridges, in order.
+fn bridges_cut(
+    net: &Net<'_>,
+    direction: Direction,
+    ranges: &[Range<usize>],
+    gone: &[usize],
+) -> Result<Vec<Vec<Bridge>>> {
+    let shape = net.shape();
+    let all = 0..direction.extent(shape).1;
+    let mut cut = alloc::filled(Vec::new(), ranges.len())?;
+    let mut is_gone = alloc::filled(false, net.bridges().len())?;
+    gone.iter().for_each(|&index| is_gone[index] = true);
+    for bridge in net.bridges().iter().zip(is_gone).filter_map(|(bridge, gone)| (!gone).then_some(bridge)) {
+        let (low, high) = if bridge.direction == direction {
+            (bridge.at as usize - 1, bridge.at as usize)
+        } else {
+            (bridge.start as usize, bridge.end as usize - 1)
+        };
+        let from = ranges.partition_point(|range| range.end <= low);
+        for (range, bridges) in ranges[from..].iter().zip(&mut cut[from..]).take_while(|(range, _)| range.start <= high)
+        {
+            let within = match direction {
+                Direction::Down => bridge.within(range, &all),
+                Direction::Right => bridge.within(&all, range),
+            };
+            if let Some(bridge) = within {
+                alloc::push(bridges, bridge)?;
+            }
+        }
+    }
+    Ok(cut)
+}
+
+/// Whole rows (`Down`) or columns from `first` on.
+struct Band {
+    shape: Shape,
+    direction: Direction,
+    first: usize,
+}
+
+impl Rearrange for Band {
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn write<T: Real>(&self, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
+        let columns = self.shape.columns();
+        let (row, column) = match self.direction {
+            Direction::Down => (self.first, 0),
+            Direction::Right => (0, self.first),
+        };
+        for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
+            to.copy_from_slice(&from[(row + i) * stride + column..][..columns]);
+        }
+    }
+}

@@ -1,0 +1,320 @@
+//! Unit normals at the nodes.
+//!
+//! The normal of a point is the direction of the sum, over the corners of all cells there, of the cross products of the
+//! two sides that meet in the corner: cells as they are after gluing, corners of all nodes that are the point. At a
+//! node with four whole cells that sum is the product of the central differences, (E - W) x (S - N), as the terms in
+//! between cancel; this is the fast way. Poles and seams need the sum itself: on the cells as they lie in the matrices,
+//! it is zero at a pole.
+
+use super::hidden::Hidden;
+use super::topology::{Groups, Reduced};
+use super::{Classes, Coordinates, Net, Planes, Real};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use crate::simd::{self, Kernel};
+use glam::DVec3;
+
+/// About so many nodes are one thread's work at a time.
+const BLOCK: usize = 1 << 15;
+
+/// The unit normals of a net, and the number of nodes that have none: see [`normals_into`].
+///
+/// # Errors
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn normals(net: &Net<'_>, job: &Job<'_>) -> Result<(Coordinates<'static>, u64)> {
+    let mut out = Coordinates::zeroed(net.shape(), net.coordinates().scalar())?;
+    let without = normals_into(net, &mut out, job)?;
+    Ok((out, without))
+}
+
+/// Writes the unit normal of every node, in the net's type; nodes of one class get the same bits. Returns the number of
+/// nodes that have none and get zeros: missing ones, and those where the cells have no area or cancel out.
+///
+/// Columns go with the fingers of the right hand towards rows, and the normal with the thumb; the other way for
+/// topologies that are reversed. At open rims, beside missing nodes and beside hidden bridges the cells that are there
+/// decide. O(nodes), and memory for the glued nodes only.
+///
+/// # Errors
+/// [`Error::MixedScalars`] if the normals are of another type, [`Error::ArrayTooShort`] if of another size,
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn normals_into(net: &Net<'_>, out: &mut Coordinates<'_>, job: &Job<'_>) -> Result<u64> {
+    if net.shape() != out.shape() {
+        let (needed, given) = (net.shape().node_count() as u64, out.shape().node_count() as u64);
+        return Err(Error::ArrayTooShort { what: "normals", needed, given });
+    }
+    match (net.coordinates(), out) {
+        (Coordinates::F32(planes), Coordinates::F32(out)) => write(net, planes, out, job),
+        (Coordinates::F64(planes), Coordinates::F64(out)) => write(net, planes, out, job),
+        _ => Err(Error::MixedScalars),
+    }
+}
+
+fn write<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
+    job.step(0.0, "normals")?;
+    let corners = Corners::new(net, planes)?;
+    let without: u64 = rows(&corners, out, job.threads()).into_iter().sum();
+    job.step(0.8, "normals")?;
+    Ok(without + glued(&corners, out, job.threads())?)
+}
+
+/// What it takes to sum over the corners at a node.
+struct Corners<'a, T> {
+    planes: &'a Planes<'a, T>,
+    matrices: [&'a [T]; 3],
+    hidden: Hidden,
+    classes: Classes,
+    groups: Groups,
+    /// A bit for each node that is glued to another.
+    is_glued: Vec<u64>,
+    sign: f64,
+}
+
+impl<'a, T: Real> Corners<'a, T> {
+    fn new(net: &'a Net<'_>, planes: &'a Planes<'_, T>) -> Result<Self> {
+        let classes = Classes::of(net.topology())?;
+        let groups = classes.groups()?;
+        let mut is_glued = alloc::zeroed(net.shape().node_count().div_ceil(64))?;
+        for &node in groups.members() {
+            is_glued[node as usize / 64] |= 1u64 << (node % 64);
+        }
+        Ok(Corners {
+            planes,
+            matrices: planes.matrices(),
+            hidden: Hidden::of(net)?,
+            classes,
+            groups,
+            is_glued,
+            sign: if net.topology().is_reversed() { -1.0 } else { 1.0 },
+        })
+    }
+
+    fn is_glued(&self, i: usize, j: usize) -> bool {
+        let node = self.planes.shape().node(i, j);
+        self.is_glued[node as usize / 64] >> (node % 64) & 1 != 0
+    }
+
+    fn point(&self, i: usize, j: usize) -> DVec3 {
+        let at = i * self.planes.stride() + j;
+        DVec3::from_array(self.matrices.map(|matrix| matrix[at].into()))
+    }
+
+    /// The corners, in the cells that are there, of the polygons that have node (i, j). A polygon with several corners of the
+    /// matrices in one point is taken at the first of them.
+    fn sum(&self, i: usize, j: usize) -> Sum {
+        let shape = self.planes.shape();
+        let mut sum = Sum::default();
+        for (ci, corner_row) in [(i.wrapping_sub(1), 1), (i, 0)] {
+            for (cj, corner_column) in [(j.wrapping_sub(1), 1), (j, 0)] {
+                if ci < shape.rows() - 1 && cj < shape.columns() - 1 && !self.hidden.contains(ci, cj) {
+                    let corner = if corner_row == 0 { corner_column } else { 3 - corner_column };
+                    sum = sum.add(Sum::of(self.corner(ci, cj, corner)));
+                }
+            }
+        }
+        sum
+    }
+
+    /// The cross product of the sides at a corner of cell (i, j); zero if the cell is missing or has become a line or a
+    /// point.
+    fn corner(&self, i: usize, j: usize, corner: usize) -> DVec3 {
+        let points = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| self.point(i, j));
+        if !points.iter().all(|point| point.is_finite()) {
+            return DVec3::ZERO;
+        }
+        let classes = self.classes.corners(i, j);
+        let is_first = !classes[..corner].contains(&classes[corner]);
+        if !is_first || Reduced::new(classes).polygon().is_none() {
+            return DVec3::ZERO;
+        }
+        let other = |step: usize| {
+            let mut places = (1..4).map(|k| (corner + k * step) % 4);
+            places.find(|&place| classes[place] != classes[corner]).map_or(points[corner], |place| points[place])
+        };
+        (other(1) - points[corner]).cross(other(3) - points[corner])
+    }
+
+    /// The unit vector along a sum, or zero if what was added cancels out but for rounding.
+    fn unit(&self, sum: Sum) -> DVec3 {
+        // Scaled first: squares of small sums would vanish.
+        let largest = sum.vector.abs().max_element();
+        if largest.is_finite() && largest > 8.0 * f64::EPSILON * sum.size {
+            self.sign * (sum.vector / largest).normalize()
+        } else {
+            DVec3::ZERO
+        }
+    }
+
+    /// True if a node near (i, j) is missing.
+    fn is_near_missing(&self, i: usize, j: usize) -> bool {
+        (i - 1..=i + 1).any(|i| (j - 1..=j + 1).any(|j| !self.point(i, j).is_finite()))
+    }
+
+    fn is_near_hidden(&self, i: usize, j: usize) -> bool {
+        !self.hidden.is_empty() && (i - 1..=i).any(|i| (j - 1..=j).any(|j| self.hidden.contains(i, j)))
+    }
+}
+
+/// A sum of vectors, and of the sums of their absolute coordinates.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sum {
+    vector: DVec3,
+    size: f64,
+}
+
+impl Sum {
+    fn of(vector: DVec3) -> Self {
+        Sum { vector, size: vector.abs().element_sum() }
+    }
+
+    fn add(self, other: Self) -> Self {
+        Sum { vector: self.vector + other.vector, size: self.size + other.size }
+    }
+}
+
+/// The normals of all nodes that are not glued, those of one row and column inwards the fast way. Returns for each
+/// block the number of nodes without normal.
+fn rows<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, threads: usize) -> Vec<u64> {
+    let (shape, stride) = (out.shape(), out.stride());
+    let lines = (BLOCK / stride).max(1);
+    let [x, y, z] = out.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride));
+    par::map(threads, x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
+        let [x, y, z] = [x, y, z].map(|matrix| matrix.chunks_mut(stride));
+        let lines = x.zip(y).zip(z).enumerate().map(|(line, ((x, y), z))| {
+            let out = [x, y, z].map(|row| &mut row[..shape.columns()]);
+            row(corners, block * lines + line, out)
+        });
+        lines.sum()
+    })
+}
+
+/// The normals of row i.
+fn row<T: Real>(corners: &Corners<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u64 {
+    let shape = corners.planes.shape();
+    let (h, w) = (shape.rows(), shape.columns());
+    let mut without = 0;
+    let mut slowly = |j: usize, out: &mut [&mut [T]; 3]| {
+        if corners.is_glued(i, j) {
+            return;
+        }
+        let normal = corners.unit(corners.sum(i, j)).to_array();
+        (0..3).for_each(|axis| out[axis][j] = T::of(normal[axis]));
+        without += u64::from(normal == [0.0; 3]);
+    };
+    // With three columns no difference reads the node in the middle, which may be missing.
+    if i == 0 || i + 1 == h || w < 4 {
+        (0..w).for_each(|j| slowly(j, &mut out));
+        return without;
+    }
+    slowly(0, &mut out);
+    slowly(w - 1, &mut out);
+    let rows = [i - 1, i, i + 1].map(|i| corners.planes.row(i));
+    let [x, y, z] = &mut out;
+    let all_good = simd::run(Differences { rows, sign: T::of(corners.sign), x, y, z });
+    let ends =
+        [i - 1, i, i + 1].into_iter().all(|i| corners.planes.is_finite(i, 0) && corners.planes.is_finite(i, w - 1));
+    if !all_good || !ends || !corners.hidden.is_empty() {
+        for j in 1..w - 1 {
+            // Where the square of the length was out of range, the length is not 1.
+            let square = DVec3::from_array([0, 1, 2].map(|axis| out[axis][j].into())).length_squared();
+            let is_unit = (square - 1.0).abs() < 1e-5;
+            if !is_unit || corners.is_near_missing(i, j) || corners.is_near_hidden(i, j) {
+                slowly(j, &mut out);
+            }
+        }
+    }
+    without
+}
+
+/// Gives all nodes of a class the sum over all of them, and returns how many have no normal.
+fn glued<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, threads: usize) -> Result<u64> {
+    let (shape, groups) = (out.shape(), &corners.groups);
+    let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
+    let mut normals = alloc::zeroed(groups.len())?;
+    par::map(threads, normals.chunks_mut(64).enumerate(), |(chunk, normals)| {
+        for (normal, k) in normals.iter_mut().zip(64 * chunk..) {
+            let sum = places(k).fold(Sum::default(), |sum, (i, j)| sum.add(corners.sum(i, j)));
+            *normal = corners.unit(sum).to_array();
+        }
+    });
+    let mut without = 0;
+    let (stride, mut matrices) = (out.stride(), out.matrices_mut());
+    for (k, normal) in normals.into_iter().enumerate() {
+        for (i, j) in places(k) {
+            (0..3).for_each(|axis| matrices[axis][i * stride + j] = T::of(normal[axis]));
+            without += u64::from(normal == [0.0; 3]);
+        }
+    }
+    Ok(without)
+}
+
+/// The fast way, for the middle one of three rows, but for its first and last node. True if all is well: no length
+/// squared was not finite, or so large or small that it lost digits.
+struct Differences<'a, T> {
+    rows: [[&'a [T]; 3]; 3],
+    sign: T,
+    x: &'a mut [T],
+    y: &'a mut [T],
+    z: &'a mut [T],
+}
+
+impl<T: Real> Kernel for Differences<'_, T> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        differences(self.rows, self.sign, self.x, self.y, self.z)
+    }
+}
+
+/// A function of its own, as only arguments are known not to overlap.
+#[inline(always)]
+fn differences<T: Real>(
+    [north, middle, south]: [[&[T]; 3]; 3],
+    sign: T,
+    x: &mut [T],
+    y: &mut [T],
+    z: &mut [T],
+) -> bool {
+    let (least, most) = (T::of(1e-30), T::of(1e30));
+    let inner = x.len() - 2;
+    let [west_x, west_y, west_z] = middle.map(|row| &row[..inner]);
+    let [east_x, east_y, east_z] = middle.map(|row| &row[2..][..inner]);
+    let [north_x, north_y, north_z] = north.map(|row| &row[1..][..inner]);
+    let [south_x, south_y, south_z] = south.map(|row| &row[1..][..inner]);
+    let (x, y, z) = (&mut x[1..][..inner], &mut y[1..][..inner], &mut z[1..][..inner]);
+    let mut bad = 0u32;
+    for j in 0..inner {
+        let (a, b, c) = (east_x[j] - west_x[j], east_y[j] - west_y[j], east_z[j] - west_z[j]);
+        let (d, e, f) = (south_x[j] - north_x[j], south_y[j] - north_y[j], south_z[j] - north_z[j]);
+        let (nx, ny, nz) = (b * f - c * e, c * d - a * f, a * e - b * d);
+        let square = nx * nx + ny * ny + nz * nz;
+        bad += u32::from(!(square > least && square < most));
+        let scale = sign / square.root();
+        x[j] = nx * scale;
+        y[j] = ny * scale;
+        z[j] = nz * scale;
+    }
+    bad == 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_vectors_and_narrow_ones_give_the_same_bits() {
+        let numbers = |k: usize| (0..61).map(|n| ((n * k) as f32).sin()).collect::<Vec<f32>>();
+        let rows: [Vec<f32>; 9] = std::array::from_fn(|k| numbers(2 * k + 3));
+        let rows = [0, 3, 6].map(|k| [&rows[k][..], &rows[k + 1][..], &rows[k + 2][..]]);
+        let [wide, narrow] = [true, false].map(|wide| {
+            let [mut x, mut y, mut z] = [0; 3].map(|_| vec![0.0f32; 61]);
+            let kernel = Differences { rows, sign: -1.0, x: &mut x, y: &mut y, z: &mut z };
+            assert!(if wide { simd::run(kernel) } else { kernel.run() });
+            [x, y, z].concat().into_iter().map(f32::to_bits).collect::<Vec<u32>>()
+        });
+        assert_eq!(wide, narrow);
+        assert!(wide[1] != 0 && wide[0] == 0, "all but the first and the last");
+    }
+}

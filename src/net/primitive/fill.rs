@@ -1,0 +1,51 @@
+//! Coordinates, row by row.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use crate::mesh::Scalar;
+use crate::net::{Coordinates, Net, Topology, each};
+
+/// A net whose row i is what `row` writes into its three buffers. Zeros have no sign.
+pub(super) fn rows(
+    topology: Topology,
+    scalar: Scalar,
+    job: &Job<'_>,
+    mut row: impl FnMut(usize, [&mut [f64]; 3]),
+) -> Result<Net<'static>> {
+    let shape = topology.shape();
+    let mut coordinates = Coordinates::zeroed(shape, scalar)?;
+    let mut buffer: Vec<f64> = alloc::zeroed(3 * shape.columns())?;
+    for i in 0..shape.rows() {
+        if i % 64 == 0 {
+            job.step(i as f64 / shape.rows() as f64, "primitive")?;
+        }
+        let (x, yz) = buffer.split_at_mut(shape.columns());
+        let (y, z) = yz.split_at_mut(shape.columns());
+        row(i, [x, y, z]);
+        each!(&mut coordinates, planes => copy(&buffer, planes.row_mut(i)));
+    }
+    Ok(Net::new(coordinates, topology))
+}
+
+/// The same, node by node.
+pub(super) fn nodes(
+    topology: Topology,
+    scalar: Scalar,
+    job: &Job<'_>,
+    node: impl Fn(usize, usize) -> [f64; 3],
+) -> Result<Net<'static>> {
+    rows(topology, scalar, job, |i, [x, y, z]| {
+        for (j, ((x, y), z)) in x.iter_mut().zip(y).zip(z).enumerate() {
+            [*x, *y, *z] = node(i, j);
+        }
+    })
+}
+
+fn copy<T: crate::net::Real>(buffer: &[f64], row: [&mut [T]; 3]) {
+    let columns = row[0].len();
+    for (to, from) in row.into_iter().zip(buffer.chunks_exact(columns)) {
+        // Negative zeros become positive ones: after rounding, which makes zeros of small numbers.
+        to.iter_mut().zip(from).for_each(|(to, &value)| *to = T::of(value) + T::of(0.0));
+    }
+}

@@ -1,0 +1,370 @@
+//! Reformatting: rows and columns of a net replicated, which changes its size and not its surface (paper, "Reformatting", Fig. 7).
+//!
+//! The paper says that some row or column is repeated until the size is right. Here the copies lie behind the original; the
+//! links between them are contracted; the links along the row are those of the original, and a link that led back from the
+//! last row leads back from its last copy. Classes, faces and volume are then what they were.
+
+use super::arrange::{Collected, Rearrange, carried, joined, rearranged};
+use super::topology::{Run, Seam};
+use super::{Bridge, Direction, Net, Planes, Real, Shape, Topology, each};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use std::ops::Range;
+
+/// Which rows, or columns, are replicated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Replication {
+    /// All of them, as equally as it goes.
+    #[default]
+    Uniform,
+    /// The first one.
+    First,
+    /// The last one.
+    Last,
+    /// The one with this index.
+    At(u32),
+    /// The first and the last one, if they are a point each, in equal shares; if one of them is, that one; else as `Uniform`.
+    AtPoles,
+}
+
+impl Net<'_> {
+    /// A net of `rows` and `columns`, no fewer than there are, that is the same surface. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for fewer rows or columns than there are, or for the index of one that is not there,
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn reformatted(
+        &self,
+        rows: usize,
+        columns: usize,
+        how: [Replication; 2],
+        job: &Job<'_>,
+    ) -> Result<Net<'static>> {
+        let old = self.shape();
+        let shape = Shape::new(rows, columns)?;
+        let row_starts = starts(self.topology(), Direction::Down, rows, how[0], "rows")?;
+        let column_starts = starts(self.topology(), Direction::Right, columns, how[1], "columns")?;
+        let mut topology = self.topology().rows_replicated(&row_starts)?;
+        if columns > old.columns() {
+            topology = topology.transposed()?.rows_replicated(&column_starts)?.transposed()?;
+        }
+        let picked = Picked { shape, rows: sources(&row_starts)?, columns: sources(&column_starts)? };
+        let mut net = Net::new(rearranged(self.coordinates(), &picked, job)?, topology);
+        for bridge in self.bridges() {
+            let bridge = bridge.moved(|i| row_starts[i as usize], |j| column_starts[j as usize]);
+            alloc::push(net.bridges_mut(), bridge)?;
+        }
+        Ok(net)
+    }
+
+    /// The net without the rows and columns that are the one before them again: all links between the two are contracted, the
+    /// links along them are the same, and so are their coordinates, bit for bit. Two of each are left, and those that a bridge
+    /// ends on. The inverse of [`Net::reformatted`] for nets that have no such rows and columns themselves; seams that go on
+    /// in each other become one. O(nodes).
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn compacted(&self, job: &Job<'_>) -> Result<Net<'static>> {
+        let rows = self.repeated(Direction::Down)?;
+        let net = self.without(Direction::Down, &rows, &job.part(0.0, 0.5))?;
+        let columns = net.repeated(Direction::Right)?;
+        net.without(Direction::Right, &columns, &job.part(0.5, 1.0))
+    }
+
+    /// The rows (`Down`) or columns that are the one before them again.
+    fn repeated(&self, axis: Direction) -> Result<Vec<u32>> {
+        let count = axis.extent(self.shape()).0;
+        let mut needed = alloc::filled(false, count)?;
+        for bridge in self.bridges() {
+            if bridge.direction == axis {
+                needed[bridge.at as usize] = true;
+            } else {
+                needed[bridge.start as usize] = true;
+            }
+        }
+        let mut found = Vec::new();
+        for (i, &needed) in needed.iter().enumerate().skip(1) {
+            if count - found.len() > 2
+                && !needed
+                && self.topology().repeats(axis, i)
+                && each!(self.coordinates(), planes => planes.repeats(axis, i))
+            {
+                alloc::push(&mut found, i as u32)?;
+            }
+        }
+        Ok(found)
+    }
+
+    /// The net without some of its rows (`Down`) or columns, whose indices are in order; two at least are left.
+    pub(crate) fn without(&self, axis: Direction, gone: &[u32], job: &Job<'_>) -> Result<Net<'static>> {
+        if gone.is_empty() {
+            return self.copied();
+        }
+        let shape = self.shape();
+        let kept = complement(axis.extent(shape).0, gone)?;
+        let all = |count: usize| alloc::collect((0..count).map(|i| i as u32));
+        let (topology, rows, columns) = match axis {
+            Direction::Down => (self.topology().rows_kept(&kept)?, alloc::copied(&kept)?, all(shape.columns())?),
+            Direction::Right => {
+                let topology = self.topology().transposed()?.rows_kept(&kept)?.transposed()?;
+                (topology, all(shape.rows())?, alloc::copied(&kept)?)
+            }
+        };
+        let picked = Picked { shape: topology.shape(), rows, columns };
+        let mut net = Net::new(rearranged(self.coordinates(), &picked, job)?, topology);
+        let place = |i: u32| kept.partition_point(|&k| k < i) as u32;
+        for bridge in self.bridges() {
+            let bridge = match axis {
+                Direction::Down => bridge.moved(place, |j| j),
+                Direction::Right => bridge.moved(|i| i, place),
+            };
+            if bridge.at > 0 && bridge.end > bridge.start + 1 {
+                alloc::push(net.bridges_mut(), bridge)?;
+            }
+        }
+        Ok(net)
+    }
+}
+
+impl Bridge {
+    /// Where it is when rows and columns are elsewhere; what is behind the last is told by the one behind that.
+    fn moved(&self, row: impl Fn(u32) -> u32, column: impl Fn(u32) -> u32) -> Bridge {
+        let (at, start, end) = match self.direction {
+            Direction::Right => (column(self.at), row(self.start), row(self.end)),
+            Direction::Down => (row(self.at), column(self.start), column(self.end)),
+        };
+        Bridge { at, start, end, origins: [None, None], ..self.clone() }
+    }
+}
+
+/// Where each row (`Down`) or column starts in a net of `count` of them; one entry more than there are.
+fn starts(
+    topology: &Topology,
+    axis: Direction,
+    count: usize,
+    how: Replication,
+    option: &'static str,
+) -> Result<Vec<u32>> {
+    let old = axis.extent(topology.shape()).0;
+    let Some(copies) = count.checked_sub(old) else {
+        return Err(Error::OptionOutOfRange { option, value: count as f64 });
+    };
+    let mut times: Vec<u32> = alloc::filled(1, old)?;
+    let poles = [0, old - 1].map(|i| topology.is_point(axis, i));
+    match (how, poles) {
+        (Replication::First, _) => times[0] += copies as u32,
+        (Replication::Last, _) => times[old - 1] += copies as u32,
+        (Replication::At(i), _) => match times.get_mut(i as usize) {
+            Some(times) => *times += copies as u32,
+            None => return Err(Error::OptionOutOfRange { option: "replicated index", value: f64::from(i) }),
+        },
+        (Replication::AtPoles, [true, _] | [_, true]) => {
+            let last = match poles {
+                [true, true] => copies / 2,
+                [true, false] => 0,
+                _ => copies,
+            };
+            times[0] += (copies - last) as u32;
+            times[old - 1] += last as u32;
+        }
+        (Replication::Uniform | Replication::AtPoles, _) => {
+            let share = |i: usize| (i as u64 * copies as u64 / old as u64) as u32;
+            times.iter_mut().enumerate().for_each(|(i, times)| *times += share(i + 1) - share(i));
+        }
+    }
+    let mut starts = alloc::with_capacity(old + 1)?;
+    starts.push(0);
+    let mut sum = 0;
+    starts.extend(times.iter().map(|times| {
+        sum += times;
+        sum
+    }));
+    Ok(starts)
+}
+
+/// For each new row, the old one that it is.
+fn sources(starts: &[u32]) -> Result<Vec<u32>> {
+    let mut sources = alloc::with_capacity(starts.last().map_or(0, |&n| n as usize))?;
+    for (i, ends) in (0..).zip(starts.windows(2)) {
+        sources.extend((ends[0]..ends[1]).map(|_| i));
+    }
+    Ok(sources)
+}
+
+/// The new rows that are copies.
+pub(crate) fn copies(starts: &[u32]) -> Result<Vec<u32>> {
+    let mut copies = Vec::new();
+    starts.windows(2).flat_map(|ends| ends[0] + 1..ends[1]).try_for_each(|i| alloc::push(&mut copies, i))?;
+    Ok(copies)
+}
+
+/// Where each row starts if these are the copies, among `count` rows.
+pub(crate) fn starts_of_copies(count: usize, copies: &[u32]) -> Result<Vec<u32>> {
+    let mut starts = complement(count, copies)?;
+    alloc::push(&mut starts, count as u32)?;
+    Ok(starts)
+}
+
+/// Where the sides of a net that is to have `count` rows (`Down`) or columns start.
+pub(crate) fn starts_for(topology: &Topology, axis: Direction, count: usize, how: Replication) -> Result<Vec<u32>> {
+    starts(topology, axis, count, how, "nodes of a side")
+}
+
+/// Those of 0..count that are not in the list, which is in order.
+fn complement(count: usize, gone: &[u32]) -> Result<Vec<u32>> {
+    let mut kept = alloc::with_capacity(count - gone.len().min(count))?;
+    let mut gone = gone.iter().peekable();
+    for i in 0..count as u32 {
+        if gone.next_if_eq(&&i).is_none() {
+            alloc::push(&mut kept, i)?;
+        }
+    }
+    Ok(kept)
+}
+
+impl Topology {
+    /// True if all links along row i (`Down`) or column i are contracted by name.
+    pub(crate) fn is_point(&self, axis: Direction, i: usize) -> bool {
+        let shape = self.shape();
+        (0..axis.extent(shape).1 - 1).all(|k| match axis {
+            Direction::Down => self.contracts(2 * shape.node(i, k)),
+            Direction::Right => self.contracts(2 * shape.node(k, i) + 1),
+        })
+    }
+
+    /// True if row i (`Down`) or column i, not the first, is glued to the one before link by link, and is glued in itself as
+    /// that is.
+    fn repeats(&self, axis: Direction, i: usize) -> bool {
+        let shape = self.shape();
+        let links = |i: usize, k: usize| match axis {
+            Direction::Down => [2 * shape.node(i, k), 2 * shape.node(i, k) + 1],
+            Direction::Right => [2 * shape.node(k, i) + 1, 2 * shape.node(k, i)],
+        };
+        (0..axis.extent(shape).1).all(|k| {
+            let ([before, across], [here, _]) = (links(i - 1, k), links(i, k));
+            self.contracts(across) && self.contracts(before) == self.contracts(here)
+        })
+    }
+
+    /// Row i is rows `starts[i]..starts[i + 1]`. O(contracted links + pairs of seams).
+    pub(crate) fn rows_replicated(&self, starts: &[u32]) -> Result<Self> {
+        let (old, rows) = (self.shape(), starts[self.shape().rows()] as usize);
+        if rows == old.rows() {
+            return Ok(self.clone());
+        }
+        let shape = Shape::new(rows, old.columns())?;
+        let mut links = Collected::new(shape);
+        let mut done = Ok(());
+        let mut add = |links: &mut Collected, i: u32, j: usize, vertical: u32| {
+            if done.is_ok() {
+                done = links.add(2 * shape.node(i as usize, j) + vertical);
+            }
+        };
+        self.each_contracted(|link| {
+            let (i, j) = old.place(link / 2);
+            if link % 2 == 0 {
+                (starts[i]..starts[i + 1]).for_each(|i| add(&mut links, i, j, 0));
+            } else {
+                add(&mut links, starts[i + 1] - 1, j, 1);
+            }
+        });
+        done?;
+        copies(starts)?.into_iter().try_for_each(|i| links.add_row_down(i as usize - 1))?;
+        let mut seams = Vec::new();
+        for &seam in self.seams() {
+            if let Some(seam) = along_rows(seam, starts) {
+                alloc::push(&mut seams, seam)?;
+            } else {
+                carried(seam, |(i, j)| Some((i64::from(starts[i as usize]), j)), &mut seams)?;
+            }
+        }
+        Topology::assembled(shape, links.links(), seams, self.is_reversed())
+    }
+
+    /// The rows of a list, which is in order and has two at least; the others are taken to be the one before them again. Two
+    /// rows that become neighbours are glued where all links between them were contracted.
+    pub(crate) fn rows_kept(&self, kept: &[u32]) -> Result<Self> {
+        let old = self.shape();
+        let (h, w) = (old.rows(), old.columns());
+        let shape = Shape::new(kept.len(), w)?;
+        let mut links = Collected::new(shape);
+        for (new, &i) in kept.iter().enumerate() {
+            let i = i as usize;
+            // The rows that are left behind, from this one on.
+            let end = kept.get(new + 1).map_or(h + kept[0] as usize, |&next| next as usize);
+            for j in 0..w {
+                if self.contracts(2 * old.node(i, j)) {
+                    links.add(2 * shape.node(new, j))?;
+                }
+                if (i..end).all(|i| self.contracts(2 * old.node(i % h, j) + 1)) {
+                    links.add(2 * shape.node(new, j) + 1)?;
+                }
+            }
+        }
+        let mut seams = Vec::new();
+        let place = |i: i64| kept.partition_point(|&k| i64::from(k) <= i).saturating_sub(1) as i64;
+        for &seam in self.seams() {
+            carried(seam, |(i, j)| Some((place(i), j)), &mut seams)?;
+        }
+        Topology::assembled(shape, links.links(), joined(&seams)?, self.is_reversed())
+    }
+}
+
+/// A seam from column to column within the same rows, as closed rows of a net within a larger one make, goes on through
+/// all copies.
+fn along_rows(seam: Seam, starts: &[u32]) -> Option<Seam> {
+    let Seam { a, b, count } = seam;
+    let same = a.row == b.row && a.row_step == b.row_step && a.column_step == 0 && b.column_step == 0;
+    if !same || a.row_step.abs() != 1 {
+        return None;
+    }
+    let last = a.place(count - 1).0 as u32;
+    let (first, last) = (a.row.min(last) as usize, a.row.max(last) as usize);
+    let run = |run: Run| Run::along_column(starts[first], run.column, 1);
+    Some(Seam { a: run(a), b: run(b), count: starts[last + 1] - starts[first] })
+}
+
+impl<T: Real> Planes<'_, T> {
+    /// True if row i (`Down`) or column i has the bits of the one before.
+    fn repeats(&self, axis: Direction, i: usize) -> bool {
+        let stride = self.stride();
+        self.matrices().into_iter().all(|matrix| match axis {
+            Direction::Down => {
+                let row = |i: usize| &matrix[i * stride..][..self.shape().columns()];
+                bytemuck::cast_slice::<T, u8>(row(i)) == bytemuck::cast_slice::<T, u8>(row(i - 1))
+            }
+            Direction::Right => {
+                matrix.chunks(stride).all(|row| bytemuck::bytes_of(&row[i]) == bytemuck::bytes_of(&row[i - 1]))
+            }
+        })
+    }
+}
+
+/// New row i is old row `rows[i]`, and so are columns.
+pub(crate) struct Picked {
+    pub(crate) shape: Shape,
+    pub(crate) rows: Vec<u32>,
+    pub(crate) columns: Vec<u32>,
+}
+
+impl Rearrange for Picked {
+    fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    fn write<T: Real>(&self, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
+        let columns = self.shape.columns();
+        // Columns in runs: whole rows where none is left out or repeated.
+        for (&i, to) in self.rows[rows].iter().zip(to.chunks_exact_mut(columns)) {
+            let mut from = &from[i as usize * stride..];
+            from = &from[..from.len().min(stride)];
+            let mut done = 0;
+            for run in self.columns.chunk_by(|a, b| a + 1 == *b) {
+                let first = run[0] as usize;
+                to[done..done + run.len()].copy_from_slice(&from[first..first + run.len()]);
+                done += run.len();
+            }
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Compressed blocks: the rows of a net that are coded together, without knowledge of other blocks.
+
+use super::bytes::{Reader, Writer};
+use super::coder::{Decoder, Encoder};
+use super::fit::{ORDERS, Sample};
+use super::header::{Mode, StreamInfo};
+use super::levels::{Bits, Levels};
+use super::predict::{Predictor, place};
+use super::rows::{Node, Row, Rows};
+use crate::alloc;
+use crate::error::Result;
+use crate::net::{Classes, Planes, Shape, Topology};
+use std::ops::Range;
+
+/// Nodes that the fit of a block's predictors looks at, and the choice of the order of coordinates.
+const SAMPLE: usize = 2048;
+const ORDER_SAMPLE: usize = 512;
+
+/// Nodes that are not stored, as they have the coordinates of one that comes before them.
+#[derive(Debug)]
+pub(super) struct Duplicates {
+    shape: Shape,
+    /// Each with the node that it repeats, in order.
+    pairs: Vec<[u32; 2]>,
+}
+
+impl Duplicates {
+    pub(super) fn none(shape: Shape) -> Self {
+        Duplicates { shape, pairs: Vec::new() }
+    }
+
+    /// All nodes but the first of each class.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub(super) fn of(topology: &Topology) -> Result<Self> {
+        let mut duplicates = Duplicates::none(topology.shape());
+        let pairs = &mut duplicates.pairs;
+        Classes::of(topology)?.glued(|node, first| alloc::push(pairs, [node, first]))?;
+        pairs.sort_unstable();
+        pairs.dedup();
+        Ok(duplicates)
+    }
+
+    /// Calls `each` with the columns of the duplicates of row `i` and the node that each repeats.
+    pub(super) fn in_row(&self, i: usize, mut each: impl FnMut(usize, u32)) {
+        let start = self.shape.node(i, 0);
+        let end = start + self.shape.columns() as u32;
+        let from = self.pairs.partition_point(|pair| pair[0] < start);
+        let row = self.pairs[from..].iter().take_while(|pair| pair[0] < end);
+        row.for_each(|&[node, first]| each((node - start) as usize, first));
+    }
+
+    /// True if duplicates are bit for bit what they repeat.
+    pub(super) fn are_exact<T: Bits>(&self, planes: &Planes<'_, T>) -> bool {
+        let levels = |i: usize, j: usize| planes.row(i).map(|row| row[j].level());
+        (0..self.shape.rows()).all(|i| {
+            let mut exact = true;
+            self.in_row(i, |j, first| {
+                let (a, b) = self.shape.place(first);
+                exact &= levels(i, j) == levels(a, b);
+            });
+            exact
+        })
+    }
+
+    /// Gives the duplicates of some rows the coordinates of what they repeat.
+    pub(super) fn restore<T: Bits>(&self, planes: &mut Planes<'_, T>, rows: Range<usize>) {
+        for i in rows {
+            let matrices = planes.matrices_mut();
+            let w = self.shape.columns();
+            for matrix in matrices {
+                self.in_row(i, |j, first| matrix[i * w + j] = matrix[first as usize]);
+            }
+        }
+    }
+}
+
+/// What the blocks of a net are coded with.
+pub(super) struct Blocks<'a, T, L> {
+    pub(super) info: &'a StreamInfo,
+    pub(super) planes: &'a Planes<'a, T>,
+    pub(super) duplicates: &'a Duplicates,
+    pub(super) levels: L,
+}
+
+impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
+    /// Row `i`: what its nodes are, and their levels.
+    fn load(&self, i: usize, row: &mut Row) {
+        let numbers = self.planes.row(i);
+        for (axis, (to, from)) in row.levels.iter_mut().zip(numbers).enumerate() {
+            to.iter_mut().zip(from).for_each(|(level, &number)| *level = self.levels.level(axis, number));
+        }
+        row.nodes.fill(Node::Coded);
+        if has_gaps(numbers) {
+            for (j, node) in row.nodes.iter_mut().enumerate() {
+                if self.levels.is_missing(numbers.map(|row| row[j])) {
+                    *node = Node::Missing;
+                }
+            }
+        }
+        self.duplicates.in_row(i, |j, _| row.nodes[j] = Node::Duplicate);
+    }
+
+    fn sample(&self, rows: Range<usize>, count: usize) -> Result<Sample> {
+        let shape = self.info.shape;
+        Sample::new(rows, shape.rows(), shape.columns(), count, &self.levels, |i, row| self.load(i, row))
+    }
+
+    /// The order of coordinates that suits the whole net.
+    pub(super) fn best_order(&self) -> Result<usize> {
+        self.sample(0..self.info.shape.rows(), ORDER_SAMPLE)?.best_order(fraction(self.info))
+    }
+
+    /// The bytes of a block.
+    pub(super) fn encode(&self, block: usize) -> Result<Vec<u8>> {
+        let (info, rows) = (self.info, self.info.block_rows(block));
+        let order = ORDERS[info.order as usize];
+        let (predictors, _) = self.sample(rows.clone(), SAMPLE)?.predictors(order, fraction(info), 3)?;
+        let may_miss = rows.clone().any(|i| has_gaps(self.planes.row(i)));
+        let mut coder = Encoder::new();
+        let mut state = Rows::new(info.shape.columns(), std::array::from_fn(|k| (order[k], predictors[k])))?;
+        let mut row = Row::new(info.shape.columns())?;
+        for i in rows {
+            self.load(i, &mut row);
+            state.code(&mut coder, &mut row, &self.levels, may_miss, place(i, info.shape.rows()));
+        }
+        let (words, bits) = coder.finish()?;
+        let mut to = Writer::default();
+        to.u8(may_miss.into())?;
+        predictors.iter().enumerate().try_for_each(|(before, predictor)| predictor.write(before, &mut to))?;
+        to.varint(words.len() as u64)?;
+        words.iter().try_for_each(|&word| to.u32(word))?;
+        to.varint(bits.len() as u64)?;
+        to.raw(&bits)?;
+        Ok(to.bytes)
+    }
+}
+
+/// Decodes a block into its rows of the three matrices, all but duplicates.
+///
+/// # Errors
+/// [`Error::BadStream`](crate::Error::BadStream), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+pub(super) fn decode<T: Bits>(
+    info: &StreamInfo,
+    duplicates: &Duplicates,
+    levels: &impl Levels<T>,
+    block: usize,
+    mut from: Reader<'_>,
+    mut to: [&mut [T]; 3],
+) -> Result<()> {
+    let (columns, order) = (info.shape.columns(), ORDERS[info.order as usize]);
+    let start = from.bad("what is coded is no net");
+    let may_miss = match from.u8()? {
+        0 => false,
+        1 => true,
+        _ => return Err(start),
+    };
+    let mut predictors = [(0, Predictor::new(&Predictor::PARALLELOGRAM, 1)); 3];
+    for (before, predictor) in predictors.iter_mut().enumerate() {
+        *predictor = (order[before], Predictor::read(before, fraction(info), &mut from)?);
+    }
+    let words = from.varint()?.min(u64::MAX / 4) * 4;
+    let words = from.raw(usize::try_from(words).unwrap_or(usize::MAX))?;
+    let bits = from.varint()?;
+    let bits = from.raw(usize::try_from(bits).unwrap_or(usize::MAX))?;
+    // What the encoder of a net with much in few bytes adds.
+    let rest = from.raw(from.remaining())?;
+    if rest.iter().any(|&byte| byte != 0) || (block + 1 < info.block_count() && !rest.is_empty()) {
+        return Err(from.bad("there is something after the end"));
+    }
+    let mut coder = Decoder::new(words, bits)?;
+    let mut state = Rows::new(columns, predictors)?;
+    let mut row = Row::new(columns)?;
+    for (k, i) in info.block_rows(block).enumerate() {
+        row.nodes.fill(Node::Coded);
+        duplicates.in_row(i, |j, _| row.nodes[j] = Node::Duplicate);
+        state.code(&mut coder, &mut row, levels, may_miss, place(i, info.shape.rows()));
+        let mut to = to.each_mut().map(|matrix| &mut matrix[k * columns..(k + 1) * columns]);
+        if !store(&row, levels, &mut to) {
+            return Err(start);
+        }
+    }
+    if coder.is_sound() { Ok(()) } else { Err(start) }
+}
+
+/// Writes the numbers of a row; false if a level has none.
+fn store<T: Bits>(row: &Row, levels: &impl Levels<T>, to: &mut [&mut [T]; 3]) -> bool {
+    let mut sound = true;
+    for (axis, (to, from)) in to.iter_mut().zip(&row.levels).enumerate() {
+        let missing = levels.missing()[axis];
+        for ((to, &level), &node) in to.iter_mut().zip(from).zip(&row.nodes) {
+            *to = match node {
+                Node::Coded => levels.number(axis, level).unwrap_or_else(|| {
+                    sound = false;
+                    missing
+                }),
+                _ => missing,
+            };
+        }
+    }
+    sound
+}
+
+/// Bits behind the point of predictors' weights: for levels, which are small numbers, fewer.
+fn fraction(info: &StreamInfo) -> u32 {
+    match info.mode {
+        Mode::Quantised { .. } => 11,
+        _ => 24,
+    }
+}
+
+/// True if a number of a row is no number.
+fn has_gaps<T: Bits>(row: [&[T]; 3]) -> bool {
+    // Counted, not searched: without branches it is a matter of vectors.
+    row.into_iter()
+        .any(|numbers| numbers.iter().map(|&x| u32::from(!Into::<f64>::into(x).is_finite())).sum::<u32>() > 0)
+}

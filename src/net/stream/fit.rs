@@ -1,0 +1,260 @@
+//! Predictors that suit a block, by weighted least squares on a sample of its nodes.
+//!
+//! What counts is the logarithm of the residual, so that the weights of the fit fall with its square (Cauchy's; the fit is
+//! repeated with new weights): a few nodes at jumps of the surface do not spoil what is good for all others.
+
+use super::levels::Levels;
+use super::predict::{BEFORE, EACH, Line, NEIGHBOURS, Predictor, WEIGHTS, place};
+use super::rows::{Node, Row};
+use crate::alloc;
+use crate::error::Result;
+
+/// All orders of three coordinates.
+pub(super) const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+/// What a weight of a predictor costs in a stream, in bits.
+const WEIGHT_BITS: f64 = 14.0;
+
+/// A node of the sample.
+#[derive(Clone, Copy)]
+struct Point {
+    /// For each coordinate the neighbours' differences from W, in the order of the weights, and the node's own.
+    neighbours: [[f64; NEIGHBOURS]; 3],
+    own: [f64; 3],
+    /// Column and row, -1 to 1.
+    column: f64,
+    row: f64,
+}
+
+/// Nodes of some rows of a block.
+pub(super) struct Sample {
+    points: Vec<Point>,
+    /// Nodes of the block for each of the sample.
+    share: f64,
+}
+
+/// A predictor, what the sample costs with it in bits, and how wrong it is at each point.
+struct Fit {
+    weights: [f64; WEIGHTS],
+    cost: f64,
+    errors: Vec<f64>,
+}
+
+impl Sample {
+    /// About `count` nodes in rows spread over `rows`. `load` gives a row.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub(super) fn new<T, L: Levels<T>>(
+        rows: std::ops::Range<usize>,
+        height: usize,
+        columns: usize,
+        count: usize,
+        levels: &L,
+        load: impl Fn(usize, &mut Row),
+    ) -> Result<Self> {
+        // Every `step`-th node of a few rows: more rows than nodes in each would be a waste, as three are read for one.
+        let lines = (count / 64).clamp(1, rows.len().max(3) - 2);
+        let step = (columns * lines / count).max(1);
+        let mut points = alloc::with_capacity(lines * columns.div_ceil(step))?;
+        let (mut row, mut known) = (Row::new(columns)?, alloc::filled(true, columns)?);
+        let mut state = [Line::new(columns)?, Line::new(columns)?, Line::new(columns)?];
+        for line in 0..if rows.len() > 2 { lines } else { 0 } {
+            let at = rows.start + 2 + line * (rows.len() - 2) / lines;
+            let first = at - 2;
+            for i in first..=at {
+                load(i, &mut row);
+                known.iter_mut().zip(&row.nodes).for_each(|(known, &node)| *known = node == Node::Coded);
+                for (line, from) in state.iter_mut().zip(&row.levels) {
+                    enter(line, i - first, from, &known, levels);
+                }
+            }
+            for j in (0..columns).step_by(step).filter(|&j| known[j]) {
+                let neighbours = std::array::from_fn(|axis| state[axis].neighbours(j));
+                let own = std::array::from_fn(|axis| state[axis].here[BEFORE + j] - state[axis].here[BEFORE + j - 1]);
+                points.push(Point { neighbours, own, column: place(j, columns), row: place(at, height) });
+            }
+        }
+        scale(&mut points, state.map(|line| levels.resolution(largest_value(&line))));
+        let share = (rows.len() * columns) as f64 / points.len().max(1) as f64;
+        Ok(Sample { points, share })
+    }
+
+    /// The order of coordinates that costs the fewest bits.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub(super) fn best_order(&self, fraction: u32) -> Result<usize> {
+        let mut best = (f64::INFINITY, 0);
+        for (k, order) in ORDERS.into_iter().enumerate() {
+            let cost = self.predictors(order, fraction, 1)?.1;
+            if cost < best.0 {
+                best = (cost, k);
+            }
+        }
+        Ok(best.1)
+    }
+
+    /// Predictors for the coordinates in an order, and what the sample costs with them.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub(super) fn predictors(&self, order: [usize; 3], fraction: u32, rounds: usize) -> Result<([Predictor; 3], f64)> {
+        let mut fits: Vec<Fit> = alloc::with_capacity(3)?;
+        for axis in order {
+            let fit = self.fit(axis, &fits, rounds)?;
+            fits.push(fit);
+        }
+        let cost = fits.iter().map(|fit| fit.cost).sum();
+        Ok((std::array::from_fn(|k| Predictor::new(&fits[k].weights, fraction)), cost))
+    }
+
+    /// The best of three: the parallelogram, the same with the errors of the coordinates before, and all weights free.
+    fn fit(&self, axis: usize, before: &[Fit], rounds: usize) -> Result<Fit> {
+        let mut best = self.judged(axis, before, Predictor::PARALLELOGRAM)?;
+        for free in [NEIGHBOURS, 0] {
+            if free == WEIGHTS - 2 * EACH && before.is_empty() {
+                continue;
+            }
+            let mut fit = self.judged(axis, before, Predictor::PARALLELOGRAM)?;
+            for _ in 0..rounds {
+                let weights = self.solved(axis, before, &fit, free)?;
+                fit = self.judged(axis, before, weights)?;
+            }
+            if fit.cost < best.cost {
+                best = fit;
+            }
+        }
+        Ok(best)
+    }
+
+    /// The features of a point: its neighbours, and the errors of the coordinates before.
+    fn features(&self, axis: usize, before: &[Fit], at: usize) -> [f64; WEIGHTS] {
+        let point = &self.points[at];
+        let mut features = [0.0; WEIGHTS];
+        features[..NEIGHBOURS].copy_from_slice(&point.neighbours[axis]);
+        for (fit, to) in before.iter().zip(features[NEIGHBOURS..].chunks_exact_mut(EACH)) {
+            let error = fit.errors[at];
+            to.copy_from_slice(&[error, error * point.column, error * point.row]);
+        }
+        features
+    }
+
+    /// What weights cost.
+    fn judged(&self, axis: usize, before: &[Fit], weights: [f64; WEIGHTS]) -> Result<Fit> {
+        let used = weights.iter().filter(|&&weight| weight != 0.0).count();
+        let mut fit = Fit { weights, cost: 0.0, errors: alloc::with_capacity(self.points.len())? };
+        // The logarithm of a product, taken now and then: it must stay a number.
+        let mut product = 1.0;
+        for at in 0..self.points.len() {
+            let features = self.features(axis, before, at);
+            let guess: f64 = features.iter().zip(&weights).map(|(x, weight)| x * weight).sum();
+            let error = self.points[at].own[axis] - guess;
+            let error = if error.is_finite() { error } else { 0.0 };
+            fit.errors.push(error);
+            product *= 0.5 + (error.abs() + 0.5).floor().min(1e18);
+            if !(1e-200..1e200).contains(&product) {
+                fit.cost += libm::log2(product);
+                product = 1.0;
+            }
+        }
+        fit.cost += libm::log2(product);
+        fit.cost += WEIGHT_BITS * used as f64 / self.share;
+        Ok(fit)
+    }
+
+    /// Least squares about the weights that `fit` has, with Cauchy's weights from its errors; the first `free` stay. Normal
+    /// equations, with a little added to the diagonal: what the sample says nothing about stays.
+    fn solved(&self, axis: usize, before: &[Fit], fit: &Fit, first: usize) -> Result<[f64; WEIGHTS]> {
+        let count = NEIGHBOURS + EACH * before.len();
+        let scale = 2.0 * median(&fit.errors)? + 1.0;
+        let mut normal = [[0.0; WEIGHTS]; WEIGHTS];
+        let mut right = [0.0; WEIGHTS];
+        for at in 0..self.points.len() {
+            let error = fit.errors[at];
+            let relative = error / scale;
+            let weight = 1.0 / (1.0 + relative * relative);
+            let features = self.features(axis, before, at);
+            for a in first..count {
+                let weighted = weight * features[a];
+                right[a] += weighted * error;
+                for b in first..=a {
+                    normal[a][b] += weighted * features[b];
+                }
+            }
+        }
+        let mut weights = fit.weights;
+        let change = cholesky(normal, right, first..count);
+        weights.iter_mut().zip(change).for_each(|(weight, change)| *weight += change);
+        Ok(weights)
+    }
+}
+
+/// The largest magnitude of a row.
+fn largest_value(line: &Line) -> f64 {
+    line.here[BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
+}
+
+/// Expresses differences in units of the resolution.
+fn scale(points: &mut [Point], resolution: [f64; 3]) {
+    for point in points {
+        for ((neighbours, own), unit) in point.neighbours.iter_mut().zip(&mut point.own).zip(resolution) {
+            neighbours.iter_mut().chain([own]).for_each(|x| *x /= unit);
+        }
+    }
+}
+
+/// Enters a row into the state of a coordinate.
+fn enter<T, L: Levels<T>>(line: &mut Line, i: usize, row: &[i64], known: &[bool], levels: &L) {
+    line.advance(i);
+    let mut last = 0.0;
+    for ((to, &level), &known) in line.here[BEFORE..].iter_mut().zip(row).zip(known) {
+        let value = levels.value(level);
+        if known && value.is_finite() {
+            last = value;
+        }
+        *to = last;
+    }
+    line.bridge_gaps(known);
+    if i == 0 {
+        let first = line.here[BEFORE];
+        line.here[..BEFORE].fill(first);
+    }
+}
+
+/// The median of magnitudes.
+fn median(errors: &[f64]) -> Result<f64> {
+    if errors.is_empty() {
+        return Ok(0.0);
+    }
+    let mut magnitudes = alloc::collect(errors.iter().map(|error| error.abs()))?;
+    let middle = magnitudes.len() / 2;
+    Ok(*magnitudes.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// Solves the symmetric equations of some rows, given below the diagonal; zeros elsewhere, and for equations that have no
+/// solution.
+fn cholesky(
+    mut normal: [[f64; WEIGHTS]; WEIGHTS],
+    mut right: [f64; WEIGHTS],
+    rows: std::ops::Range<usize>,
+) -> [f64; WEIGHTS] {
+    let largest = rows.clone().map(|k| normal[k][k]).fold(0.0, f64::max);
+    for a in rows.clone() {
+        normal[a][a] += 1e-9 * largest + f64::MIN_POSITIVE;
+        for b in rows.start..=a {
+            let dot: f64 = (rows.start..b).map(|k| normal[a][k] * normal[b][k]).sum();
+            let rest = normal[a][b] - dot;
+            normal[a][b] = if a == b { rest.max(0.0).sqrt() } else { rest / normal[b][b] };
+        }
+    }
+    for a in rows.clone() {
+        let dot: f64 = (rows.start..a).map(|k| normal[a][k] * right[k]).sum();
+        right[a] = (right[a] - dot) / normal[a][a];
+    }
+    for a in rows.clone().rev() {
+        let dot: f64 = (a + 1..rows.end).map(|k| normal[k][a] * right[k]).sum();
+        right[a] = (right[a] - dot) / normal[a][a];
+    }
+    let solved = rows.clone().all(|k| right[k].is_finite());
+    std::array::from_fn(|k| if solved && rows.contains(&k) { right[k] } else { 0.0 })
+}

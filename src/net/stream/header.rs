@@ -1,0 +1,193 @@
+//! The first bytes of a stream.
+
+use super::bytes::{Reader, Writer, checksum};
+use crate::error::{Error, Result};
+use crate::mesh::Scalar;
+use crate::net::Shape;
+
+/// The bytes of a header.
+pub const HEADER_SIZE: usize = 128;
+/// A byte that is no text, a name, and line ends that transfers as text would change.
+const MAGIC: [u8; 8] = *b"\x8bTRN\r\n\x1a\n";
+const VERSION: u32 = 1;
+/// Nodes that one byte can stand for at most. Encoders pad what would be shorter, so that nobody needs much memory for few bytes.
+pub(super) const NODES_A_BYTE: u64 = 4096;
+/// Where blocks begin in a raw stream.
+pub(super) const ALIGNMENT: usize = 64;
+
+/// How coordinates are stored.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Mode {
+    /// As they are, aligned to 64 bytes.
+    Raw,
+    /// Compressed, bit for bit.
+    Lossless,
+    /// Compressed, rounded to the levels `origin + k * step` of each axis.
+    Quantised {
+        /// Levels go from 0 to 2^bits - 1.
+        bits: u32,
+    },
+}
+
+/// What the header of a stream says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StreamInfo {
+    /// The size of the net.
+    pub shape: Shape,
+    /// The type of its coordinates.
+    pub scalar: Scalar,
+    /// How they are stored.
+    pub mode: Mode,
+    /// Rows in each block; the last one may have fewer.
+    pub rows_per_block: usize,
+    /// For [`Mode::Quantised`], the coordinates of level 0.
+    pub origin: [f64; 3],
+    /// For [`Mode::Quantised`], the distance of levels; no coordinate is off by more than half of it, and half a unit in its last
+    /// place.
+    pub step: [f64; 3],
+    /// Bytes of the header and all that comes before the first block.
+    pub prelude_size: u64,
+    /// True if nodes that are glued to others are not stored.
+    pub(super) folded: bool,
+    /// The bits of the numbers that missing nodes have, for [`Mode::Lossless`].
+    pub(super) missing: [u64; 3],
+    /// The order of coordinates, one of six.
+    pub(super) order: u8,
+    /// Bytes of the description of topology and bridges, and its checksum with that of the table of blocks.
+    pub(super) structure_size: u64,
+    pub(super) checksum: u32,
+}
+
+impl StreamInfo {
+    /// Reads the first [`HEADER_SIZE`] bytes of a stream. O(1).
+    ///
+    /// # Errors
+    /// [`Error::BadStream`].
+    pub fn read(bytes: &[u8]) -> Result<Self> {
+        let Some(header) = bytes.get(..HEADER_SIZE) else {
+            return Err(Error::BadStream { what: "it is cut off", byte: bytes.len() as u64 });
+        };
+        let mut from = Reader::new(header, 0);
+        if from.raw(8)? != MAGIC {
+            return Err(Error::BadStream { what: "it does not begin as a stream of a net does", byte: 0 });
+        }
+        let last = HEADER_SIZE - 4;
+        if header[last..] != checksum(&header[..last]).to_le_bytes() {
+            return Err(Error::BadStream { what: "the checksum of the header is wrong", byte: last as u64 });
+        }
+        if from.u32()? != VERSION {
+            return Err(from.bad("another version of the library wrote it"));
+        }
+        Self::read_fields(&mut from)
+    }
+
+    fn read_fields(from: &mut Reader<'_>) -> Result<Self> {
+        let (mode, scalar, bits, flags) = (from.u8()?, from.u8()?, from.u8()?, from.u8()?);
+        let (rows, columns, rows_per_block) = (from.u32()?, from.u32()?, from.u32()?);
+        let order = from.u8()?;
+        let reserved = from.raw(3)?;
+        let structure_size = from.u64()?;
+        let checksum = from.u32()?;
+        let zero = from.u32()?;
+        let mode = match (mode, bits) {
+            (0, 0) => Mode::Raw,
+            (1, 0) => Mode::Lossless,
+            (2, 8..=24) => Mode::Quantised { bits: bits.into() },
+            _ => return Err(from.bad("the mode is unknown")),
+        };
+        let scalar = match scalar {
+            0 => Scalar::F32,
+            1 => Scalar::F64,
+            _ => return Err(from.bad("the type of the coordinates is unknown")),
+        };
+        let shape = Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("no net has this size"))?;
+        if flags > 1 || order > 5 || reserved != [0; 3] || zero != 0 || !(1..=rows).contains(&rows_per_block) {
+            return Err(from.bad("a field has no such value"));
+        }
+        let mut info = StreamInfo {
+            shape,
+            scalar,
+            mode,
+            rows_per_block: rows_per_block as usize,
+            origin: [0.0; 3],
+            step: [0.0; 3],
+            prelude_size: 0,
+            folded: flags == 1,
+            missing: [0; 3],
+            order,
+            structure_size,
+            checksum,
+        };
+        info.read_numbers(from)?;
+        info.prelude_size = info.prelude().ok_or_else(|| from.bad("a size is too large"))?;
+        Ok(info)
+    }
+
+    fn read_numbers(&mut self, from: &mut Reader<'_>) -> Result<()> {
+        for axis in 0..3 {
+            self.missing[axis] = from.u64()?;
+        }
+        for axis in 0..3 {
+            self.step[axis] = from.f64()?;
+        }
+        if let Mode::Quantised { .. } = self.mode {
+            self.origin = std::mem::take(&mut self.missing).map(f64::from_bits);
+            let good = |axis: usize| {
+                self.step[axis] > 0.0 && self.step[axis].is_finite() && self.origin[axis].abs() <= f64::MAX / 4.0
+            };
+            if !(0..3).all(good) {
+                return Err(from.bad("a step or an origin is no number that it can be"));
+            }
+        } else if self.step != [0.0; 3] {
+            return Err(from.bad("a field has no such value"));
+        }
+        Ok(())
+    }
+
+    /// The bytes of the header.
+    pub(super) fn write(&self, to: &mut Writer) -> Result<()> {
+        let start = to.bytes.len();
+        to.raw(&MAGIC)?;
+        to.u32(VERSION)?;
+        let (mode, bits) = match self.mode {
+            Mode::Raw => (0, 0),
+            Mode::Lossless => (1, 0),
+            Mode::Quantised { bits } => (2, bits as u8),
+        };
+        to.raw(&[mode, u8::from(self.scalar == Scalar::F64), bits, u8::from(self.folded)])?;
+        to.u32(self.shape.rows() as u32)?;
+        to.u32(self.shape.columns() as u32)?;
+        to.u32(self.rows_per_block as u32)?;
+        to.raw(&[self.order, 0, 0, 0])?;
+        to.u64(self.structure_size)?;
+        to.u32(self.checksum)?;
+        to.u32(0)?;
+        let quantised = matches!(self.mode, Mode::Quantised { .. });
+        (0..3).try_for_each(|k| to.u64(if quantised { self.origin[k].to_bits() } else { self.missing[k] }))?;
+        self.step.iter().try_for_each(|&step| to.f64(step))?;
+        to.zeros(start + HEADER_SIZE - 4 - to.bytes.len())?;
+        to.u32(checksum(&to.bytes[start..]))
+    }
+
+    /// The number of blocks.
+    pub fn block_count(&self) -> usize {
+        self.shape.rows().div_ceil(self.rows_per_block)
+    }
+
+    /// The rows of a block.
+    pub fn block_rows(&self, block: usize) -> std::ops::Range<usize> {
+        let start = block * self.rows_per_block;
+        start..self.shape.rows().min(start + self.rows_per_block)
+    }
+
+    /// Bytes of the table of blocks: of each its size and its checksum.
+    pub(super) fn table_size(&self) -> u64 {
+        12 * self.block_count() as u64
+    }
+
+    /// Header, structure, table, and what aligns the first block of a raw stream.
+    pub(super) fn prelude(&self) -> Option<u64> {
+        let size = self.structure_size.checked_add(HEADER_SIZE as u64 + self.table_size())?;
+        if self.mode == Mode::Raw { size.checked_next_multiple_of(ALIGNMENT as u64) } else { Some(size) }
+    }
+}

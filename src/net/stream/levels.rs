@@ -1,0 +1,187 @@
+//! Coordinates as whole numbers, their levels, so that what is coded is a difference of whole numbers.
+
+use crate::net::Real;
+
+/// A coordinate type as bits.
+pub(super) trait Bits: Real {
+    /// Bytes of a number.
+    const SIZE: usize = size_of::<Self>();
+    /// The number as an integer in the same order: -infinity, then down to -0, 0 and on to infinity; NaN beyond both.
+    fn level(self) -> i64;
+    /// The number of a level, if it is in range.
+    fn of_level(level: i64) -> Option<Self>;
+    /// Little-endian bytes.
+    fn write(self, to: &mut [u8]);
+    /// From little-endian bytes, exactly [`Bits::SIZE`] of them.
+    fn read(from: &[u8]) -> Self;
+    /// A quiet NaN.
+    const MISSING: Self;
+}
+
+impl Bits for f32 {
+    const MISSING: Self = f32::NAN;
+
+    #[inline(always)]
+    fn level(self) -> i64 {
+        let bits = self.to_bits() as i32;
+        i64::from(bits ^ ((bits >> 31) & i32::MAX))
+    }
+
+    #[inline(always)]
+    fn of_level(level: i64) -> Option<Self> {
+        let level = i32::try_from(level).ok()?;
+        Some(f32::from_bits((level ^ ((level >> 31) & i32::MAX)) as u32))
+    }
+
+    #[inline(always)]
+    fn write(self, to: &mut [u8]) {
+        to.copy_from_slice(&self.to_bits().to_le_bytes());
+    }
+
+    #[inline(always)]
+    fn read(from: &[u8]) -> Self {
+        let mut bytes = [0; 4];
+        bytes.copy_from_slice(from);
+        f32::from_bits(u32::from_le_bytes(bytes))
+    }
+}
+
+impl Bits for f64 {
+    const MISSING: Self = f64::NAN;
+
+    #[inline(always)]
+    fn level(self) -> i64 {
+        let bits = self.to_bits() as i64;
+        bits ^ ((bits >> 63) & i64::MAX)
+    }
+
+    #[inline(always)]
+    fn of_level(level: i64) -> Option<Self> {
+        Some(f64::from_bits((level ^ ((level >> 63) & i64::MAX)) as u64))
+    }
+
+    #[inline(always)]
+    fn write(self, to: &mut [u8]) {
+        to.copy_from_slice(&self.to_bits().to_le_bytes());
+    }
+
+    #[inline(always)]
+    fn read(from: &[u8]) -> Self {
+        let mut bytes = [0; 8];
+        bytes.copy_from_slice(from);
+        f64::from_bits(u64::from_le_bytes(bytes))
+    }
+}
+
+/// How numbers become levels and back.
+pub(super) trait Levels<T>: Sync {
+    /// The level of a number.
+    fn level(&self, axis: usize, number: T) -> i64;
+    /// The number of a level, if there is such a level.
+    fn number(&self, axis: usize, level: i64) -> Option<T>;
+    /// A level as predictors see it: nearly linear in the number. Not finite for what is no number.
+    fn value(&self, level: i64) -> f64;
+    /// The level nearest to a finite value.
+    fn nearest(&self, axis: usize, value: f64) -> i64;
+    /// How far values about as large as this one are apart.
+    fn resolution(&self, value: f64) -> f64;
+    /// True for a node that is not coded but only marked as missing.
+    fn is_missing(&self, node: [T; 3]) -> bool;
+    /// The coordinates that missing nodes get.
+    fn missing(&self) -> [T; 3];
+}
+
+/// Bit for bit.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Exact<T> {
+    /// The three numbers that missing nodes have.
+    pub(super) missing: [T; 3],
+}
+
+impl<T: Bits> Levels<T> for Exact<T> {
+    #[inline(always)]
+    fn level(&self, _: usize, number: T) -> i64 {
+        number.level()
+    }
+
+    #[inline(always)]
+    fn number(&self, _: usize, level: i64) -> Option<T> {
+        T::of_level(level)
+    }
+
+    #[inline(always)]
+    fn value(&self, level: i64) -> f64 {
+        T::of_level(level).map_or(0.0, Into::into)
+    }
+
+    #[inline(always)]
+    fn nearest(&self, _: usize, value: f64) -> i64 {
+        T::of(value).level()
+    }
+
+    fn resolution(&self, value: f64) -> f64 {
+        if value.abs() > 1e-290 { value.abs() * if T::SIZE == 4 { 6e-8 } else { 1.1e-16 } } else { 1e-300 }
+    }
+
+    #[inline(always)]
+    fn is_missing(&self, node: [T; 3]) -> bool {
+        let levels = self.missing.map(T::level);
+        node.map(T::level) == levels && !node.iter().all(|&number| number.into().is_finite())
+    }
+
+    #[inline(always)]
+    fn missing(&self) -> [T; 3] {
+        self.missing
+    }
+}
+
+/// The levels 0 to `last` at equal distances: level k stands for `origin + k * step`, computed in double precision and rounded to
+/// the type of the coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Grid {
+    pub(super) origin: [f64; 3],
+    pub(super) step: [f64; 3],
+    pub(super) last: i64,
+}
+
+impl<T: Bits> Levels<T> for Grid {
+    #[inline(always)]
+    fn level(&self, axis: usize, number: T) -> i64 {
+        let value: f64 = number.into();
+        let steps = (value - self.origin[axis]) / self.step[axis];
+        Levels::<T>::nearest(self, axis, steps)
+    }
+
+    #[inline(always)]
+    fn number(&self, axis: usize, level: i64) -> Option<T> {
+        let in_range = (0..=self.last).contains(&level);
+        in_range.then(|| T::of(self.origin[axis] + level as f64 * self.step[axis]))
+    }
+
+    #[inline(always)]
+    fn value(&self, level: i64) -> f64 {
+        level as f64
+    }
+
+    #[inline(always)]
+    fn nearest(&self, _: usize, value: f64) -> i64 {
+        let last = self.last as f64;
+        let value = if value > 0.0 { value } else { 0.0 };
+        let value = if value < last { value } else { last };
+        (value + 0.5) as i64
+    }
+
+    fn resolution(&self, _: f64) -> f64 {
+        1.0
+    }
+
+    #[inline(always)]
+    fn is_missing(&self, node: [T; 3]) -> bool {
+        !node.iter().all(|&number| number.into().is_finite())
+    }
+
+    #[inline(always)]
+    fn missing(&self) -> [T; 3] {
+        [T::MISSING; 3]
+    }
+}

@@ -1,0 +1,293 @@
+//! Streams to nets.
+
+use super::block::{self, Duplicates};
+use super::bytes::{Reader, checksum};
+use super::header::{HEADER_SIZE, Mode, NODES_A_BYTE, StreamInfo};
+use super::levels::{Bits, Exact, Grid};
+use super::{raw, structure};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::net::{Bridge, Coordinates, Net, Planes, Real, Shape, Sides, Topology, each};
+use crate::par;
+use std::ops::Range;
+
+/// What a block is found by.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entry {
+    pub(super) offset: u64,
+    pub(super) size: u64,
+    checksum: u32,
+}
+
+/// All that comes before the first block.
+#[derive(Debug)]
+pub(super) struct Prelude {
+    pub(super) info: StreamInfo,
+    pub(super) topology: Topology,
+    pub(super) bridges: Vec<Bridge>,
+    duplicates: Duplicates,
+    pub(super) entries: Vec<Entry>,
+}
+
+impl Prelude {
+    /// `bytes`: the stream, at least as far as the first block. `total`: the bytes that the stream must have, if that is known.
+    pub(super) fn read(info: StreamInfo, bytes: &[u8], total: Option<u64>) -> Result<Self> {
+        let mut from = Reader::new(&bytes[HEADER_SIZE..], HEADER_SIZE as u64);
+        let too_long = from.bad("a size is too large");
+        let size = usize::try_from(info.structure_size).map_err(|_| too_long)?;
+        let table_at = HEADER_SIZE as u64 + info.structure_size;
+        let structure = from.raw(size)?;
+        let table = from.raw(info.table_size() as usize)?;
+        let checked = &bytes[HEADER_SIZE..HEADER_SIZE + size + table.len()];
+        if checksum(checked) != info.checksum {
+            return Err(Error::BadStream {
+                what: "the checksum of gluing and table is wrong",
+                byte: HEADER_SIZE as u64,
+            });
+        }
+        let padding = info.prelude_size - table_at - info.table_size();
+        if from.raw(padding as usize)?.iter().any(|&byte| byte != 0) {
+            return Err(from.bad("what fills up the stream before the first block is not zero"));
+        }
+        let (entries, end) = read_table(&info, Reader::new(table, table_at))?;
+        if let Some(total) = total.filter(|&total| total != end) {
+            return Err(Error::BadStream {
+                what: "its blocks are not as long as the table says",
+                byte: end.min(total),
+            });
+        }
+        let limit = end.saturating_mul(NODES_A_BYTE);
+        let from = Reader::new(structure, HEADER_SIZE as u64);
+        let (topology, bridges) = structure::read(info.shape, limit, from)?;
+        let duplicates = if info.folded { Duplicates::of(&topology)? } else { Duplicates::none(info.shape) };
+        Ok(Prelude { info, topology, bridges, duplicates, entries })
+    }
+
+    /// Decodes a block into its rows of the three matrices, all but duplicates.
+    fn decode<T: Bits>(&self, block: usize, bytes: &[u8], to: [&mut [T]; 3]) -> Result<()> {
+        let Entry { offset, checksum: expected, .. } = self.entries[block];
+        if checksum(bytes) != expected {
+            return Err(Error::BadStream { what: "the checksum of a block is wrong", byte: offset });
+        }
+        let from = Reader::new(bytes, offset);
+        let (info, duplicates) = (&self.info, &self.duplicates);
+        match info.mode {
+            Mode::Raw => raw::decode(info, block, from, to),
+            Mode::Lossless => {
+                let bad = from.bad("the numbers of missing nodes are out of range");
+                let number = |bits: u64| T::of_level(bits as i64);
+                let [Some(x), Some(y), Some(z)] = info.missing.map(number) else { return Err(bad) };
+                block::decode(info, duplicates, &Exact { missing: [x, y, z] }, block, from, to)
+            }
+            Mode::Quantised { bits } => {
+                let levels = Grid { origin: info.origin, step: info.step, last: (1 << bits) - 1 };
+                block::decode(info, duplicates, &levels, block, from, to)
+            }
+        }
+    }
+
+    /// Gives duplicates in some rows the coordinates of what they repeat.
+    fn restore(&self, coordinates: &mut Coordinates<'_>, rows: Range<usize>) {
+        each!(coordinates, planes => self.duplicates.restore(planes, rows));
+    }
+
+    fn into_net(self, coordinates: Coordinates<'static>) -> Net<'static> {
+        let mut net = Net::new(coordinates, self.topology);
+        *net.bridges_mut() = self.bridges;
+        net
+    }
+}
+
+/// The table of blocks, and where the last one ends.
+fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u64)> {
+    let mut entries = alloc::with_capacity(info.block_count())?;
+    let mut offset = info.prelude_size;
+    for _ in 0..info.block_count() {
+        let too_large = from.bad("a block is too large");
+        let (size, checksum) = (from.u64()?, from.u32()?);
+        entries.push(Entry { offset, size, checksum });
+        offset = offset.checked_add(size).filter(|&end| end <= i64::MAX as u64).ok_or(too_large)?;
+    }
+    Ok((entries, offset))
+}
+
+/// The net of a stream.
+///
+/// O(nodes); blocks are decoded in parallel. Bytes that no encoder wrote are refused, damaged ones by their checksums; memory
+/// is asked for only as far as a stream of this length can need it.
+///
+/// # Errors
+/// [`Error::BadStream`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn decode(bytes: &[u8], job: &Job<'_>) -> Result<Net<'static>> {
+    let info = StreamInfo::read(bytes)?;
+    if info.prelude_size > bytes.len() as u64 {
+        return Err(Error::BadStream { what: "it is cut off", byte: bytes.len() as u64 });
+    }
+    let prelude = Prelude::read(info, bytes, Some(bytes.len() as u64))?;
+    let mut coordinates = Coordinates::zeroed(info.shape, info.scalar)?;
+    each!(&mut coordinates, planes => decode_blocks(&prelude, bytes, planes, job))?;
+    prelude.restore(&mut coordinates, 0..info.shape.rows());
+    Ok(prelude.into_net(coordinates))
+}
+
+/// All blocks, some at a time so that the host can cancel.
+fn decode_blocks<T: Bits>(prelude: &Prelude, bytes: &[u8], planes: &mut Planes<'_, T>, job: &Job<'_>) -> Result<()> {
+    let info = &prelude.info;
+    let some = 4 * par::at_most(info.block_count(), job.threads());
+    let (block, mut start) = (info.rows_per_block * info.shape.columns(), 0);
+    let [x, y, z] = planes.matrices_mut().map(|matrix| matrix.chunks_mut(some * block));
+    for ((x, y), z) in x.zip(y).zip(z) {
+        job.step(start as f64 / info.block_count() as f64, "decoding")?;
+        let parts = x.chunks_mut(block).zip(y.chunks_mut(block)).zip(z.chunks_mut(block)).enumerate();
+        let done = par::map(job.threads(), parts, |(k, ((x, y), z))| {
+            let Entry { offset, size, .. } = prelude.entries[start + k];
+            prelude.decode(start + k, &bytes[offset as usize..(offset + size) as usize], [x, y, z])
+        });
+        start += done.len();
+        done.into_iter().collect::<Result<()>>()?;
+    }
+    Ok(())
+}
+
+/// Decodes a stream that arrives in pieces: rows are there as soon as their block is.
+#[derive(Debug)]
+pub struct StreamDecoder {
+    /// Bytes that were not used yet, and where they begin in the stream.
+    pending: Vec<u8>,
+    offset: u64,
+    node_limit: u64,
+    state: Option<(Prelude, Coordinates<'static>)>,
+    next: usize,
+    failed: Option<Error>,
+}
+
+impl StreamDecoder {
+    /// `node_limit`: a net of more nodes is refused, as its memory is taken before all of the stream is seen.
+    pub fn new(node_limit: u64) -> Self {
+        StreamDecoder { pending: Vec::new(), offset: 0, node_limit, state: None, next: 0, failed: None }
+    }
+
+    /// Takes the next bytes of the stream, of any number, and decodes all blocks that they complete. Returns the rows that are
+    /// complete. After an error there is no way on: it is returned again.
+    ///
+    /// # Errors
+    /// [`Error::BadStream`], [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub fn push(&mut self, bytes: &[u8]) -> Result<usize> {
+        if let Some(error) = self.failed {
+            return Err(error);
+        }
+        let done = self.take(bytes);
+        self.failed = done.err();
+        done.map(|()| self.rows_done())
+    }
+
+    fn take(&mut self, bytes: &[u8]) -> Result<()> {
+        alloc::append(&mut self.pending, bytes)?;
+        if self.state.is_none() {
+            self.start()?;
+        }
+        let Some((prelude, coordinates)) = &mut self.state else { return Ok(()) };
+        let mut used = 0;
+        while let Some(entry) = prelude.entries.get(self.next) {
+            let rest = &self.pending[used..];
+            let Some(bytes) = usize::try_from(entry.size).ok().and_then(|size| rest.get(..size)) else { break };
+            let rows = prelude.info.block_rows(self.next);
+            let w = prelude.info.shape.columns();
+            each!(&mut *coordinates, planes => {
+                let parts = planes.matrices_mut().map(|matrix| &mut matrix[rows.start * w..rows.end * w]);
+                prelude.decode(self.next, bytes, parts)?;
+            });
+            prelude.restore(coordinates, rows);
+            used += bytes.len();
+            self.next += 1;
+        }
+        self.pending.drain(..used);
+        self.offset += used as u64;
+        if self.next == prelude.entries.len() && !self.pending.is_empty() {
+            return Err(Error::BadStream { what: "there is something after the end", byte: self.offset });
+        }
+        Ok(())
+    }
+
+    /// Reads what comes before the blocks, once it is there.
+    fn start(&mut self) -> Result<()> {
+        if self.pending.len() < HEADER_SIZE {
+            return Ok(());
+        }
+        let info = StreamInfo::read(&self.pending)?;
+        let count = info.shape.node_count() as u64;
+        if count > self.node_limit {
+            return Err(Error::TooLarge { what: "nodes", count, limit: self.node_limit });
+        }
+        let Some(size) = usize::try_from(info.prelude_size).ok().filter(|&size| size <= self.pending.len()) else {
+            return Ok(());
+        };
+        let prelude = Prelude::read(info, &self.pending[..size], None)?;
+        self.state = Some((prelude, Coordinates::zeroed(info.shape, info.scalar)?));
+        self.pending.drain(..size);
+        self.offset = info.prelude_size;
+        Ok(())
+    }
+
+    /// What the header says, once it is there with all that comes before the first block.
+    pub fn info(&self) -> Option<&StreamInfo> {
+        self.state.as_ref().map(|(prelude, _)| &prelude.info)
+    }
+
+    /// The rows that are complete: those of all blocks so far.
+    pub fn rows_done(&self) -> usize {
+        self.state.as_ref().map_or(
+            0,
+            |(prelude, _)| {
+                if self.next == 0 { 0 } else { prelude.info.block_rows(self.next - 1).end }
+            },
+        )
+    }
+
+    /// The coordinates; rows that are not complete are anything.
+    pub fn coordinates(&self) -> Option<&Coordinates<'static>> {
+        self.state.as_ref().map(|(_, coordinates)| coordinates)
+    }
+
+    /// The rows so far as a net of their own: a sheet without bridges.
+    ///
+    /// # Errors
+    /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`].
+    pub fn preview(&self) -> Result<Net<'static>> {
+        let Some((prelude, coordinates)) = &self.state else {
+            return Err(Error::NetTooSmall { rows: 0, columns: 0 });
+        };
+        let shape = Shape::new(self.rows_done(), prelude.info.shape.columns())?;
+        let mut part = Coordinates::zeroed(shape, prelude.info.scalar)?;
+        match (&mut part, coordinates) {
+            (Coordinates::F32(to), Coordinates::F32(from)) => copy_rows(to, from),
+            (Coordinates::F64(to), Coordinates::F64(from)) => copy_rows(to, from),
+            _ => {}
+        }
+        Ok(Net::new(part, Topology::of_sides(shape, Sides::SHEET)))
+    }
+
+    /// The net, once the stream is complete; the decoder begins anew then.
+    ///
+    /// # Errors
+    /// [`Error::BadStream`] if it is not, or what [`StreamDecoder::push`] failed with.
+    pub fn finish(&mut self) -> Result<Net<'static>> {
+        if let Some(error) = self.failed {
+            return Err(error);
+        }
+        let end = self.offset + self.pending.len() as u64;
+        let whole = self.state.take_if(|(prelude, _)| self.next == prelude.entries.len());
+        let (prelude, coordinates) = whole.ok_or(Error::BadStream { what: "it is cut off", byte: end })?;
+        *self = StreamDecoder::new(self.node_limit);
+        Ok(prelude.into_net(coordinates))
+    }
+}
+
+/// The first rows of matrices.
+fn copy_rows<T: Real>(to: &mut Planes<'_, T>, from: &Planes<'_, T>) {
+    for (to, from) in to.matrices_mut().into_iter().zip(from.matrices()) {
+        let count = to.len();
+        to.copy_from_slice(&from[..count]);
+    }
+}

@@ -1,0 +1,336 @@
+//! Topology and bridges to bytes and back.
+
+use super::bytes::{Reader, Writer};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::net::bridge::Origin;
+use crate::net::topology::{Links, Matrix, Run};
+use crate::net::{Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, Net, Seam, Shape, Sides, Topology};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// The bit of a byte of sides that says that a matrix follows, and the one that says that faces are reversed.
+const MATRIX: u8 = 64;
+const REVERSED: u8 = 128;
+
+/// Writes what a net is besides coordinates. Returns how much it stands for: the nodes and pairs of seams of all topologies.
+pub(super) fn write(net: &Net<'_>, to: &mut Writer) -> Result<u64> {
+    write_topology(net.topology(), to)?;
+    let origins = Origins::of(net.bridges())?;
+    origins.write(to)?;
+    write_bridges(net.bridges(), &origins.numbers, to)?;
+    Ok(origins.list.iter().map(|origin| work(&origin.topology)).fold(work(net.topology()), u64::saturating_add))
+}
+
+/// `limit`: nodes and pairs of seams that there may be together.
+///
+/// # Errors
+/// [`Error::BadStream`], [`Error::OutOfMemory`].
+pub(super) fn read(shape: Shape, limit: u64, mut from: Reader<'_>) -> Result<(Topology, Vec<Bridge>)> {
+    let mut limit = limit;
+    let topology = read_topology(shape, &mut limit, &mut from)?;
+    let mut origins = Vec::new();
+    let count = from.varint()?;
+    for _ in 0..count {
+        let origin = read_origin(&origins, &mut limit, &mut from)?;
+        alloc::push(&mut origins, Arc::new(origin))?;
+    }
+    let bridges = list(&mut from, |from| read_bridge(shape, &origins, from))?;
+    from.finish()?;
+    Ok((topology, bridges))
+}
+
+/// Nodes and pairs of seams: what reading a topology takes time for.
+fn work(topology: &Topology) -> u64 {
+    topology.shape().node_count() as u64 + topology.seams().iter().map(|seam| u64::from(seam.count)).sum::<u64>()
+}
+
+fn write_topology(topology: &Topology, to: &mut Writer) -> Result<()> {
+    let reversed = if topology.is_reversed() { REVERSED } else { 0 };
+    match topology.links() {
+        Links::Sides(sides) => to.u8(sides_bits(*sides) | reversed)?,
+        Links::Matrix(matrix) => {
+            to.u8(MATRIX | reversed)?;
+            write_matrix(matrix, to)?;
+        }
+    }
+    to.varint(topology.seams().len() as u64)?;
+    topology.seams().iter().try_for_each(|seam| write_seam(seam, to))
+}
+
+/// Takes what the topology stands for from `limit`, before memory is asked for it.
+fn read_topology(shape: Shape, limit: &mut u64, from: &mut Reader<'_>) -> Result<Topology> {
+    let too_much = from.bad("it is too short for so much");
+    *limit = limit.checked_sub(shape.node_count() as u64).ok_or(too_much)?;
+    let bits = from.u8()?;
+    let links = match bits & !REVERSED {
+        MATRIX => Links::Matrix(read_matrix(shape, from)?),
+        sides if sides < MATRIX => Links::Sides(sides_of(sides)),
+        _ => return Err(from.bad("the kind of gluing is unknown")),
+    };
+    let seams = list(from, read_seam)?;
+    let pairs = seams.iter().fold(0u64, |sum, seam| sum.saturating_add(seam.count.into()));
+    *limit = limit.checked_sub(pairs).ok_or(too_much)?;
+    let bad = from.bad("the gluing is none that a net has");
+    let topology = match Topology::canonical(shape, links, seams) {
+        Err(Error::OutOfMemory { bytes }) => return Err(Error::OutOfMemory { bytes }),
+        topology => topology.ok().flatten().ok_or(bad)?,
+    };
+    Ok(topology.with_reversed(bits & REVERSED != 0))
+}
+
+/// What was done to nets before they were joined, each once, those that others refer to before these.
+struct Origins<'a> {
+    list: Vec<&'a Origin>,
+    /// The place of each in the list, and 1.
+    numbers: HashMap<*const Origin, u64>,
+}
+
+impl<'a> Origins<'a> {
+    fn of(bridges: &'a [Bridge]) -> Result<Self> {
+        let mut origins = Origins { list: Vec::new(), numbers: HashMap::new() };
+        let mut open = Vec::new();
+        open_all(bridges, &mut open)?;
+        // An account is closed once those within it are.
+        while let Some((origin, opened)) = open.pop() {
+            if origins.numbers.contains_key(&std::ptr::from_ref(origin)) {
+                continue;
+            }
+            if opened {
+                alloc::push(&mut origins.list, origin)?;
+                let bytes = 16 * origins.list.len() as u64;
+                origins.numbers.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
+                origins.numbers.insert(std::ptr::from_ref(origin), origins.list.len() as u64);
+            } else {
+                alloc::push(&mut open, (origin, true))?;
+                open_all(&origin.bridges, &mut open)?;
+            }
+        }
+        Ok(origins)
+    }
+
+    fn write(&self, to: &mut Writer) -> Result<()> {
+        to.varint(self.list.len() as u64)?;
+        for origin in &self.list {
+            write_shape(origin.joined, to)?;
+            to.u8(origin.flipped.into())?;
+            to.varint(origin.twist.into())?;
+            to.varint(origin.copies.len() as u64)?;
+            let mut end = 0;
+            for &copy in &origin.copies {
+                to.varint(u64::from(copy) - end)?;
+                end = u64::from(copy) + 1;
+            }
+            write_shape(origin.topology.shape(), to)?;
+            write_topology(&origin.topology, to)?;
+            write_bridges(&origin.bridges, &self.numbers, to)?;
+        }
+        Ok(())
+    }
+}
+
+fn open_all<'a>(bridges: &'a [Bridge], open: &mut Vec<(&'a Origin, bool)>) -> Result<()> {
+    let origins = bridges.iter().flat_map(|bridge| &bridge.origins).flatten();
+    origins.into_iter().try_for_each(|origin| alloc::push(open, (&**origin, false)))
+}
+
+fn read_origin(origins: &[Arc<Origin>], limit: &mut u64, from: &mut Reader<'_>) -> Result<Origin> {
+    let joined = read_shape(from)?;
+    let flipped = match from.u8()? {
+        0 => false,
+        1 => true,
+        _ => return Err(from.bad("a field has no such value")),
+    };
+    let twist = from.varint_u32()?;
+    let mut end = 0u64;
+    let copies = list(from, |from| {
+        let copy = end.saturating_add(from.varint()?);
+        end = copy.saturating_add(1);
+        u32::try_from(copy).map_err(|_| from.bad("a number is too large"))
+    })?;
+    let shape = read_shape(from)?;
+    let topology = read_topology(shape, limit, from)?;
+    let bridges = list(from, |from| read_bridge(shape, origins, from))?;
+    Ok(Origin { joined, flipped, copies, twist, topology, bridges })
+}
+
+/// True if a net that was joined in that direction can have been what the account says.
+fn is_possible(origin: &Origin, direction: Direction) -> bool {
+    let [(across, along), (old_across, old_along)] =
+        [origin.joined, origin.topology.shape()].map(|shape| direction.extent(shape));
+    let inside = |&copy: &u32| copy > 0 && (copy as usize) < along;
+    across == old_across && along - origin.copies.len().min(along) == old_along && origin.copies.iter().all(inside)
+}
+
+fn write_shape(shape: Shape, to: &mut Writer) -> Result<()> {
+    to.varint(shape.rows() as u64)?;
+    to.varint(shape.columns() as u64)
+}
+
+fn read_shape(from: &mut Reader<'_>) -> Result<Shape> {
+    let [rows, columns] = [from.varint_u32()?, from.varint_u32()?];
+    Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("no net has this size"))
+}
+
+/// A list that says how long it is.
+fn list<T>(from: &mut Reader<'_>, mut read: impl FnMut(&mut Reader<'_>) -> Result<T>) -> Result<Vec<T>> {
+    let count = from.varint()?;
+    // Every entry takes a byte at least.
+    if count > from.remaining() as u64 {
+        return Err(from.bad("a list is longer than the stream"));
+    }
+    let mut items = Vec::new();
+    for _ in 0..count {
+        alloc::push(&mut items, read(from)?)?;
+    }
+    Ok(items)
+}
+
+fn sides_bits(sides: Sides) -> u8 {
+    let Sides { rows_closed, columns_closed, pole_top, pole_bottom, pole_left, pole_right } = sides;
+    let bits = [rows_closed, columns_closed, pole_top, pole_bottom, pole_left, pole_right];
+    bits.into_iter().enumerate().map(|(k, bit)| u8::from(bit) << k).sum()
+}
+
+fn sides_of(bits: u8) -> Sides {
+    let on = |k: u32| bits >> k & 1 == 1;
+    Sides {
+        rows_closed: on(0),
+        columns_closed: on(1),
+        pole_top: on(2),
+        pole_bottom: on(3),
+        pole_left: on(4),
+        pole_right: on(5),
+    }
+}
+
+/// Contracted links in runs of equal distance: how far each run begins after the link before, the distance, how many.
+fn write_matrix(matrix: &Matrix, to: &mut Writer) -> Result<()> {
+    let mut links = matrix.links().peekable();
+    let mut end = 0;
+    while let Some(first) = links.next() {
+        let distance = links.peek().map_or(0, |next| next - first);
+        let (mut last, mut count) = (first, 1u64);
+        while let Some(next) = links.next_if(|&next| next - last == distance) {
+            (last, count) = (next, count + 1);
+        }
+        // One more than what it is: 0 ends the list.
+        to.varint(u64::from(first) - end + 1)?;
+        to.varint(count)?;
+        if count > 1 {
+            to.varint(distance.into())?;
+        }
+        end = u64::from(last) + 1;
+    }
+    to.varint(0)
+}
+
+fn read_matrix(shape: Shape, from: &mut Reader<'_>) -> Result<Matrix> {
+    let mut matrix = Matrix::empty(shape)?;
+    let limit = 2 * shape.node_count() as u64;
+    let mut end = 0u64;
+    loop {
+        let first = match from.varint()? {
+            0 => return Ok(matrix),
+            n => end.saturating_add(n - 1),
+        };
+        let count = from.varint()?;
+        let distance = if count > 1 { from.varint()? } else { 1 };
+        let last = distance.checked_mul(count.saturating_sub(1)).and_then(|span| span.checked_add(first));
+        let Some(last) = last.filter(|&last| count > 0 && distance > 0 && last < limit) else {
+            return Err(from.bad("a contracted link is beyond the net"));
+        };
+        (0..count).for_each(|k| matrix.set((first + k * distance) as u32, true));
+        end = last + 1;
+    }
+}
+
+fn write_seam(seam: &Seam, to: &mut Writer) -> Result<()> {
+    for run in [seam.a, seam.b] {
+        to.varint(run.row.into())?;
+        to.varint(run.column.into())?;
+        to.signed(run.row_step.into())?;
+        to.signed(run.column_step.into())?;
+    }
+    to.varint(seam.count.into())
+}
+
+fn read_seam(from: &mut Reader<'_>) -> Result<Seam> {
+    let mut run = || -> Result<Run> {
+        Ok(Run {
+            row: from.varint_u32()?,
+            column: from.varint_u32()?,
+            row_step: from.signed_i32()?,
+            column_step: from.signed_i32()?,
+        })
+    };
+    let (a, b) = (run()?, run()?);
+    Ok(Seam { a, b, count: from.varint_u32()? })
+}
+
+fn write_bridges(bridges: &[Bridge], origins: &HashMap<*const Origin, u64>, to: &mut Writer) -> Result<()> {
+    to.varint(bridges.len() as u64)?;
+    bridges.iter().try_for_each(|bridge| write_bridge(bridge, origins, to))
+}
+
+/// Direction, kind and mode in a byte, the place, the extent and the nesting, the accounts of the nets on both sides, and the host's
+/// numbers if they are not all zero.
+fn write_bridge(bridge: &Bridge, origins: &HashMap<*const Origin, u64>, to: &mut Writer) -> Result<()> {
+    let direction = u8::from(bridge.direction == Direction::Down);
+    let kind = match bridge.kind {
+        BridgeKind::Ribbon => 0,
+        BridgeKind::Tube => 1,
+        BridgeKind::Thread => 2,
+    };
+    let mode = match bridge.mode {
+        BridgeMode::Keep => 0,
+        BridgeMode::Hide => 1,
+        BridgeMode::Weld => 2,
+    };
+    let BridgeProperties { tension, elasticity, stiffness, user } = bridge.properties;
+    let bits = [tension.to_bits(), elasticity.to_bits(), stiffness.to_bits(), user];
+    let plain = bits == [0; 4];
+    to.u8(direction | kind << 1 | mode << 3 | u8::from(!plain) << 5)?;
+    let numbers = [bridge.at, bridge.start, bridge.end, bridge.nesting];
+    numbers.into_iter().try_for_each(|number| to.varint(number.into()))?;
+    for origin in &bridge.origins {
+        to.varint(origin.as_ref().map_or(0, |origin| origins.get(&Arc::as_ptr(origin)).copied().unwrap_or(0)))?;
+    }
+    if plain { Ok(()) } else { bits.into_iter().try_for_each(|number| to.u64(number)) }
+}
+
+fn read_bridge(shape: Shape, origins: &[Arc<Origin>], from: &mut Reader<'_>) -> Result<Bridge> {
+    let byte = from.u8()?;
+    let direction = if byte & 1 == 0 { Direction::Right } else { Direction::Down };
+    let kind = match byte >> 1 & 3 {
+        0 => BridgeKind::Ribbon,
+        1 => BridgeKind::Tube,
+        2 => BridgeKind::Thread,
+        _ => return Err(from.bad("the kind of a bridge is unknown")),
+    };
+    let mode = match byte >> 3 & 3 {
+        0 => BridgeMode::Keep,
+        1 => BridgeMode::Hide,
+        2 => BridgeMode::Weld,
+        _ => return Err(from.bad("the mode of a bridge is unknown")),
+    };
+    let [at, start, end, nesting] = [from.varint_u32()?, from.varint_u32()?, from.varint_u32()?, from.varint_u32()?];
+    let (across, along) = direction.extent(shape);
+    let inside = (1..across).contains(&(at as usize)) && end.saturating_sub(start) > 1 && end as usize <= along;
+    if byte >= 64 || !inside {
+        return Err(from.bad("a bridge is none that a net has"));
+    }
+    let mut bridge = Bridge { start, nesting, ..Bridge::new(direction, at, end, kind, mode) };
+    for origin in &mut bridge.origins {
+        let number = from.varint()?;
+        if number > 0 {
+            let found = origins.get((number - 1) as usize).filter(|origin| is_possible(origin, direction));
+            *origin = Some(Arc::clone(found.ok_or_else(|| from.bad("what was done to a net is impossible"))?));
+        }
+    }
+    if byte & 32 != 0 {
+        let [tension, elasticity, stiffness] = [from.f64()?, from.f64()?, from.f64()?];
+        bridge.properties = BridgeProperties { tension, elasticity, stiffness, user: from.u64()? };
+    }
+    Ok(bridge)
+}

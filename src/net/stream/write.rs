@@ -1,0 +1,170 @@
+//! Nets to streams.
+
+use super::block::{Blocks, Duplicates};
+use super::bytes::{Writer, checksum};
+use super::header::{HEADER_SIZE, Mode, NODES_A_BYTE, StreamInfo};
+use super::levels::{Bits, Exact, Levels};
+use super::{quantise, raw, structure};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::net::{Net, Planes, each};
+use crate::par;
+
+/// How a net is to be stored.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StreamOptions {
+    /// How coordinates are stored.
+    pub mode: Mode,
+    /// For [`Mode::Quantised`]: true for steps that follow from each axis' own extent, false for a common one.
+    pub per_axis: bool,
+    /// Rows in a block, which is coded without knowledge of other blocks; 0 for one block of a raw stream, and about 2^17 nodes in
+    /// each block of others.
+    pub rows_per_block: usize,
+}
+
+impl StreamOptions {
+    /// With the defaults of a mode.
+    pub fn new(mode: Mode) -> Self {
+        StreamOptions { mode, per_axis: false, rows_per_block: 0 }
+    }
+
+    fn rows_per_block(&self, rows: usize, columns: usize) -> usize {
+        match (self.rows_per_block, self.mode) {
+            (0, Mode::Raw) => rows,
+            (0, _) => ((1 << 17) / columns).max(8).min(rows),
+            (given, _) => given.min(rows),
+        }
+    }
+}
+
+/// The stream of a net: see the module.
+///
+/// O(nodes); blocks are coded in parallel. Extra memory: the stream, and that of [`Classes`](crate::net::Classes).
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] (bits; coordinates above a quarter of the largest number, to be quantised),
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn encode(net: &Net<'_>, options: &StreamOptions, job: &Job<'_>) -> Result<Vec<u8>> {
+    if let Mode::Quantised { bits } = options.mode
+        && !(8..=24).contains(&bits)
+    {
+        return Err(Error::OptionOutOfRange { option: "bits", value: bits.into() });
+    }
+    each!(net.coordinates(), planes => encode_planes(net, planes, options, job))
+}
+
+fn encode_planes<T: Bits>(
+    net: &Net<'_>,
+    planes: &Planes<'_, T>,
+    options: &StreamOptions,
+    job: &Job<'_>,
+) -> Result<Vec<u8>> {
+    let shape = net.shape();
+    let mut info = StreamInfo {
+        shape,
+        scalar: T::SCALAR,
+        mode: options.mode,
+        rows_per_block: options.rows_per_block(shape.rows(), shape.columns()),
+        origin: [0.0; 3],
+        step: [0.0; 3],
+        prelude_size: 0,
+        folded: false,
+        missing: [0; 3],
+        order: 0,
+        structure_size: 0,
+        checksum: 0,
+    };
+    job.step(0.0, "looking at the net")?;
+    if info.mode == Mode::Raw {
+        let blocks = in_parallel(&info, job, |info, block| raw::encode(info, planes, block))?;
+        return assemble(net, info, blocks);
+    }
+    let all = Duplicates::of(net.topology())?;
+    let blocks = match info.mode {
+        Mode::Quantised { bits } => {
+            let levels = quantise::grid(planes, bits, options.per_axis)?;
+            (info.folded, info.origin, info.step) = (true, levels.origin, levels.step);
+            compress(&mut info, planes, &all, levels, job)?
+        }
+        _ => {
+            info.folded = all.are_exact(planes);
+            let none = Duplicates::none(shape);
+            let duplicates = if info.folded { &all } else { &none };
+            let levels = Exact { missing: first_gap(planes) };
+            info.missing = levels.missing.map(|number| number.level() as u64);
+            compress(&mut info, planes, duplicates, levels, job)?
+        }
+    };
+    assemble(net, info, blocks)
+}
+
+fn compress<T: Bits, L: Levels<T> + Copy>(
+    info: &mut StreamInfo,
+    planes: &Planes<'_, T>,
+    duplicates: &Duplicates,
+    levels: L,
+    job: &Job<'_>,
+) -> Result<Vec<Vec<u8>>> {
+    info.order = Blocks { info, planes, duplicates, levels }.best_order()? as u8;
+    in_parallel(info, job, |info, block| Blocks { info, planes, duplicates, levels }.encode(block))
+}
+
+/// The numbers of the first node that has one that is no number; NaN if there is none.
+fn first_gap<T: Bits>(planes: &Planes<'_, T>) -> [T; 3] {
+    let (h, w) = (planes.shape().rows(), planes.shape().columns());
+    let mut nodes = (0..h).flat_map(|i| (0..w).map(move |j| (i, j)));
+    let gap = nodes.find(|&(i, j)| !planes.row(i).iter().all(|row| Into::<f64>::into(row[j]).is_finite()));
+    gap.map_or([T::MISSING; 3], |(i, j)| planes.row(i).map(|row| row[j]))
+}
+
+/// All blocks, some at a time so that the host can cancel.
+fn in_parallel(
+    info: &StreamInfo,
+    job: &Job<'_>,
+    encode: impl Fn(&StreamInfo, usize) -> Result<Vec<u8>> + Sync,
+) -> Result<Vec<Vec<u8>>> {
+    let count = info.block_count();
+    let mut blocks = alloc::with_capacity(count)?;
+    let some = 4 * par::at_most(count, job.threads());
+    while blocks.len() < count {
+        job.step(blocks.len() as f64 / count as f64, "coding")?;
+        let end = count.min(blocks.len() + some);
+        for block in par::map(job.threads(), blocks.len()..end, |block| encode(info, block)) {
+            blocks.push(block?);
+        }
+    }
+    Ok(blocks)
+}
+
+/// Header, structure, table, blocks.
+fn assemble(net: &Net<'_>, mut info: StreamInfo, mut blocks: Vec<Vec<u8>>) -> Result<Vec<u8>> {
+    let mut body = Writer::default();
+    let work = structure::write(net, &mut body)?;
+    info.structure_size = body.bytes.len() as u64;
+    let overflow = Error::SizeOverflow { what: "bytes of a stream", count: info.shape.node_count() as u64 };
+    let prelude = info.prelude().and_then(|size| usize::try_from(size).ok()).ok_or(overflow)?;
+    // A stream says no more than it may, see NODES_A_BYTE.
+    let size = prelude + blocks.iter().map(Vec::len).sum::<usize>();
+    let least = work.div_ceil(NODES_A_BYTE) as usize;
+    if let Some(last) = blocks.last_mut()
+        && size < least
+    {
+        alloc::reserve(last, least - size)?;
+        last.resize(last.len() + least - size, 0);
+    }
+    for block in &blocks {
+        body.u64(block.len() as u64)?;
+        body.u32(checksum(block))?;
+    }
+    info.checksum = checksum(&body.bytes);
+    let mut to = Writer { bytes: alloc::with_capacity(size.max(least))? };
+    info.write(&mut to)?;
+    to.raw(&body.bytes)?;
+    if info.mode == Mode::Raw {
+        to.pad(super::header::ALIGNMENT)?;
+    }
+    debug_assert!(to.bytes.len() == prelude && to.bytes.len() >= HEADER_SIZE);
+    blocks.iter().try_for_each(|block| to.raw(block))?;
+    Ok(to.bytes)
+}

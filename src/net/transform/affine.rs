@@ -1,0 +1,175 @@
+//! Affine maps: the paper's T, R, S and C, and all others.
+
+use crate::error::{Error, Result};
+use glam::{DMat3, DVec3};
+
+/// An axis of coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// The abscissa.
+    X,
+    /// The ordinate.
+    Y,
+    /// The applicate.
+    Z,
+}
+
+impl Axis {
+    /// 0, 1 or 2.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// Three things, one for each axis, turned so that this axis is the last: right-handed before, right-handed after.
+    pub(crate) fn last<T>(self, [x, y, z]: [T; 3]) -> [T; 3] {
+        match self {
+            Axis::X => [y, z, x],
+            Axis::Y => [z, x, y],
+            Axis::Z => [x, y, z],
+        }
+    }
+}
+
+/// Which way a rotation turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Sense {
+    /// By the right hand: seen from the tip of the axis, anticlockwise.
+    #[default]
+    RightHanded,
+    /// As the paper's formula has it, which is written for row vectors and applied to columns: the other way.
+    AsPrinted,
+}
+
+/// An affine map: three rows of a 3 x 3 matrix and a displacement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Affine {
+    rows: [[f64; 4]; 3],
+}
+
+impl Affine {
+    /// Nothing moves.
+    pub const IDENTITY: Affine = Affine { rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]] };
+
+    /// Any map: (x, y, z) goes to `rows` times (x, y, z, 1).
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] if a number is not finite.
+    pub fn new(rows: [[f64; 4]; 3]) -> Result<Self> {
+        match rows.into_iter().flatten().find(|value| !value.is_finite()) {
+            Some(value) => Err(Error::OptionOutOfRange { option: "matrix", value }),
+            None => Ok(Affine { rows }),
+        }
+    }
+
+    /// The paper's T(c): everything by the same vector.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] if a number is not finite; as for all that follow.
+    pub fn translation(by: DVec3) -> Result<Self> {
+        Self::of(DMat3::IDENTITY, by)
+    }
+
+    /// The paper's R(V, alpha), Rodrigues' formula, about the axis through `pivot` (the origin in the paper). The axis
+    /// need not be a unit vector. `angle`: radians.
+    ///
+    /// # Errors
+    /// Also [`Error::OptionOutOfRange`] if the axis is zero.
+    pub fn rotation(axis: DVec3, angle: f64, pivot: DVec3, sense: Sense) -> Result<Self> {
+        // Scaled first, so that neither huge nor tiny axes lose their direction.
+        let unit = (axis / axis.abs().max_element()).normalize();
+        if !unit.is_finite() {
+            return Err(Error::OptionOutOfRange { option: "axis", value: axis.length() });
+        }
+        let (sine, cosine) = libm::sincos(if sense == Sense::AsPrinted { -angle } else { angle });
+        let outer = DMat3::from_cols(unit * unit.x, unit * unit.y, unit * unit.z);
+        let cross = DMat3::from_cols(
+            DVec3::new(0.0, unit.z, -unit.y),
+            DVec3::new(-unit.z, 0.0, unit.x),
+            DVec3::new(unit.y, -unit.x, 0.0),
+        );
+        let linear = DMat3::from_diagonal(DVec3::splat(cosine)) + outer * (1.0 - cosine) + cross * sine;
+        Self::of(linear, pivot - linear * pivot)
+    }
+
+    /// The paper's S(k): away from the origin by `ratio`, the ratio of new distance to old. Negative ones mirror.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`].
+    pub fn scaling(ratio: f64) -> Result<Self> {
+        Self::stretching(DVec3::splat(ratio))
+    }
+
+    /// The paper's C(k): away from an axis of coordinates by `ratio`, the ratio of new distance to old. What is on the
+    /// axis stays, and so do distances along it.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`].
+    pub fn compression(axis: Axis, ratio: f64) -> Result<Self> {
+        let mut ratios = DVec3::splat(ratio);
+        ratios[axis.index()] = 1.0;
+        Self::stretching(ratios)
+    }
+
+    /// Each coordinate by a ratio of its own.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`].
+    pub fn stretching(ratios: DVec3) -> Result<Self> {
+        Self::of(DMat3::from_diagonal(ratios), DVec3::ZERO)
+    }
+
+    fn of(linear: DMat3, displacement: DVec3) -> Result<Self> {
+        let rows = [0, 1, 2].map(|k| {
+            let row = linear.row(k);
+            [row.x, row.y, row.z, displacement[k]]
+        });
+        Self::new(rows)
+    }
+
+    /// This map, then another.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] if the product overflows.
+    pub fn then(&self, next: &Affine) -> Result<Self> {
+        Self::of(next.linear() * self.linear(), next.linear() * self.displacement() + next.displacement())
+    }
+
+    /// The rows.
+    pub fn rows(&self) -> [[f64; 4]; 3] {
+        self.rows
+    }
+
+    /// The matrix without the displacement.
+    pub fn linear(&self) -> DMat3 {
+        let [x, y, z] = self.rows.map(|[a, b, c, _]| DVec3::new(a, b, c));
+        DMat3::from_cols(x, y, z).transpose()
+    }
+
+    /// Where the origin goes.
+    pub fn displacement(&self) -> DVec3 {
+        DVec3::from_array(self.rows.map(|row| row[3]))
+    }
+
+    /// The ratio of volumes; negative if the map mirrors.
+    pub fn determinant(&self) -> f64 {
+        self.linear().determinant()
+    }
+
+    /// True if the map turns right hands to left ones, even where the ratio of volumes is too small or large a number.
+    pub fn mirrors(&self) -> bool {
+        // Rows, then columns, by powers of two, which is exact and leaves the sign.
+        let scaled = |vector: DVec3| {
+            let (_, exponent) = libm::frexp(vector.abs().max_element());
+            DVec3::from_array(vector.to_array().map(|value| libm::ldexp(value, -exponent)))
+        };
+        let [x, y, z] = self.rows.map(|[a, b, c, _]| scaled(DVec3::new(a, b, c)));
+        let columns = DMat3::from_cols(x, y, z).transpose();
+        let [x, y, z] = [columns.x_axis, columns.y_axis, columns.z_axis].map(scaled);
+        DMat3::from_cols(x, y, z).determinant() < 0.0
+    }
+
+    /// Where a point goes.
+    pub fn apply(&self, point: DVec3) -> DVec3 {
+        self.linear() * point + self.displacement()
+    }
+}
