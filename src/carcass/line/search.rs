@@ -184,7 +184,7 @@ impl<C> Leaf<'_, C> {
         let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
         let hit = Hit { t, place, point, tangent };
         // Of the same sheet: on a side between cells, as near as answers are proved; or a part that may touch, next to another.
-        let near = unresolved.map_or(self.tolerance, |size| 8.0 * size * (jet.u.length() + jet.v.length()));
+        let near = unresolved.map_or(self.tolerance, |reach| 2.0 * reach * (jet.u.length() + jet.v.length()));
         let same =
             |other: &Hit| other.point.distance(point) <= near && other.tangent == tangent && (tangent || on_side(at));
         match hits[self.own..].iter_mut().find(|other| same(other)) {

@@ -4,8 +4,8 @@
 //! * *none*: a field, or a combination of the two that makes the middle Jacobian the identity, has coefficients of one sign;
 //! * *at most one*: the Jacobian of the combined fields has a dominant diagonal all over the part, so that they take no pair of values
 //!   twice; then Newton's method finds the root, if it stays;
-//! * *too small*: all values are within the tolerance, and the part is reported as unresolved. That is where the two curves touch, or
-//!   coincide.
+//! * *too small*: all values of a field are within the tolerance; parts that touch are reported as one unresolved spot. That is where
+//!   the two curves touch, or coincide.
 
 use super::Field;
 use glam::DVec2;
@@ -22,8 +22,16 @@ const MARGIN: f64 = 1e-6;
 pub(crate) struct Roots {
     /// Parameters of simple roots; one on the border of parts may come more than once.
     pub(crate) simple: Vec<DVec2>,
-    /// Middles of parts that could not be resolved, and their sizes.
+    /// Spots that could not be resolved: where the values are least, and how far the spot reaches.
     pub(crate) unresolved: Vec<(DVec2, f64)>,
+}
+
+/// A part that could not be resolved.
+struct Open {
+    middle: DVec2,
+    size: f64,
+    /// The greater of the absolute values in the middle.
+    value: f64,
 }
 
 struct Part<const N: usize> {
@@ -34,9 +42,9 @@ struct Part<const N: usize> {
 }
 
 impl<const N: usize> Part<N> {
-    /// True if all values of both fields are within the tolerance.
+    /// True if all values of a field are within the tolerance: it cannot say any more where the other's roots are.
     fn is_within(&self, tolerance: f64) -> bool {
-        self.fields.iter().all(|field| {
+        self.fields.iter().any(|field| {
             let [low, high] = field.range();
             low >= -tolerance && high <= tolerance
         })
@@ -47,7 +55,7 @@ impl<const N: usize> Part<N> {
 /// no resolving.
 pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance: f64, found: &mut Roots) {
     let mut parts = vec![Part { fields, from: DVec2::ZERO, size: 1.0, depth: 0 }];
-    let mut looked_at = 0;
+    let (mut looked_at, mut open) = (0, Vec::new());
     while let Some(part) = parts.pop() {
         looked_at += 1;
         if part.fields.iter().any(|field| has_none(field, noise)) {
@@ -62,7 +70,8 @@ pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance
                 }
             }
             Verdict::Open if part.depth == DEPTH || looked_at >= PARTS || part.is_within(tolerance) => {
-                found.unresolved.push((part.from + 0.5 * part.size, part.size));
+                let value = part.fields.iter().map(|field| field.at(0.5, 0.5).value.abs()).fold(0.0, f64::max);
+                open.push(Open { middle: part.from + 0.5 * part.size, size: part.size, value });
             }
             Verdict::Open => {
                 let half = 0.5 * part.size;
@@ -74,6 +83,27 @@ pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance
                 }
             }
         }
+    }
+    spots(&open, &mut found.unresolved);
+}
+
+/// Parts that touch are one spot.
+fn spots(open: &[Open], spots: &mut Vec<(DVec2, f64)>) {
+    let mut spot_of: Vec<usize> = (0..open.len()).collect();
+    for (i, part) in open.iter().enumerate() {
+        for (j, other) in open[..i].iter().enumerate() {
+            let apart = (part.middle - other.middle).abs().max_element();
+            if apart <= 0.5000001 * (part.size + other.size) && spot_of[i] != spot_of[j] {
+                let (from, to) = (spot_of[i].max(spot_of[j]), spot_of[i].min(spot_of[j]));
+                spot_of.iter_mut().for_each(|spot| *spot = if *spot == from { to } else { *spot });
+            }
+        }
+    }
+    for spot in (0..open.len()).filter(|&spot| spot_of[spot] == spot) {
+        let members = || open.iter().zip(&spot_of).filter(|&(_, &of)| of == spot).map(|(part, _)| part);
+        let best = members().fold(&open[spot], |best, part| if part.value < best.value { part } else { best });
+        let reach = members().map(|part| best.middle.distance(part.middle) + part.size).fold(0.0, f64::max);
+        spots.push((best.middle, reach));
     }
 }
 
