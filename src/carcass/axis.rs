@@ -27,7 +27,7 @@ pub(crate) struct Axis {
     lines: usize,
     closed: bool,
     /// By the place of the interval among the nodes that it depends on.
-    weights: [Weights; TAPS - 1],
+    weights: Box<[Weights; TAPS - 1]>,
     lebesgue: f64,
 }
 
@@ -39,7 +39,7 @@ impl Axis {
 
     /// `lines`: at least [`Axis::least_lines`]; of a closed direction the last one is the first one again.
     pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
-        let mut axis = Axis { lines, closed, weights: [[[0.0; TAPS]; 4]; TAPS - 1], lebesgue: 1.0 };
+        let mut axis = Axis { lines, closed, weights: Box::new([[[0.0; TAPS]; 4]; TAPS - 1]), lebesgue: 1.0 };
         if closed {
             // All intervals are like those in the middle of a long row.
             let slopes = if lines > 5 { 5 } else { 3 };
@@ -52,11 +52,6 @@ impl Axis {
         }
         axis.lebesgue = axis.weights.iter().map(lebesgue).fold(1.0, f64::max);
         axis
-    }
-
-    /// The number of lines of nodes.
-    pub(crate) fn lines(&self) -> usize {
-        self.lines
     }
 
     /// The number of intervals.

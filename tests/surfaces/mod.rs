@@ -1,6 +1,6 @@
 //! Surfaces that tests of carcasses share, with the functions that they are made of.
 
-#![allow(dead_code, reason = "no test needs all of it")]
+#![allow(dead_code, unreachable_pub, reason = "shared by several tests, none of which needs all of it")]
 
 use glam::DVec3;
 use gusset::carcass::{Grid, Nodes, Scheme};

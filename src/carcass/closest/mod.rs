@@ -7,4 +7,4 @@ mod cell;
 mod search;
 
 pub(crate) use cell::Scratch;
-pub(crate) use search::{Nearest, search};
+pub(crate) use search::search;

@@ -84,10 +84,10 @@ impl Group {
     pub(crate) fn distances_squared(&self, point: DVec3) -> [f64; 4] {
         let mut sums = [0.0; 4];
         for (axis, at) in point.to_array().into_iter().enumerate() {
-            for child in 0..4 {
+            for (child, sum) in sums.iter_mut().enumerate() {
                 let (low, high) = (f64::from(self.low[axis][child]), f64::from(self.high[axis][child]));
                 let outside = (low - at).max(at - high).max(0.0);
-                sums[child] += outside * outside;
+                *sum += outside * outside;
             }
         }
         sums

@@ -183,12 +183,12 @@ fn around(below: &Level, r: usize, c: usize) -> Oriented {
     let mut points = [DVec3::ZERO; 32];
     let mut centres = [None; 4];
     let mut count = 0;
-    for child in 0..4 {
+    for (child, centre) in centres.iter_mut().enumerate() {
         let (row, column) = (2 * r + child / 2, 2 * c + child % 2);
         if row < below.rows && column < below.columns {
             let corners = below.oriented[row * below.columns + column].corners();
             points[count..count + 8].copy_from_slice(&corners);
-            centres[child] = Some(0.5 * (corners[0] + corners[7]));
+            *centre = Some(0.5 * (corners[0] + corners[7]));
             count += 8;
         }
     }
