@@ -1,0 +1,46 @@
+//! What searches need to know of a sheet: its cells, their corners, their patches, and how far they are from flat.
+
+use super::Patch;
+use glam::DVec3;
+
+/// Cells in u and in v of a block, the unit of the index.
+pub(crate) const BLOCK: usize = 4;
+
+/// A sheet of patches of degree N - 1.
+pub(crate) trait Cells<const N: usize>: Sync {
+    /// The numbers of cells in u and in v.
+    fn counts(&self) -> [usize; 2];
+
+    /// The corner of cells at (i, j), a point of the surface.
+    fn corner(&self, i: usize, j: usize) -> DVec3;
+
+    /// The surface over the cell at (i, j).
+    fn patch(&self, i: usize, j: usize) -> Patch<N>;
+
+    /// For each block in a row of blocks, a bound of the distance of the surface over any of its cells from the bilinear patch through
+    /// the cell's corners, at equal parameters.
+    fn deviations(&self, block_row: usize, bounds: &mut [f64]);
+}
+
+impl<const N: usize> Patch<N> {
+    /// A bound of the distance from the bilinear patch through the corners, at equal parameters: that of the control nets, of which the
+    /// difference is the net.
+    pub(crate) fn deviation(&self) -> f64 {
+        let at = |k: usize| k as f64 / (N - 1) as f64;
+        let [[p00, p01], [p10, p11]] = self.corners();
+        let mut worst = 0.0_f64;
+        for (a, row) in self.points.iter().enumerate() {
+            let (from, to) = (p00.lerp(p10, at(a)), p01.lerp(p11, at(a)));
+            for (b, point) in row.iter().enumerate() {
+                worst = worst.max(point.distance_squared(from.lerp(to, at(b))));
+            }
+        }
+        worst.sqrt()
+    }
+
+    /// The corners, by u and v.
+    pub(crate) fn corners(&self) -> [[DVec3; 2]; 2] {
+        let (first, last) = (&self.points[0], &self.points[N - 1]);
+        [[first[0], first[N - 1]], [last[0], last[N - 1]]]
+    }
+}

@@ -1,0 +1,253 @@
+//! A surface through a grid of nodes.
+
+use super::axis::{Axis, TAPS, Weights};
+use super::cells::{BLOCK, Cells};
+use super::{Patch, Scheme};
+use crate::error::{Error, Result};
+use glam::DVec3;
+use std::borrow::Cow;
+
+/// The largest number of nodes of a surface.
+pub const MAX_NODES: u64 = (1 << 31) - 1;
+
+/// Nodes in rows: x, y, z of node (i, j) begin at number `i * row_stride + j * column_stride`.
+#[derive(Debug, Clone)]
+pub struct Nodes<'a> {
+    data: Cow<'a, [f64]>,
+    rows: usize,
+    columns: usize,
+    row_stride: usize,
+    column_stride: usize,
+}
+
+impl<'a> Nodes<'a> {
+    /// Nodes in the caller's memory. Strides are in numbers; 0 stands for nodes and rows without gaps.
+    ///
+    /// # Errors
+    /// [`Error::NetTooSmall`] below 2 x 2, [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`],
+    /// [`Error::ArrayTooShort`].
+    pub fn strided(
+        data: impl Into<Cow<'a, [f64]>>,
+        rows: usize,
+        columns: usize,
+        row_stride: usize,
+        column_stride: usize,
+    ) -> Result<Self> {
+        let (data, count) = (data.into(), (rows as u64).saturating_mul(columns as u64));
+        if rows < 2 || columns < 2 {
+            return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
+        }
+        if count > MAX_NODES {
+            return Err(Error::TooLarge { what: "nodes", count, limit: MAX_NODES });
+        }
+        let column_stride = if column_stride == 0 { 3 } else { column_stride };
+        let width = (columns - 1).checked_mul(column_stride).and_then(|n| n.checked_add(3));
+        let row_stride = if row_stride == 0 { columns.checked_mul(column_stride) } else { Some(row_stride) };
+        let span = row_stride.zip(width).and_then(|(row, width)| (rows - 1).checked_mul(row)?.checked_add(width));
+        let (Some(row_stride), Some(width), Some(span)) = (row_stride, width, span) else {
+            return Err(Error::SizeOverflow { what: "nodes", count });
+        };
+        if column_stride < 3 || row_stride < width {
+            let (stride, least) = if column_stride < 3 { (column_stride, 3) } else { (row_stride, width) };
+            return Err(Error::StrideTooSmall { stride: stride as u64, least: least as u64 });
+        }
+        if data.len() < span {
+            let (needed, given) = (8 * span as u64, 8 * data.len() as u64);
+            return Err(Error::ArrayTooShort { what: "nodes", needed, given });
+        }
+        Ok(Nodes { data, rows, columns, row_stride, column_stride })
+    }
+
+    /// The number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The number of columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Node (i, j).
+    #[inline]
+    pub fn get(&self, i: usize, j: usize) -> DVec3 {
+        let at = i * self.row_stride + j * self.column_stride;
+        DVec3::from_slice(&self.data[at..at + 3])
+    }
+
+    /// [`Error::NodeNotFinite`] for the first node with a coordinate that is NaN or infinite.
+    pub(crate) fn check_finite(&self) -> Result<()> {
+        for i in 0..self.rows {
+            for j in 0..self.columns {
+                if let Some(&value) = self.get(i, j).to_array().iter().find(|value| !value.is_finite()) {
+                    return Err(Error::NodeNotFinite { node: (i * self.columns + j) as u32, value });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The surface through a grid: over each cell a bicubic patch that depends on the 6 x 6 nodes round it.
+///
+/// u counts rows and v columns: node (i, j) has the parameters (i, j).
+#[derive(Debug, Clone)]
+pub struct Grid<'a> {
+    nodes: Nodes<'a>,
+    u: Axis,
+    v: Axis,
+}
+
+impl<'a> Grid<'a> {
+    /// `closed`: whether the surface is closed in u (the last row of nodes is the first one again) and in v (columns).
+    ///
+    /// # Errors
+    /// [`Error::NodeNotFinite`]; [`Error::NetTooSmall`] for a closed direction of fewer than three nodes and the repeated one;
+    /// [`Error::SidesApart`] if a closed direction does not end where it begins, with the place of the largest gap.
+    pub fn new(nodes: Nodes<'a>, closed: [bool; 2], scheme: Scheme) -> Result<Self> {
+        let (rows, columns) = (nodes.rows(), nodes.columns());
+        let [closed_u, closed_v] = closed;
+        if rows < Axis::least_lines(closed_u) || columns < Axis::least_lines(closed_v) {
+            return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
+        }
+        nodes.check_finite()?;
+        let gap = |a: (usize, usize), b: (usize, usize)| nodes.get(a.0, a.1).distance(nodes.get(b.0, b.1));
+        if closed_u {
+            check_closed(columns, |j| gap((0, j), (rows - 1, j)))?;
+        }
+        if closed_v {
+            check_closed(rows, |i| gap((i, 0), (i, columns - 1)))?;
+        }
+        let (u, v) = (Axis::new(rows, closed_u, scheme), Axis::new(columns, closed_v, scheme));
+        Ok(Grid { nodes, u, v })
+    }
+
+    /// The nodes.
+    pub fn nodes(&self) -> &Nodes<'a> {
+        &self.nodes
+    }
+
+    /// The numbers of cells in u and in v.
+    pub fn cells(&self) -> [usize; 2] {
+        [self.u.cells(), self.v.cells()]
+    }
+
+    /// Whether it is closed in u and in v.
+    pub fn is_closed(&self) -> [bool; 2] {
+        [self.u.is_closed(), self.v.is_closed()]
+    }
+
+    /// The patch over the cell between the nodes (i, j) and (i + 1, j + 1).
+    pub fn patch(&self, i: usize, j: usize) -> Patch<4> {
+        let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
+        // First along the rows, then across them.
+        let mut along = [[DVec3::ZERO; 4]; TAPS];
+        for (points, &row) in along.iter_mut().zip(&rows) {
+            let nodes = columns.map(|column| self.nodes.get(row, column));
+            for (point, weights) in points.iter_mut().zip(column_weights) {
+                *point = combined(weights, &nodes);
+            }
+        }
+        let mut points = [[DVec3::ZERO; 4]; 4];
+        for (b, column) in (0..4).map(|b| (b, along.map(|row| row[b]))) {
+            for (a, weights) in row_weights.iter().enumerate() {
+                points[a][b] = combined(weights, &column);
+            }
+        }
+        Patch { points }
+    }
+}
+
+/// The sum of the nodes by their weights.
+#[inline]
+fn combined(weights: &[f64; TAPS], nodes: &[DVec3; TAPS]) -> DVec3 {
+    let mut sum = weights[0] * nodes[0];
+    for k in 1..TAPS {
+        sum += weights[k] * nodes[k];
+    }
+    sum
+}
+
+/// [`Error::SidesApart`] with the place of the largest gap, unless all gaps are 0.
+fn check_closed(count: usize, gap: impl Fn(usize) -> f64) -> Result<()> {
+    let mut worst = (0, 0.0);
+    for (place, distance) in (0..count).map(|place| (place, gap(place))) {
+        if distance > worst.1 {
+            worst = (place, distance);
+        }
+    }
+    match worst {
+        (_, 0.0) => Ok(()),
+        (place, distance) => Err(Error::SidesApart { place: place as u32, distance }),
+    }
+}
+
+impl Cells<4> for Grid<'_> {
+    fn counts(&self) -> [usize; 2] {
+        self.cells()
+    }
+
+    fn corner(&self, i: usize, j: usize) -> DVec3 {
+        self.nodes.get(i, j)
+    }
+
+    fn patch(&self, i: usize, j: usize) -> Patch<4> {
+        Grid::patch(self, i, j)
+    }
+
+    /// Over a cell S = sum w_k(u) C_k(v), C_k the cubics along six rows, sum |w_k| <= L; B = (1 - u) L_i(v) + u L_i+1(v), L_k the chord of
+    /// C_k. So S - B = sum w_k (C_k - L_k) + (sum w_k L_k - B): the first at most 3/4 L max |inner points of C_k from the thirds of the chord|, as
+    /// two Bernstein polynomials of degree 3 sum to 3/4 at most; the second, linear in v, 3/4 of the same of the cubics across the rows at
+    /// the cell's two columns.
+    fn deviations(&self, block_row: usize, bounds: &mut [f64]) {
+        let (first, last) = (block_row * BLOCK, self.u.cells().min((block_row + 1) * BLOCK));
+        let mut along = vec![0.0_f64; bounds.len()];
+        let mut across = vec![0.0_f64; bounds.len()];
+        for row in self.u.lines_of(first..last) {
+            self.row_deviations(row, &mut along);
+        }
+        for i in first..last {
+            self.column_deviations(i, &mut across);
+        }
+        for ((bound, along), across) in bounds.iter_mut().zip(along).zip(across) {
+            *bound = 0.75 * (self.u.lebesgue() * along.sqrt() + across.sqrt());
+        }
+    }
+}
+
+impl Grid<'_> {
+    /// Raises the bounds, one a block, to the squares of how far the inner Bézier points of the cubics along a row are from the thirds of
+    /// their chords.
+    fn row_deviations(&self, row: usize, bounds: &mut [f64]) {
+        for (c, bound) in bounds.iter_mut().enumerate() {
+            for j in c * BLOCK..self.v.cells().min((c + 1) * BLOCK) {
+                let (columns, weights) = self.v.taps(j);
+                let nodes = columns.map(|column| self.nodes.get(row, column));
+                *bound = bound.max(inner_deviation(weights, &nodes));
+            }
+        }
+    }
+
+    /// The same for the cubics from row i to the next, at all columns of each block.
+    fn column_deviations(&self, i: usize, bounds: &mut [f64]) {
+        let (rows, weights) = self.u.taps(i);
+        for j in 0..self.nodes.columns() {
+            let nodes = rows.map(|row| self.nodes.get(row, j));
+            let deviation = inner_deviation(weights, &nodes);
+            // A column between blocks belongs to both.
+            let right = (j / BLOCK).min(bounds.len() - 1);
+            bounds[right] = bounds[right].max(deviation);
+            if j % BLOCK == 0 && j > 0 {
+                bounds[j / BLOCK - 1] = bounds[j / BLOCK - 1].max(deviation);
+            }
+        }
+    }
+}
+
+/// The square of how far the inner Bézier points are from the thirds of the chord.
+#[inline]
+fn inner_deviation(weights: &Weights, nodes: &[DVec3; TAPS]) -> f64 {
+    let [start, first, second, end] = [0, 1, 2, 3].map(|k| combined(&weights[k], nodes));
+    let third = (end - start) / 3.0;
+    (first - start - third).length_squared().max((second - end + third).length_squared())
+}

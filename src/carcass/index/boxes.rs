@@ -1,0 +1,167 @@
+//! Boxes that contain the surface: in single precision, rounded outwards, round an origin near the surface.
+
+use glam::{DMat3, DVec3};
+
+/// The bounding boxes of four neighbouring blocks, side by side; those of blocks that do not exist are empty.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Group {
+    low: [[f32; 4]; 3],
+    high: [[f32; 4]; 3],
+}
+
+/// A box in any direction.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Oriented {
+    centre: [f32; 3],
+    /// Two of the axes; the third is their cross product.
+    axes: [[f32; 3]; 2],
+    half: [f32; 3],
+}
+
+/// An axis-aligned box in double precision.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bounds {
+    pub(crate) low: DVec3,
+    pub(crate) high: DVec3,
+}
+
+impl Bounds {
+    pub(crate) const EMPTY: Bounds = Bounds { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+
+    pub(crate) fn add(&mut self, point: DVec3) {
+        self.low = self.low.min(point);
+        self.high = self.high.max(point);
+    }
+
+    pub(crate) fn joined(self, other: Bounds) -> Bounds {
+        Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    pub(crate) fn grown(self, by: f64) -> Bounds {
+        Bounds { low: self.low - by, high: self.high + by }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.low.x > self.high.x
+    }
+}
+
+/// The nearest single-precision number that is no greater, and the one that is no smaller.
+fn below(value: f64) -> f32 {
+    let rounded = value as f32;
+    if f64::from(rounded) > value { rounded.next_down() } else { rounded }
+}
+
+fn above(value: f64) -> f32 {
+    let rounded = value as f32;
+    if f64::from(rounded) < value { rounded.next_up() } else { rounded }
+}
+
+impl Group {
+    pub(crate) const EMPTY: Group = Group { low: [[f32::INFINITY; 4]; 3], high: [[f32::NEG_INFINITY; 4]; 3] };
+
+    /// Sets one of the four; the box is relative to the index's origin.
+    pub(crate) fn set(&mut self, child: usize, bounds: Bounds) {
+        for (axis, (low, high)) in bounds.low.to_array().into_iter().zip(bounds.high.to_array()).enumerate() {
+            self.low[axis][child] = below(low);
+            self.high[axis][child] = above(high);
+        }
+    }
+
+    /// One of the four.
+    pub(crate) fn get(&self, child: usize) -> Bounds {
+        let corner = |of: &[[f32; 4]; 3]| DVec3::from_array([0, 1, 2].map(|axis| f64::from(of[axis][child])));
+        Bounds { low: corner(&self.low), high: corner(&self.high) }
+    }
+
+    /// The box of all four.
+    pub(crate) fn whole(&self) -> Bounds {
+        (0..4).map(|child| self.get(child)).fold(Bounds::EMPTY, Bounds::joined)
+    }
+
+    /// The squares of the distances of a point from the four boxes: infinite for empty ones.
+    #[inline(always)]
+    pub(crate) fn distances_squared(&self, point: DVec3) -> [f64; 4] {
+        let mut sums = [0.0; 4];
+        for (axis, at) in point.to_array().into_iter().enumerate() {
+            for (child, sum) in sums.iter_mut().enumerate() {
+                let (low, high) = (f64::from(self.low[axis][child]), f64::from(self.high[axis][child]));
+                let outside = (low - at).max(at - high).max(0.0);
+                *sum += outside * outside;
+            }
+        }
+        sums
+    }
+}
+
+impl Oriented {
+    /// A box round points, whose axes follow two directions of the surface; each point may be off by `by`.
+    pub(crate) fn round(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: f64) -> Oriented {
+        let single = |v: DVec3| v.to_array().map(|x| x as f32);
+        let normal = along_u.cross(along_v).try_normalize();
+        let first = along_u.try_normalize();
+        let (first, second) = match (first, normal) {
+            (Some(first), Some(normal)) => (first, normal.cross(first)),
+            _ => (DVec3::X, DVec3::Y),
+        };
+        let mut found = Oriented { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
+        // As the axes are rounded, so they are used: the box is one for what will be computed.
+        let axes = found.frame();
+        let mut bounds = Bounds::EMPTY;
+        points.iter().for_each(|&point| bounds.add(axes * point));
+        let middle = axes.transpose() * (0.5 * (bounds.low + bounds.high));
+        found.centre = single(middle);
+        let centre = axes * found.centre();
+        let reach = (bounds.high - centre).abs().max((centre - bounds.low).abs());
+        // The axes are orthonormal to 1e-7, so that lengths along them are.
+        found.half = (reach + by).to_array().map(|half| above(half * (1.0 + 1e-6)));
+        found
+    }
+
+    fn centre(&self) -> DVec3 {
+        DVec3::from_array(self.centre.map(f64::from))
+    }
+
+    /// Rows: the axes.
+    #[inline(always)]
+    fn frame(&self) -> DMat3 {
+        let [first, second] = self.axes.map(|axis| DVec3::from_array(axis.map(f64::from)));
+        DMat3::from_cols(first, second, first.cross(second)).transpose()
+    }
+
+    /// A lower bound of the square of the distance of a point.
+    #[inline(always)]
+    pub(crate) fn distance_squared(&self, point: DVec3) -> f64 {
+        let [first, second] = self.axes.map(|axis| DVec3::from_array(axis.map(f64::from)));
+        let from = point - self.centre();
+        let along = DVec3::new(from.dot(first), from.dot(second), from.dot(first.cross(second)));
+        let half = DVec3::from_array(self.half.map(f64::from));
+        let outside = (along.abs() - half).max(DVec3::ZERO);
+        outside.length_squared() * (1.0 - 1e-6)
+    }
+
+    /// False if a line misses the box: seen along the line, the box is within the sum of its half axes across each direction.
+    pub(crate) fn meets_line(&self, origin: DVec3, direction: DVec3) -> bool {
+        let frame = self.frame();
+        // The axes are orthonormal to 1e-7 only: the box is grown by as much of what is computed with them.
+        let (from, along) = (frame * (origin - self.centre()), frame * direction);
+        let half = DVec3::from_array(self.half.map(f64::from)) + 1e-6 * from.length();
+        // The axes of separation of a line and a box: the line's direction crossed with the box's axes.
+        let apart = |p: usize, q: usize| {
+            let distance = (from[p] * along[q] - from[q] * along[p]).abs();
+            distance > half[p] * along[q].abs() + half[q] * along[p].abs()
+        };
+        !(apart(0, 1) || apart(1, 2) || apart(2, 0))
+    }
+
+    /// The corners.
+    pub(crate) fn corners(&self) -> [DVec3; 8] {
+        let (frame, half) = (self.frame(), DVec3::from_array(self.half.map(f64::from)));
+        let sign = |k: usize, bit: usize| if k >> bit & 1 == 0 { -1.0 } else { 1.0 };
+        std::array::from_fn(|k| {
+            let along = half * DVec3::new(sign(k, 0), sign(k, 1), sign(k, 2));
+            // The inverse of what is orthonormal to 1e-7 is its transpose, to 1e-6.
+            self.centre() + frame.transpose() * (along * (1.0 + 1e-6))
+        })
+    }
+}

@@ -1,0 +1,29 @@
+//! Carcasses: curve nets on smooth surfaces, and questions about the surfaces.
+//!
+//! After V. A. Leus, *Carcasses on smooth surfaces* (1976): a surface is known by a net of coordinate curves, and searches on it are cut
+//! short by bounds of the diameters of cells.
+//!
+//! * [`Sheet`]: a piece of surface, a [`Grid`] of nodes or [`Patches`]. [`Patch`]: the surface over one cell.
+//! * [`Carcass`]: sheets and their index, which answers. [`Paths`]: curves on a surface.
+
+mod axis;
+mod cells;
+mod closest;
+mod grid;
+mod index;
+pub mod line;
+mod model;
+mod patch;
+mod patches;
+mod path;
+mod sheet;
+mod solve;
+
+pub use axis::Scheme;
+pub use grid::{Grid, MAX_NODES, Nodes};
+pub use model::{Carcass, Closest, Place};
+pub use patch::{Jet, Patch};
+pub use patches::{MAX_DEGREE, Patches};
+pub use path::Paths;
+pub use sheet::Sheet;
+pub(crate) use sheet::each_sheet;

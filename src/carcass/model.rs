@@ -1,0 +1,129 @@
+//! A carcass: sheets of a surface, with an index for questions.
+
+use super::closest::{Scratch, search};
+use super::index::{Bounds, Pyramid};
+use super::{Jet, Sheet, each_sheet};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use glam::DVec3;
+
+/// A place on a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// The sheet.
+    pub sheet: u32,
+    /// Row and column of the cell.
+    pub cell: [u32; 2],
+    /// Parameters within the cell, 0 to 1.
+    pub u: f64,
+    /// The same across.
+    pub v: f64,
+}
+
+/// The nearest point of a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Closest {
+    /// Where it is.
+    pub place: Place,
+    /// The point.
+    pub point: DVec3,
+    /// Its distance.
+    pub distance: f64,
+    /// No point of the surface is nearer than this.
+    pub bound: f64,
+}
+
+/// A surface and its index. Immutable: any number of threads may ask.
+#[derive(Debug)]
+pub struct Carcass<'a> {
+    sheets: Vec<(Sheet<'a>, Pyramid)>,
+    bounds: Bounds,
+    tolerance: f64,
+}
+
+impl<'a> Carcass<'a> {
+    /// Builds the index of one sheet or several. `tolerance`: a length, to which answers are proved; `None`: 1e-9 of the diagonal of the
+    /// surface's box.
+    ///
+    /// # Errors
+    /// [`Error::EmptyMesh`] without sheets, [`Error::OptionOutOfRange`] for a tolerance that is no positive number,
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn new(sheets: Vec<Sheet<'a>>, tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
+        let mut indexed = alloc::with_capacity(sheets.len())?;
+        let mut bounds = Bounds::EMPTY;
+        for sheet in sheets {
+            let index = each_sheet!(&sheet, cells => Pyramid::build(cells, job))?;
+            bounds = bounds.joined(index.bounds());
+            indexed.push((sheet, index));
+        }
+        if indexed.is_empty() {
+            return Err(Error::EmptyMesh { what: "sheets" });
+        }
+        let tolerance = tolerance.unwrap_or(1e-9 * bounds.low.distance(bounds.high));
+        if !(tolerance >= 0.0 && tolerance.is_finite()) {
+            return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
+        }
+        Ok(Carcass { sheets: indexed, bounds, tolerance })
+    }
+
+    /// The number of sheets.
+    pub fn len(&self) -> usize {
+        self.sheets.len()
+    }
+
+    /// False: there is a sheet at least.
+    pub fn is_empty(&self) -> bool {
+        self.sheets.is_empty()
+    }
+
+    /// Sheet k.
+    pub fn sheet(&self, k: usize) -> &Sheet<'a> {
+        &self.sheets[k].0
+    }
+
+    /// Sheet k and its index.
+    pub(crate) fn indexed(&self, k: usize) -> (&Sheet<'a>, &Pyramid) {
+        let (sheet, index) = &self.sheets[k];
+        (sheet, index)
+    }
+
+    /// The corners of a box round the surface.
+    pub fn bounds(&self) -> [DVec3; 2] {
+        [self.bounds.low, self.bounds.high]
+    }
+
+    /// The length to which answers are proved.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// The position and the derivatives at a place, by the parameters of its cell.
+    pub fn jet(&self, place: Place) -> Jet {
+        let [i, j] = place.cell;
+        self.sheet(place.sheet as usize).jet(i as usize, j as usize, place.u, place.v)
+    }
+
+    /// Bytes of the index.
+    pub fn index_bytes(&self) -> usize {
+        self.sheets.iter().map(|(_, index)| index.bytes()).sum()
+    }
+
+    /// The nearest point that is no farther than `limit`.
+    pub fn closest(&self, query: DVec3, limit: f64) -> Option<Closest> {
+        let mut best: Option<Closest> = None;
+        for (k, (sheet, index)) in self.sheets.iter().enumerate() {
+            let limit = best.map_or(limit, |best| best.distance);
+            let nearest = each_sheet!(sheet, cells => {
+                search(cells, index, query, limit, self.tolerance, &mut Scratch::default())
+            });
+            if let Some(found) = nearest.filter(|found| best.is_none_or(|best| found.found.distance < best.distance)) {
+                let [i, j] = found.cell.map(|k| k as u32);
+                let place = Place { sheet: k as u32, cell: [i, j], u: found.found.place.x, v: found.found.place.y };
+                let bound = best.map_or(found.bound, |best| best.bound.min(found.bound));
+                best = Some(Closest { place, point: found.found.point, distance: found.found.distance, bound });
+            }
+        }
+        best
+    }
+}

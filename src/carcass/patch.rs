@@ -1,0 +1,115 @@
+//! A tensor Bézier patch: what the surface is over one cell.
+
+use glam::DVec3;
+
+/// Control points `points[a][b]` of degree N - 1 in u (first index) and in v, over 0 <= u, v <= 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Patch<const N: usize> {
+    /// The control net.
+    pub points: [[DVec3; N]; N],
+}
+
+/// Position and derivatives at a point of a patch, by the patch's own parameters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jet {
+    /// S.
+    pub point: DVec3,
+    /// S_u.
+    pub u: DVec3,
+    /// S_v.
+    pub v: DVec3,
+    /// S_uu.
+    pub uu: DVec3,
+    /// S_uv.
+    pub uv: DVec3,
+    /// S_vv.
+    pub vv: DVec3,
+}
+
+/// Point and first two derivatives of a Bézier curve, by de Casteljau's steps down to the last three points.
+fn curve<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 3] {
+    let mut work = *points;
+    let mut count = N;
+    while count > 3 {
+        for k in 0..count - 1 {
+            work[k] = work[k].lerp(work[k + 1], t);
+        }
+        count -= 1;
+    }
+    let degree = (N - 1) as f64;
+    let second = (work[2] - 2.0 * work[1] + work[0]) * (degree * (degree - 1.0));
+    let (left, right) = (work[0].lerp(work[1], t), work[1].lerp(work[2], t));
+    [left.lerp(right, t), (right - left) * degree, second]
+}
+
+impl<const N: usize> Patch<N> {
+    /// The point at (u, v).
+    pub fn point(&self, u: f64, v: f64) -> DVec3 {
+        self.jet(u, v).point
+    }
+
+    /// The point at (u, v) and the derivatives there.
+    pub fn jet(&self, u: f64, v: f64) -> Jet {
+        let mut rows = [[DVec3::ZERO; N]; 3];
+        for (a, row) in self.points.iter().enumerate() {
+            let [point, first, second] = curve(row, v);
+            (rows[0][a], rows[1][a], rows[2][a]) = (point, first, second);
+        }
+        let [point, u1, uu] = curve(&rows[0], u);
+        let [v1, uv, _] = curve(&rows[1], u);
+        let [vv, ..] = curve(&rows[2], u);
+        Jet { point, u: u1, v: v1, uu, uv, vv }
+    }
+
+    /// The four quarters: low u and low v, low u and high v, high u and low v, high u and high v.
+    pub fn quarters(&self) -> [Patch<N>; 4] {
+        let [low, high] = self.halves();
+        let ([a, b], [c, d]) = (low.transposed().halves(), high.transposed().halves());
+        [a, b, c, d].map(|patch| patch.transposed())
+    }
+
+    /// The halves at u = 1/2.
+    pub fn halves(&self) -> [Patch<N>; 2] {
+        let (mut low, mut high) = (*self, *self);
+        // After step k the first N - k points of `high` are those of de Casteljau's k-th column.
+        for k in 0..N {
+            for a in 0..N - k - 1 {
+                for b in 0..N {
+                    high.points[a][b] = 0.5 * (high.points[a][b] + high.points[a + 1][b]);
+                }
+            }
+            if k + 1 < N {
+                low.points[k + 1] = high.points[0];
+            }
+        }
+        [low, high]
+    }
+
+    /// u and v exchanged.
+    #[must_use]
+    pub fn transposed(&self) -> Self {
+        let mut turned = *self;
+        for a in 0..N {
+            for b in 0..N {
+                turned.points[a][b] = self.points[b][a];
+            }
+        }
+        turned
+    }
+}
+
+impl Jet {
+    /// S_u x S_v, whose length is the area that a unit of the parameters has.
+    pub fn normal(&self) -> DVec3 {
+        self.u.cross(self.v)
+    }
+
+    /// Mean and Gaussian curvature, for the normal S_u x S_v; `None` where the surface is not regular.
+    pub fn curvatures(&self) -> Option<(f64, f64)> {
+        let normal = self.normal().try_normalize()?;
+        let [e, f, g] = [self.u.dot(self.u), self.u.dot(self.v), self.v.dot(self.v)];
+        let [l, m, n] = [self.uu.dot(normal), self.uv.dot(normal), self.vv.dot(normal)];
+        let area = e * g - f * f;
+        (area > 0.0).then(|| ((e * n - 2.0 * f * m + g * l) / (2.0 * area), (l * n - m * m) / area))
+    }
+}

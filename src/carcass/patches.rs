@@ -1,0 +1,111 @@
+//! A sheet whose patches are given.
+
+use super::Patch;
+use super::cells::{BLOCK, Cells};
+use crate::alloc;
+use crate::error::{Error, Result};
+use glam::DVec3;
+
+/// The greatest degree of a patch.
+pub const MAX_DEGREE: usize = 7;
+
+/// `rows x columns` Bézier patches of degree N - 1, row after row; neighbours share their sides, or nearly.
+#[derive(Debug, Clone)]
+pub struct Patches<const N: usize> {
+    patches: Vec<Patch<N>>,
+    rows: usize,
+    columns: usize,
+}
+
+impl<const N: usize> Patches<N> {
+    /// From control nets, one after the other: each `(degree_u + 1) * (degree_v + 1)` points, u by u; lower degrees are raised to N - 1, which
+    /// changes nothing but for rounding.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a degree of 0 or above N - 1, [`Error::EmptyMesh`] without patches, [`Error::ArrayTooShort`],
+    /// [`Error::TooLarge`], [`Error::PointNotFinite`] with the control point, [`Error::OutOfMemory`].
+    pub fn new(points: &[DVec3], degrees: [usize; 2], rows: usize, columns: usize) -> Result<Self> {
+        for degree in degrees {
+            if !(1..N).contains(&degree) {
+                return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 });
+            }
+        }
+        let each = (degrees[0] + 1) * (degrees[1] + 1);
+        let count = (rows as u64).saturating_mul(columns as u64);
+        let total = count.saturating_mul(each as u64);
+        if count == 0 {
+            return Err(Error::EmptyMesh { what: "patches" });
+        }
+        if total > super::MAX_NODES {
+            return Err(Error::TooLarge { what: "control points", count: total, limit: super::MAX_NODES });
+        }
+        let Some(points) = points.get(..total as usize) else {
+            let (needed, given) = (24 * total, 24 * points.len() as u64);
+            return Err(Error::ArrayTooShort { what: "control points", needed, given });
+        };
+        if let Some(at) = points.iter().position(|point| !point.is_finite()) {
+            let value = points[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+            return Err(Error::NodeNotFinite { node: at as u32, value });
+        }
+        let patches = alloc::collect(points.chunks_exact(each).map(|net| raised(net, degrees)))?;
+        Ok(Patches { patches, rows, columns })
+    }
+
+    /// The patch over the cell at (i, j).
+    pub fn get(&self, i: usize, j: usize) -> &Patch<N> {
+        &self.patches[i * self.columns + j]
+    }
+}
+
+/// A control net of lower degrees as one of degree N - 1.
+fn raised<const N: usize>(net: &[DVec3], [p, q]: [usize; 2]) -> Patch<N> {
+    let mut points = [[DVec3::ZERO; N]; N];
+    for (row, given) in points.iter_mut().zip(net.chunks_exact(q + 1)) {
+        row[..=q].copy_from_slice(given);
+        raise(row, q);
+    }
+    let mut patch = Patch { points }.transposed();
+    patch.points.iter_mut().for_each(|column| raise(column, p));
+    patch.transposed()
+}
+
+/// Raises a curve of `degree` to degree N - 1: P'_k = k / n P_k-1 + (1 - k / n) P_k, n the new degree.
+fn raise<const N: usize>(points: &mut [DVec3; N], degree: usize) {
+    for n in degree + 1..N {
+        points[n] = points[n - 1];
+        for k in (1..n).rev() {
+            points[k] = points[k].lerp(points[k - 1], k as f64 / n as f64);
+        }
+    }
+}
+
+impl<const N: usize> Cells<N> for Patches<N> {
+    fn counts(&self) -> [usize; 2] {
+        [self.rows, self.columns]
+    }
+
+    fn corner(&self, i: usize, j: usize) -> DVec3 {
+        let (r, c) = (i.min(self.rows - 1), j.min(self.columns - 1));
+        let side = |on: bool| if on { N - 1 } else { 0 };
+        self.get(r, c).points[side(i > r)][side(j > c)]
+    }
+
+    fn patch(&self, i: usize, j: usize) -> Patch<N> {
+        *self.get(i, j)
+    }
+
+    fn deviations(&self, block_row: usize, bounds: &mut [f64]) {
+        for (c, bound) in bounds.iter_mut().enumerate() {
+            for i in block_row * BLOCK..self.rows.min((block_row + 1) * BLOCK) {
+                for j in c * BLOCK..self.columns.min((c + 1) * BLOCK) {
+                    let patch = self.get(i, j);
+                    // From the bilinear patch through the corners that searches see, which are a neighbour's where sides differ.
+                    let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner(i, j));
+                    let [[a, b], [c, d]] = patch.corners();
+                    let gap = [a, b, c, d].into_iter().zip(seen).map(|(own, seen)| own.distance(seen));
+                    *bound = bound.max(patch.deviation() + gap.fold(0.0, f64::max));
+                }
+            }
+        }
+    }
+}

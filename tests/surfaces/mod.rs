@@ -1,0 +1,63 @@
+//! Surfaces that tests of carcasses share, with the functions that they are made of.
+
+#![allow(dead_code, unreachable_pub, reason = "shared by several tests, none of which needs all of it")]
+
+use glam::DVec3;
+use gusset::carcass::{Grid, Nodes, Scheme};
+use std::f64::consts::TAU;
+
+/// Numbers from 0 to 1.
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub fn point(&mut self, size: f64) -> DVec3 {
+        size * (2.0 * DVec3::new(self.next(), self.next(), self.next()) - 1.0)
+    }
+}
+
+pub struct Shape {
+    pub name: &'static str,
+    pub cells: [usize; 2],
+    pub closed: [bool; 2],
+    pub point: fn(f64, f64) -> DVec3,
+}
+
+pub fn torus(u: f64, v: f64, bumps: f64) -> DVec3 {
+    let (u, v) = (TAU * u, TAU * v);
+    let r = 0.4 * (1.0 + bumps * (5.0 * u).sin() * (7.0 * v).cos());
+    let ring = 1.0 + r * u.cos();
+    DVec3::new(ring * v.cos(), ring * v.sin(), r * u.sin())
+}
+
+pub const SHAPES: [Shape; 4] = [
+    Shape { name: "torus", cells: [20, 37], closed: [true, true], point: |u, v| torus(u, v, 0.0) },
+    Shape { name: "bumpy torus", cells: [31, 53], closed: [true, true], point: |u, v| torus(u, v, 0.15) },
+    Shape {
+        name: "wavy sheet",
+        cells: [40, 52],
+        closed: [false, false],
+        point: |u, v| DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.2 * (9.0 * u).sin() * (7.0 * v + 1.0).cos()),
+    },
+    Shape {
+        name: "sheet with pole",
+        cells: [9, 24],
+        closed: [false, true],
+        point: |u, v| DVec3::new(u * (TAU * v).cos(), u * (TAU * v).sin(), 0.3 * u * u),
+    },
+];
+
+pub fn grid(shape: &Shape) -> Grid<'static> {
+    let [h, w] = shape.cells;
+    let at = |k: usize, n: usize, closed: bool| (if closed { k % n } else { k }) as f64 / n as f64;
+    let mut data = Vec::new();
+    for (i, j) in (0..=h).flat_map(|i| (0..=w).map(move |j| (i, j))) {
+        data.extend((shape.point)(at(i, h, shape.closed[0]), at(j, w, shape.closed[1])).to_array());
+    }
+    let nodes = Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap();
+    Grid::new(nodes, shape.closed, Scheme::SixTap).unwrap()
+}
