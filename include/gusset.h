@@ -5775,7 +5775,8 @@ GUSSET_API void gusset_net_complex_destroy(struct gusset_net_complex *complex);
  * fields: `count` of them. time: for fields with keys; a net is deformed from what it is now, so that animations
  * deform a copy of the net at rest. The fields work in double; the result is rounded once. Fields of strength 0 do
  * nothing at all, to the bit. Nodes that are glued and have equal bits keep them equal; missing nodes stay missing.
- * Whatever the error, no node is moved. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis, easing),
+ * Fields that are defined everywhere are not watched for overflow: a node that they make too large for its type is
+ * infinite then, and missing. Whatever the error, no node is moved. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (kind, axis, easing),
  * OUT_OF_RANGE (a value, strength or time), FIELD_UNDEFINED with the node, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
  * O(nodes x fields), twice that if a field is not defined everywhere. The same bits for any number of threads.
  * Sources: Deryagin, "Spatial operations"; Barr 1984; Sederberg and Parry 1986.
