@@ -1072,6 +1072,12 @@ typedef struct gusset_assembly gusset_assembly;
 typedef struct gusset_boundary gusset_boundary;
 
 /**
+ * A smooth surface of one or more sheets with an index, which answers. Opaque and immutable; it keeps what it needs of its sheets,
+ * and may be asked from many threads at the same time.
+ */
+typedef struct gusset_carcass gusset_carcass;
+
+/**
  * What a check found. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_check gusset_check;
@@ -1170,6 +1176,11 @@ typedef struct gusset_scene gusset_scene;
 typedef struct gusset_sections gusset_sections;
 
 /**
+ * A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable; may be used from many threads.
+ */
+typedef struct gusset_sheet gusset_sheet;
+
+/**
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
  */
 typedef struct gusset_stitch gusset_stitch;
@@ -1188,6 +1199,11 @@ typedef struct gusset_stream_decoder gusset_stream_decoder;
  * A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_strip gusset_strip;
+
+/**
+ * Curves on a surface: what sections, contours and intersections give. Opaque and immutable.
+ */
+typedef struct gusset_surface_paths gusset_surface_paths;
 
 /**
  * A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
@@ -1785,6 +1801,104 @@ typedef struct gusset_defect {
      */
     uint32_t count;
 } gusset_defect;
+
+/**
+ * How a carcass is built.
+ */
+typedef struct gusset_carcass_options {
+    /**
+     * sizeof(gusset_carcass_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * A length, to which answers are proved; 0: 1e-9 of the diagonal of the surface's box.
+     */
+    double tolerance;
+} gusset_carcass_options;
+
+/**
+ * A place on a surface.
+ */
+typedef struct gusset_surface_place {
+    /**
+     * The sheet, counted from 0 as they were given.
+     */
+    uint32_t sheet;
+    /**
+     * The row of the cell: between node rows row and row + 1.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The parameter within the cell, 0 to 1, from row to row; that of the sheet is row + u.
+     */
+    double u;
+    /**
+     * The same from column to column.
+     */
+    double v;
+} gusset_surface_place;
+
+/**
+ * The curves. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_paths_parts {
+    /**
+     * sizeof(gusset_surface_paths_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many curves.
+     */
+    size_t path_count;
+    /**
+     * How many points there are in all.
+     */
+    size_t point_count;
+    /**
+     * 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
+     */
+    struct gusset_indices ends;
+    /**
+     * By curve: 1 if it returns to its first point, which is not repeated.
+     */
+    const uint32_t *closed;
+    /**
+     * By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
+     */
+    const uint32_t *levels;
+    /**
+     * x, y, z of each point, on the surface.
+     */
+    const double *points;
+    /**
+     * The unit normals there, x, y, z of each; 0 where there is none.
+     */
+    const double *normals;
+    /**
+     * Where the points are on the surface.
+     */
+    const struct gusset_surface_place *places;
+    /**
+     * Of intersections of two surfaces: where they are on the second; else NULL.
+     */
+    const struct gusset_surface_place *others;
+    /**
+     * Cells in which something may be that could not be resolved: tangency, coincidence, or pieces smaller than the tolerance.
+     */
+    const struct gusset_surface_place *unresolved;
+    /**
+     * How many.
+     */
+    size_t unresolved_count;
+} gusset_surface_paths_parts;
 
 /**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
@@ -3851,6 +3965,57 @@ typedef struct gusset_sections_parts {
 } gusset_sections_parts;
 
 /**
+ * How the surface is drawn through nodes.
+ */
+typedef uint32_t gusset_scheme;
+
+/**
+ * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride bytes, one after the other.
+ */
+typedef struct gusset_nodes {
+    /**
+     * sizeof(gusset_nodes), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The first node.
+     */
+    const void *nodes;
+    /**
+     * The number of rows, at least 2; of a surface closed in u at least 4, of which the last repeats the first.
+     */
+    size_t rows;
+    /**
+     * The number of columns, the same for v. rows * columns is at most 2^31 - 1.
+     */
+    size_t columns;
+    /**
+     * Bytes from row to row; 0 for rows without gaps.
+     */
+    size_t row_stride;
+    /**
+     * Bytes from node to node in a row; 0 for nodes without gaps.
+     */
+    size_t column_stride;
+    /**
+     * GUSSET_F32 or GUSSET_F64.
+     */
+    uint32_t scalar;
+    /**
+     * GUSSET_SCHEME_...
+     */
+    gusset_scheme scheme;
+    /**
+     * 1: closed in u, along columns: the last row is the first one again.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: closed in v, along rows.
+     */
+    uint32_t closed_v;
+} gusset_nodes;
+
+/**
  * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
  */
 typedef struct gusset_stitch_parts {
@@ -4697,6 +4862,16 @@ typedef struct gusset_winged_view {
 #define GUSSET_NET_FINDING_FEW_NODES 4
 
 /**
+ * Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the constant 1/384.
+ */
+#define GUSSET_SCHEME_SIX_TAP 0
+
+/**
+ * The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant 3/128, tangents jump at nodes.
+ */
+#define GUSSET_SCHEME_FOUR_POINT 1
+
+/**
  * The report's index means nothing.
  */
 #define GUSSET_ELEMENT_NONE 0
@@ -4912,6 +5087,41 @@ GUSSET_MUST_USE
 gusset_status gusset_boundary_defects(const struct gusset_boundary *boundary,
                                       const struct gusset_defect **defects,
                                       size_t *count);
+
+/**
+ * Builds the index of one sheet or several, which together are one surface.
+ *
+ * sheets: count handles, none NULL; they may be destroyed afterwards. options: NULL for the defaults. carcass: receives the result, for
+ * gusset_carcass_destroy; NULL on failure. Errors: NULL_ARGUMENT, EMPTY_MESH without sheets, OUT_OF_RANGE (tolerance),
+ * OUT_OF_MEMORY, CANCELLED. O(nodes), about 8 bytes a node; threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_create(const struct gusset_context *context,
+                                    const struct gusset_sheet *const *sheets,
+                                    size_t count,
+                                    const struct gusset_carcass_options *options,
+                                    struct gusset_carcass **carcass);
+
+/**
+ * Frees a carcass; NULL is allowed. What was found with it stays.
+ */
+GUSSET_API void gusset_carcass_destroy(struct gusset_carcass *carcass);
+
+/**
+ * The curves, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths,
+                                        struct gusset_surface_paths_parts *parts);
+
+/**
+ * Frees curves; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
 
 /**
  * Checks a mesh. What it finds is no error.
@@ -6760,6 +6970,38 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_sections_view(const struct gusset_sections *sections,
                                    struct gusset_sections_parts *parts);
+
+/**
+ * Makes a surface through a copy of nodes.
+ *
+ * nodes: at any alignment, finite; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
+ * gusset_sheet_destroy; NULL on failure. Errors: NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE
+ * with the node, SIDES_DIFFER if a closed direction does not end where it begins, with the place of the largest gap, OUT_OF_MEMORY.
+ * O(nodes); 24 bytes a node. Source: Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_nodes(const struct gusset_context *context,
+                                      const struct gusset_nodes *nodes,
+                                      struct gusset_sheet **sheet);
+
+/**
+ * Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged until the sheet and all that was made
+ * of it are destroyed.
+ *
+ * nodes: as for gusset_sheet_from_nodes, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there; MISALIGNED_ARGUMENT.
+ * O(nodes); no memory a node.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_borrow(const struct gusset_context *context,
+                                  const struct gusset_nodes *nodes,
+                                  struct gusset_sheet **sheet);
+
+/**
+ * Frees a sheet; NULL is allowed. What was made of it keeps what it needs.
+ */
+GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
 
 /**
  * What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.

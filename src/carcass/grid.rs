@@ -6,14 +6,34 @@ use super::{Patch, Scheme};
 use crate::error::{Error, Result};
 use glam::DVec3;
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// The largest number of nodes of a surface.
 pub const MAX_NODES: u64 = (1 << 31) - 1;
 
+/// The caller's numbers, or shared ones: copies of a sheet share them.
+#[derive(Debug, Clone)]
+enum Data<'a> {
+    Borrowed(&'a [f64]),
+    Shared(Arc<[f64]>),
+}
+
+impl std::ops::Deref for Data<'_> {
+    type Target = [f64];
+
+    #[inline]
+    fn deref(&self) -> &[f64] {
+        match self {
+            Data::Borrowed(data) => data,
+            Data::Shared(data) => data,
+        }
+    }
+}
+
 /// Nodes in rows: x, y, z of node (i, j) begin at number `i * row_stride + j * column_stride`.
 #[derive(Debug, Clone)]
 pub struct Nodes<'a> {
-    data: Cow<'a, [f64]>,
+    data: Data<'a>,
     rows: usize,
     columns: usize,
     row_stride: usize,
@@ -33,7 +53,11 @@ impl<'a> Nodes<'a> {
         row_stride: usize,
         column_stride: usize,
     ) -> Result<Self> {
-        let (data, count) = (data.into(), (rows as u64).saturating_mul(columns as u64));
+        let data = match data.into() {
+            Cow::Borrowed(data) => Data::Borrowed(data),
+            Cow::Owned(data) => Data::Shared(data.into()),
+        };
+        let count = (rows as u64).saturating_mul(columns as u64);
         if rows < 2 || columns < 2 {
             return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
         }

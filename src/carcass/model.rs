@@ -104,6 +104,12 @@ impl<'a> Carcass<'a> {
         self.sheet(place.sheet as usize).jet(i as usize, j as usize, place.u, place.v)
     }
 
+    /// The unit normal at a place, or its limit at a pole; 0 if there is none.
+    pub fn normal(&self, place: Place) -> DVec3 {
+        let [i, j] = place.cell;
+        self.sheet(place.sheet as usize).normal(i as usize, j as usize, place.u, place.v)
+    }
+
     /// Bytes of the index.
     pub fn index_bytes(&self) -> usize {
         self.sheets.iter().map(|(_, index)| index.bytes()).sum()

@@ -5,6 +5,7 @@ use super::cells::{BLOCK, Cells};
 use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// The greatest degree of a patch.
 pub const MAX_DEGREE: usize = 7;
@@ -12,7 +13,7 @@ pub const MAX_DEGREE: usize = 7;
 /// `rows x columns` Bézier patches of degree N - 1, row after row; neighbours share their sides, or nearly.
 #[derive(Debug, Clone)]
 pub struct Patches<const N: usize> {
-    patches: Vec<Patch<N>>,
+    patches: Arc<[Patch<N>]>,
     rows: usize,
     columns: usize,
 }
@@ -48,7 +49,7 @@ impl<const N: usize> Patches<N> {
             return Err(Error::NodeNotFinite { node: at as u32, value });
         }
         let patches = alloc::collect(points.chunks_exact(each).map(|net| raised(net, degrees)))?;
-        Ok(Patches { patches, rows, columns })
+        Ok(Patches { patches: patches.into(), rows, columns })
     }
 
     /// The patch over the cell at (i, j).

@@ -14,6 +14,12 @@ pub struct Paths {
     pub places: Vec<Place>,
     /// The points.
     pub points: Vec<DVec3>,
+    /// The unit normals there; 0 where there is none.
+    pub normals: Vec<DVec3>,
+    /// By path: which of the planes, levels or angles asked for it belongs to; 0 if there was one.
+    pub levels: Vec<u32>,
+    /// Of intersections of two surfaces: where the points are on the other one; else empty.
+    pub others: Vec<Place>,
     /// Cells in which something may be that could not be resolved: tangency, or pieces smaller than the tolerance.
     pub unresolved: Vec<Place>,
 }

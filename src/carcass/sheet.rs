@@ -4,7 +4,7 @@ use super::cells::Cells;
 use super::{Grid, Jet, Patch, Patches};
 use glam::DVec3;
 
-/// A piece of surface with rows and columns of cells.
+/// A piece of surface with rows and columns of cells. Copies share their nodes.
 #[derive(Debug, Clone)]
 pub enum Sheet<'a> {
     /// Through a grid of nodes.
@@ -44,5 +44,19 @@ impl Sheet<'_> {
             patch.jet(u, v)
         }
         each_sheet!(self, cells => of(&Cells::patch(cells, i, j), u, v))
+    }
+
+    /// The unit normal, S_u x S_v, at parameters (u, v) of the cell at (i, j), or its limit where a side of the cell is one point; 0 if there is
+    /// none.
+    pub fn normal(&self, i: usize, j: usize, u: f64, v: f64) -> DVec3 {
+        let here = self.jet(i, j, u, v);
+        let regular =
+            |jet: &Jet| jet.normal().length_squared() > 1e-20 * jet.u.length_squared() * jet.v.length_squared();
+        if regular(&here) {
+            return here.normal().normalize_or_zero();
+        }
+        // A little inwards.
+        let inwards = |x: f64| x + 1e-4 * (0.5 - x).signum();
+        self.jet(i, j, inwards(u), inwards(v)).normal().normalize_or_zero()
     }
 }

@@ -1,0 +1,209 @@
+//! The handle of a carcass: sheets with an index, as C sees them; places on surfaces, and curves of them.
+
+use super::context::gusset_context;
+use super::guard::{create, guard};
+use super::input::{self, Versioned};
+use super::mesh::gusset_indices;
+use super::sheet::gusset_sheet;
+use super::status::{Failure, gusset_status};
+use crate::alloc;
+use crate::carcass::{Carcass, Paths, Place, Sheet};
+use glam::DVec3;
+use std::ptr;
+
+/// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable; it keeps what it needs of its sheets,
+/// and may be asked from many threads at the same time.
+pub struct gusset_carcass(pub(super) Carcass<'static>);
+
+/// A place on a surface.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_place {
+    /// The sheet, counted from 0 as they were given.
+    pub sheet: u32,
+    /// The row of the cell: between node rows row and row + 1.
+    pub row: u32,
+    /// Its column.
+    pub column: u32,
+    /// 0.
+    pub reserved: u32,
+    /// The parameter within the cell, 0 to 1, from row to row; that of the sheet is row + u.
+    pub u: f64,
+    /// The same from column to column.
+    pub v: f64,
+}
+
+/// How a carcass is built.
+#[repr(C)]
+#[derive(Clone, Copy, Default)]
+pub struct gusset_carcass_options {
+    /// sizeof(gusset_carcass_options), set by the caller.
+    pub struct_size: usize,
+    /// A length, to which answers are proved; 0: 1e-9 of the diagonal of the surface's box.
+    pub tolerance: f64,
+}
+
+/// Curves on a surface: what sections, contours and intersections give. Opaque and immutable.
+pub struct gusset_surface_paths {
+    ends: Vec<u32>,
+    closed: Vec<u32>,
+    levels: Vec<u32>,
+    points: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    places: Vec<gusset_surface_place>,
+    others: Vec<gusset_surface_place>,
+    unresolved: Vec<gusset_surface_place>,
+}
+
+/// The curves. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_paths_parts {
+    /// sizeof(gusset_surface_paths_parts), set by the caller.
+    pub struct_size: usize,
+    /// How many curves.
+    pub path_count: usize,
+    /// How many points there are in all.
+    pub point_count: usize,
+    /// 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
+    pub ends: gusset_indices,
+    /// By curve: 1 if it returns to its first point, which is not repeated.
+    pub closed: *const u32,
+    /// By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
+    pub levels: *const u32,
+    /// x, y, z of each point, on the surface.
+    pub points: *const f64,
+    /// The unit normals there, x, y, z of each; 0 where there is none.
+    pub normals: *const f64,
+    /// Where the points are on the surface.
+    pub places: *const gusset_surface_place,
+    /// Of intersections of two surfaces: where they are on the second; else NULL.
+    pub others: *const gusset_surface_place,
+    /// Cells in which something may be that could not be resolved: tangency, coincidence, or pieces smaller than the tolerance.
+    pub unresolved: *const gusset_surface_place,
+    /// How many.
+    pub unresolved_count: usize,
+}
+
+// SAFETY: plain numbers without gaps.
+unsafe impl bytemuck::Zeroable for gusset_surface_place {}
+// SAFETY: as above; any bits will do.
+unsafe impl bytemuck::Pod for gusset_surface_place {}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_carcass_options {
+    const LEAST_SIZE: usize = 16;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_surface_paths_parts {
+    const LEAST_SIZE: usize = 104;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_surface_place>() == 32
+            && size_of::<gusset_carcass_options>() == 16
+            && size_of::<gusset_surface_paths_parts>() == 104)
+);
+
+impl From<Place> for gusset_surface_place {
+    fn from(place: Place) -> Self {
+        let Place { sheet, cell: [row, column], u, v } = place;
+        gusset_surface_place { sheet, row, column, reserved: 0, u, v }
+    }
+}
+
+/// The carcass of a handle.
+pub(super) fn read<'a>(carcass: *const gusset_carcass) -> Result<&'a Carcass<'static>, Failure> {
+    Ok(&input::reference(carcass, "carcass")?.0)
+}
+
+impl From<Paths> for gusset_surface_paths {
+    fn from(paths: Paths) -> Self {
+        let places = |places: Vec<Place>| places.into_iter().map(gusset_surface_place::from).collect();
+        gusset_surface_paths {
+            ends: paths.ends,
+            closed: paths.closed.into_iter().map(u32::from).collect(),
+            levels: paths.levels,
+            points: paths.points,
+            normals: paths.normals,
+            places: places(paths.places),
+            others: places(paths.others),
+            unresolved: places(paths.unresolved),
+        }
+    }
+}
+
+/// The sheets of an array of handles; copies share their nodes.
+fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
+    let bytes = input::bytes(handles.cast(), count, size_of::<*const gusset_sheet>(), "sheets")?;
+    let mut sheets = alloc::with_capacity(count)?;
+    for k in 0..bytes.len() / size_of::<*const gusset_sheet>() {
+        // SAFETY: within the bytes that were checked; any alignment will do.
+        let handle = unsafe { handles.add(k).read_unaligned() };
+        sheets.push(input::reference(handle, "sheet").map_err(|failure| failure.of_item(k))?.0.clone());
+    }
+    Ok(sheets)
+}
+
+/// Builds the index of one sheet or several, which together are one surface.
+///
+/// sheets: count handles, none NULL; they may be destroyed afterwards. options: NULL for the defaults. carcass: receives the result, for
+/// gusset_carcass_destroy; NULL on failure. Errors: NULL_ARGUMENT, EMPTY_MESH without sheets, OUT_OF_RANGE (tolerance),
+/// OUT_OF_MEMORY, CANCELLED. O(nodes), about 8 bytes a node; threads.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_carcass_create(
+    context: *const gusset_context,
+    sheets: *const *const gusset_sheet,
+    count: usize,
+    options: *const gusset_carcass_options,
+    carcass: *mut *mut gusset_carcass,
+) -> gusset_status {
+    create(context, carcass, "carcass", |job| {
+        let options = input::read(options, true, "options")?;
+        let given = self::sheets(sheets, count)?;
+        let tolerance = if options.tolerance == 0.0 { None } else { Some(options.tolerance) };
+        Ok(gusset_carcass(Carcass::new(given, tolerance, job)?))
+    })
+}
+
+/// Frees a carcass; NULL is allowed. What was found with it stays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_carcass_destroy(carcass: *mut gusset_carcass) {
+    input::destroy(carcass);
+}
+
+/// The curves, lent until they are destroyed.
+///
+/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_paths_view(
+    paths: *const gusset_surface_paths,
+    parts: *mut gusset_surface_paths_parts,
+) -> gusset_status {
+    let out = input::output_struct(parts, "parts");
+    guard(ptr::null(), |_| {
+        let (out, paths) = (out?, input::reference(paths, "paths")?);
+        out.write(gusset_surface_paths_parts {
+            struct_size: 0,
+            path_count: paths.closed.len(),
+            point_count: paths.points.len(),
+            ends: gusset_indices::lend(&paths.ends),
+            closed: paths.closed.as_ptr(),
+            levels: paths.levels.as_ptr(),
+            points: paths.points.as_ptr().cast(),
+            normals: paths.normals.as_ptr().cast(),
+            places: paths.places.as_ptr(),
+            others: if paths.others.is_empty() { ptr::null() } else { paths.others.as_ptr() },
+            unresolved: paths.unresolved.as_ptr(),
+            unresolved_count: paths.unresolved.len(),
+        });
+        Ok(())
+    })
+}
+
+/// Frees curves; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_surface_paths_destroy(paths: *mut gusset_surface_paths) {
+    input::destroy(paths);
+}
