@@ -81,6 +81,12 @@ impl Axis {
         (lines, &self.weights[cell - first])
     }
 
+    /// Which of the lines of [`Axis::taps`] the interval begins with; it ends with the next one.
+    #[inline]
+    pub(crate) fn place(&self, cell: usize) -> usize {
+        if self.closed { 2 } else { cell - cell.saturating_sub(2).min(self.lines.saturating_sub(TAPS)) }
+    }
+
     /// All lines that a range of intervals depends on, each once.
     pub(crate) fn lines_of(&self, cells: Range<usize>) -> impl Iterator<Item = usize> {
         let (before, count) = if self.closed {

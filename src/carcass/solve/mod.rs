@@ -5,7 +5,7 @@ mod field;
 mod roots;
 mod spots;
 
-pub(crate) use curve::{Crossing, Crossings, Room, crossings};
+pub(crate) use curve::{Crossings, Room, crossings, halved};
 pub(crate) use field::Field;
-pub(crate) use roots::{Roots, roots};
-pub(crate) use spots::{Open, Spot, add_spots};
+pub(crate) use roots::{Roots, roots, simple_roots};
+pub(crate) use spots::Spot;
