@@ -9,6 +9,7 @@
 mod axis;
 mod cells;
 mod closest;
+mod curve;
 mod grid;
 mod index;
 pub mod line;
@@ -20,6 +21,7 @@ mod sheet;
 mod solve;
 
 pub use axis::Scheme;
+pub use curve::curve_through;
 pub use grid::{Grid, MAX_NODES, Nodes};
 pub use model::{Carcass, Closest, Place};
 pub use patch::{Jet, Patch};
