@@ -5,8 +5,8 @@ use glam::{DMat3, DVec3};
 /// The bounding boxes of four neighbouring blocks, side by side; those of blocks that do not exist are empty.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Group {
-    low: [[f32; 4]; 3],
-    high: [[f32; 4]; 3],
+    pub(super) low: [[f32; 4]; 3],
+    pub(super) high: [[f32; 4]; 3],
 }
 
 /// A box in any direction.
@@ -39,6 +39,11 @@ impl Bounds {
 
     pub(crate) fn grown(self, by: f64) -> Bounds {
         Bounds { low: self.low - by, high: self.high + by }
+    }
+
+    /// False if they are apart.
+    pub(crate) fn meets(&self, other: &Bounds) -> bool {
+        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -141,17 +146,39 @@ impl Oriented {
     }
 
     /// False if a line misses the box: seen along the line, the box is within the sum of its half axes across each direction.
+    #[inline(always)]
     pub(crate) fn meets_line(&self, origin: DVec3, direction: DVec3) -> bool {
-        let frame = self.frame();
+        let single = |v: &[f32; 3]| DVec3::new(f64::from(v[0]), f64::from(v[1]), f64::from(v[2]));
+        let (first, second, half) = (single(&self.axes[0]), single(&self.axes[1]), single(&self.half));
+        let (third, from) = (first.cross(second), origin - single(&self.centre));
         // The axes are orthonormal to 1e-7 only: the box is grown by as much of what is computed with them.
-        let (from, along) = (frame * (origin - self.centre()), frame * direction);
-        let half = DVec3::from_array(self.half.map(f64::from)) + 1e-6 * from.length();
+        let half = half + 1e-6 * from.abs().element_sum();
+        let from = DVec3::new(from.dot(first), from.dot(second), from.dot(third));
+        let along = DVec3::new(direction.dot(first), direction.dot(second), direction.dot(third));
         // The axes of separation of a line and a box: the line's direction crossed with the box's axes.
-        let apart = |p: usize, q: usize| {
-            let distance = (from[p] * along[q] - from[q] * along[p]).abs();
-            distance > half[p] * along[q].abs() + half[q] * along[p].abs()
-        };
-        !(apart(0, 1) || apart(1, 2) || apart(2, 0))
+        let (distance, size) = (from.cross(along).abs(), along.abs());
+        let reach = DVec3::new(
+            half.y * size.z + half.z * size.y,
+            half.z * size.x + half.x * size.z,
+            half.x * size.y + half.y * size.x,
+        );
+        distance.x <= reach.x && distance.y <= reach.y && distance.z <= reach.z
+    }
+
+    /// False if all of some points are beyond one of its sides, and so their hull is.
+    pub(crate) fn meets_hull(&self, points: &[DVec3]) -> bool {
+        let (frame, half) = (self.frame(), DVec3::from_array(self.half.map(f64::from)));
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let mut farthest = 0.0_f64;
+        for &point in points {
+            let from = point - self.centre();
+            let along = frame * from;
+            (low, high) = (low.min(along), high.max(along));
+            farthest = farthest.max(from.length_squared());
+        }
+        // The axes are orthonormal to 1e-7 only.
+        let play = 1e-6 * farthest.sqrt();
+        (low - half).max(-half - high).max_element() <= play
     }
 
     /// The corners.
