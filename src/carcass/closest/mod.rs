@@ -6,5 +6,5 @@
 mod cell;
 mod search;
 
-pub(crate) use cell::{Scratch, nearest};
+pub(crate) use cell::Scratch;
 pub(crate) use search::search;

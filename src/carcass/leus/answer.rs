@@ -1,24 +1,27 @@
-//! Answers of the paper's search: the scale, and then every cell that it leaves. What the index of [`crate::carcass::Carcass`] must agree with.
+//! Answers of the paper's search: the scale, and then every cell that it leaves. What the index of [`crate::carcass::Carcass`] must agree with: they
+//! have nothing in common but the patches.
 
 use super::diameter::Diameters;
-use super::object::{Object, incidence};
+use super::object::{Object, Target, incidence};
 use super::scale::Scale;
-use super::search::{Found, Goal, Options};
-use crate::alloc;
+use super::search::{Goal, Options};
 use crate::carcass::cells::Cells;
-use crate::carcass::closest::{Scratch, nearest};
-use crate::carcass::line::Line;
-use crate::carcass::solve::{Field, Roots, roots};
+use crate::carcass::solve::Field;
 use crate::carcass::{Patch, Place, Sheet, each_sheet};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::job::Job;
 use glam::{DVec2, DVec3};
 
-/// The nearest point of a sheet, task a): its distance and its place. The scale of the nodes leaves few cells; each is searched with proof, to
-/// `tolerance`.
+/// Halvings of a cell before it is left as it is.
+const DEPTH: u32 = 40;
+/// Parts of a cell that are looked at: at the centre of a sphere all parts are as near as any other.
+const PARTS: usize = 1 << 16;
+
+/// The nearest point of a sheet, task a): its distance, which no point undercuts by more than the tolerance, and its place. The scale of the nodes leaves
+/// few cells; each is halved as long as it may be nearer.
 ///
 /// # Errors
-/// Those of [`incidence`].
+/// [`Error::OptionOutOfRange`] for a tolerance that is no positive number; those of [`incidence`].
 pub fn closest(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
@@ -26,140 +29,115 @@ pub fn closest(
     tolerance: f64,
     job: &Job<'_>,
 ) -> Result<(f64, Place)> {
+    check(tolerance)?;
     let found = incidence(sheet, diameters, Object::Point(query), &Options::new(Goal::Least), job)?;
-    each_sheet!(sheet, cells => closest_of(cells, diameters, &found, query, tolerance, job))
-}
-
-fn closest_of<const N: usize>(
-    cells: &impl Cells<N>,
-    diameters: &Diameters,
-    found: &Found,
-    query: DVec3,
-    tolerance: f64,
-    job: &Job<'_>,
-) -> Result<(f64, Place)> {
-    let (mut scratch, mut best) = (Scratch::<N>::default(), None);
-    let mut reach = found.least.1 * (1.0 + 1e-12);
-    for (k, cell) in found.scale.cells().enumerate() {
+    let (node, distance) = found.least;
+    let [(row, u), (column, v)] = [0, 1].map(|k| {
+        let last = sheet.cells()[k] - 1;
+        if node[k] <= last { (node[k] as u32, 0.0) } else { (last as u32, 1.0) }
+    });
+    let mut best = (distance, Place { sheet: 0, cell: [row, column], u, v });
+    for (k, [i, j]) in found.scale.cells().enumerate() {
         if k % 256 == 0 {
             job.step(0.5, "cells")?;
         }
-        let [i, j] = cell;
-        // The least node's distance is known now, and may exclude what an earlier one could not.
-        let corner = cells.corner(i, j).distance(query);
-        if corner - diameters.euclidean.get(cell) > reach {
+        each_sheet!(sheet, cells => {
+            let near = Cells::corner(cells, i, j).distance(query) - diameters.euclidean.get([i, j]);
+            if near <= best.0 * (1.0 + 1e-12) {
+                approach(&Cells::patch(cells, i, j), query, [i, j], tolerance, &mut best);
+            }
+        });
+    }
+    Ok(best)
+}
+
+/// Looks for a nearer point in a patch.
+fn approach<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], tolerance: f64, best: &mut (f64, Place)) {
+    let mut parts = vec![(*patch, DVec2::ZERO, 1.0)];
+    let mut looked_at = 0;
+    while let Some((part, from, size)) = parts.pop() {
+        looked_at += 1;
+        let middle = part.point(0.5, 0.5);
+        let distance = middle.distance(query);
+        if distance < best.0 {
+            let at = from + 0.5 * size;
+            *best = (distance, Place { sheet: 0, cell: cell.map(|k| k as u32), u: at.x, v: at.y });
+        }
+        // All of the part is on the far side of a plane across the direction of its middle.
+        let direction = (query - middle).normalize_or_zero();
+        let along = part.points.as_flattened().iter().map(|&point| (query - point).dot(direction));
+        let bound = along.fold(f64::INFINITY, f64::min);
+        if bound > best.0 - tolerance || size < 0.5_f64.powi(DEPTH as i32) || looked_at > PARTS {
             continue;
         }
-        let there = nearest(&cells.patch(i, j), query, DVec2::splat(0.5), reach, tolerance, &mut scratch);
-        if there.distance <= reach && best.is_none_or(|(distance, _)| there.distance < distance) {
-            reach = there.distance;
-            best = Some((
-                there.distance,
-                Place { sheet: 0, cell: [i as u32, j as u32], u: there.place.x, v: there.place.y },
-            ));
-        }
+        let half = 0.5 * size;
+        let corners = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];
+        let quarters = part.quarters().into_iter().zip(corners);
+        let first = parts.len();
+        parts.extend(quarters.map(|(quarter, corner)| (quarter, from + half * corner, half)));
+        // The nearest is looked at first.
+        let far = |part: &Patch<N>| part.point(0.5, 0.5).distance_squared(query);
+        parts[first..].sort_by(|a, b| far(&b.0).total_cmp(&far(&a.0)));
     }
-    // The node itself, if nothing is better.
-    let [i, j] = found.least.0;
-    let side = |k: usize, at: usize| at.min(cells.counts()[k] - 1);
-    let (row, column) = (side(0, i), side(1, j));
-    let (u, v) = ((i - row) as f64, (j - column) as f64);
-    Ok(best.unwrap_or((found.least.1, Place { sheet: 0, cell: [row as u32, column as u32], u, v })))
 }
 
-/// Where a line meets a sheet, task c): t and place of each simple crossing, by rising t; one on a side between cells may come from both. And
-/// whether there is a spot that may touch.
+/// The cells that have a point within a distance of an object: those of the scale of which not all parts can be shown to be farther. None is missing; all
+/// points of one that is there too many are farther by no more than the tolerance.
+///
+/// With a distance of 0 these are the cells that a plane crosses or a line meets, tasks c) and d). Loops inside a cell count, and sides that are
+/// crossed twice: signs at nodes show neither (erratum E7).
 ///
 /// # Errors
-/// Those of [`incidence`].
-pub fn line(
+/// [`Error::OptionOutOfRange`] for a tolerance that is no positive number; those of [`incidence`].
+pub fn cells_within(
     sheet: &Sheet<'_>,
     diameters: &Diameters,
-    line: &Line,
-    tolerance: f64,
-    job: &Job<'_>,
-) -> Result<(Vec<(f64, Place)>, bool)> {
-    let found = incidence(sheet, diameters, Object::Line(*line), &Options::new(Goal::Within(tolerance)), job)?;
-    each_sheet!(sheet, cells => line_of(cells, &found.scale, line, tolerance, job))
-}
-
-fn line_of<const N: usize>(
-    cells: &impl Cells<N>,
-    scale: &Scale,
-    line: &Line,
-    tolerance: f64,
-    job: &Job<'_>,
-) -> Result<(Vec<(f64, Place)>, bool)> {
-    let (across, along) = (line.direction.normalize().any_orthonormal_pair(), line.direction);
-    let (mut hits, mut touches) = (Vec::new(), false);
-    for (k, [i, j]) in scale.cells().enumerate() {
-        if k % 256 == 0 {
-            job.step(0.5, "cells")?;
-        }
-        let patch = cells.patch(i, j);
-        let field = |direction: DVec3| plane_field(&patch, line.origin, direction);
-        let reach = (patch.points[0][0] - line.origin).length() + line.origin.length();
-        let mut found = Roots::default();
-        roots([field(across.0), field(across.1)], 8.0 * f64::EPSILON * reach, tolerance, &mut found);
-        touches |= !found.unresolved.is_empty();
-        for DVec2 { x: u, y: v } in found.simple {
-            let t = (patch.point(u, v) - line.origin).dot(along) / along.length_squared();
-            if t >= line.from && t <= line.to {
-                alloc::push(&mut hits, (t, Place { sheet: 0, cell: [i as u32, j as u32], u, v }))?;
-            }
-        }
-    }
-    hits.sort_by(|a, b| a.0.total_cmp(&b.0));
-    Ok((hits, touches))
-}
-
-/// The cells that a plane crosses or comes as near as `tolerance`, task d): those of the scale of which no part can be cut off as clear of it.
-///
-/// Loops inside a cell count, and sides that the plane crosses twice: signs at nodes show neither (erratum E7).
-///
-/// # Errors
-/// Those of [`incidence`].
-pub fn plane_cells(
-    sheet: &Sheet<'_>,
-    diameters: &Diameters,
-    point: DVec3,
-    normal: DVec3,
+    object: Object,
+    distance: f64,
     tolerance: f64,
     job: &Job<'_>,
 ) -> Result<Scale> {
-    let object = Object::Plane { point, normal }.normalized()?;
-    let Object::Plane { normal, .. } = object else { unreachable!("a plane stays one") };
-    let mut scale = incidence(sheet, diameters, object, &Options::new(Goal::Within(tolerance)), job)?.scale;
-    let mut candidates = alloc::with_capacity(scale.count())?;
-    candidates.extend(scale.cells());
-    for (k, cell) in candidates.into_iter().enumerate() {
-        if k % 1024 == 0 {
+    check(tolerance)?;
+    let target = object.target()?;
+    let left = incidence(sheet, diameters, object, &Options::new(Goal::Within(distance)), job)?.scale;
+    let mut within = left.clone();
+    for (k, cell) in left.cells().enumerate() {
+        if k % 256 == 0 {
             job.step(0.5, "cells")?;
         }
-        let comes_near = each_sheet!(sheet, cells => {
-            may_vanish(&plane_field(&Cells::patch(cells, cell[0], cell[1]), point, normal), tolerance, DEPTH)
-        });
-        scale.set(cell, comes_near);
+        let near = each_sheet!(sheet, cells => comes_near(&Cells::patch(cells, cell[0], cell[1]), &target, distance, tolerance));
+        within.set(cell, near);
     }
-    Ok(scale)
+    Ok(within)
 }
 
-/// Halvings of a cell before a plane that comes so near is taken to touch it.
-const DEPTH: u32 = 20;
-
-fn plane_field<const N: usize>(patch: &Patch<N>, point: DVec3, normal: DVec3) -> Field<N> {
-    Field { c: patch.points.map(|row| row.map(|control| (control - point).dot(normal))) }
+fn check(tolerance: f64) -> Result<()> {
+    let good = tolerance > 0.0 && tolerance.is_finite();
+    if good { Ok(()) } else { Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance }) }
 }
 
-/// False if no value of a field is within the tolerance.
-fn may_vanish<const N: usize>(field: &Field<N>, tolerance: f64, depth: u32) -> bool {
-    let [low, high] = field.range();
-    if low > tolerance || high < -tolerance {
-        return false;
+/// False if no point of a patch is within a distance of the target.
+fn comes_near<const N: usize>(patch: &Patch<N>, target: &Target, distance: f64, tolerance: f64) -> bool {
+    let zero = Field { c: [[0.0; N]; N] };
+    let mut coordinates = [zero; 3];
+    for (field, axis) in coordinates.iter_mut().zip(target.axes()) {
+        field.c = patch.points.map(|row| row.map(|point| (point - target.origin).dot(*axis)));
     }
-    // Values at corners are taken: a zero between them is certain if their signs differ.
-    let corners = [field.c[0][0], field.c[0][N - 1], field.c[N - 1][0], field.c[N - 1][N - 1]];
-    let certain = corners.iter().any(|x| x.abs() <= tolerance)
-        || (corners.iter().any(|&x| x > 0.0) && corners.iter().any(|&x| x < 0.0));
-    certain || depth == 0 || field.quarters().iter().any(|part| may_vanish(part, tolerance, depth - 1))
+    let rounding = patch.points.as_flattened().iter().map(|&point| target.rounding(point)).fold(0.0, f64::max);
+    let mut parts = vec![(coordinates, 0)];
+    let mut looked_at = 0;
+    while let Some((fields, depth)) = parts.pop() {
+        looked_at += 1;
+        if target.gap_squared(&fields.map(|field| field.range())).sqrt() - rounding > distance {
+            continue;
+        }
+        // A corner is a point of the surface.
+        let corner = target.gap_squared(&fields.map(|field| [field.c[0][0]; 2])).sqrt();
+        if corner <= distance + tolerance || depth == DEPTH || looked_at > PARTS {
+            return true;
+        }
+        let [x, y, z] = fields.map(|field| field.quarters());
+        parts.extend((0..4).map(|k| ([x[k], y[k], z[k]], depth + 1)));
+    }
+    false
 }

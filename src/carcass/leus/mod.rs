@@ -25,13 +25,13 @@
 //!   nothing is said where the surface is not regular.
 //! * *E5* Lines may be dropped only if a block covers them from side to side and reaches an edge, else two carcasses are left.
 //! * *E6* d is not to be had from a net of curves: see [`Diameters`].
-//! * *E7* Signs at nodes miss loops within a cell, two crossings on a side, and touching; they pair four crossings wrongly. See [`plane_cells`].
+//! * *E7* Signs at nodes miss loops within a cell, two crossings on a side, and touching; they pair four crossings wrongly. See [`cells_within`].
 //! * *E8* The Euclidean diameter suffices for distances; the intrinsic one is needed for K d only.
 //!
 //! * [`Lattice`]: how cells lie. [`Scale`]: a set of cells. [`Sizes`]: bounds of cells and of blocks.
 //! * [`Diameters`], [`curvature_bound`], [`swings_by_cones`], [`swings_by_curvature`]: the bounds of cells.
 //! * [`chain`], [`integer_diameter`], [`euler_characteristic`]: cell regions.
-//! * [`search`], [`incidence`], [`slanted`]: the corrected search; [`literal`]: the one to the letter. [`closest`], [`line`], [`plane_cells`]:
+//! * [`search`], [`incidence`], [`slanted`]: the corrected search; [`literal`]: the one to the letter. [`closest`], [`cells_within`]:
 //!   answers by it.
 //! * [`normal_by_sections`]: the paper's approximate normal.
 
@@ -48,13 +48,13 @@ mod search;
 mod sizes;
 mod swing;
 
-pub use answer::{closest, line, plane_cells};
+pub use answer::{cells_within, closest};
 pub use approximate::normal_by_sections;
 pub use curvature::curvature_bound;
 pub use diameter::Diameters;
 pub use lattice::Lattice;
 pub use literal::{Literal, literal};
-pub use object::{Object, incidence};
+pub use object::{Object, Target, incidence};
 pub use region::{chain, euler_characteristic, integer_diameter};
 pub use scale::Scale;
 pub use search::{Found, Goal, Options, search};

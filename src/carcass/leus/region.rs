@@ -83,14 +83,20 @@ pub fn integer_diameter(region: &Scale, job: &Job<'_>) -> Result<Option<usize>> 
 }
 
 /// Vertices less edges plus cells of a region with its edge: 1 for a region without holes that is in one part, the paper's simply connected one, if it
-/// is not all of a surface closed both ways.
-pub fn euler_characteristic(region: &Scale) -> i64 {
+/// is not all of a surface closed both ways. O(cells).
+///
+/// # Errors
+/// [`Error::Cancelled`].
+pub fn euler_characteristic(region: &Scale, job: &Job<'_>) -> Result<i64> {
     let lattice = region.lattice();
     let [lines_u, lines_v] = lattice.lines();
     let on = |rows: Span, columns: Span| rows.indices().any(|i| columns.indices().any(|j| region.get([i, j])));
     let single = |k: usize, at: usize| Span::new(at, 1, lattice.cells[k]);
     let mut sum = region.count() as i64;
     for i in 0..lines_u {
+        if (i * lines_v) % CELLS < lines_v {
+            job.step(i as f64 / lines_u as f64, "vertices")?;
+        }
         for j in 0..lines_v {
             let (rows, columns) = (lattice.span(0, i, 1), lattice.span(1, j, 1));
             sum += i64::from(on(rows, columns));
@@ -98,7 +104,7 @@ pub fn euler_characteristic(region: &Scale) -> i64 {
             sum -= i64::from(i < lattice.cells[0] && on(single(0, i), columns));
         }
     }
-    sum
+    Ok(sum)
 }
 
 /// Shortest chains from one cell to all others of a region.
