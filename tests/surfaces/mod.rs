@@ -78,3 +78,28 @@ pub fn wigley_hull() -> [Grid<'static>; 2] {
     let starboard = |u: f64, v: f64| wigley(u - 0.5, (v - 1.0) / 16.0) * DVec3::new(1.0, -1.0, 1.0);
     [grid(&WIGLEY), grid(&Shape { point: starboard, ..WIGLEY })]
 }
+
+/// Heights at random over a square that is not quite one: surfaces without any regularity.
+pub fn rough(cells: [usize; 2], closed: [bool; 2], scheme: Scheme, seed: u64) -> Grid<'static> {
+    let [h, w] = cells;
+    let mut random = Random(seed);
+    let (a, b) = (if closed[0] { h } else { h + 1 }, if closed[1] { w } else { w + 1 });
+    let round = |k: usize, n: usize, closed: bool| {
+        let t = k as f64 / n as f64;
+        if closed { [(TAU * t).cos(), (TAU * t).sin()] } else { [2.0 * t - 1.0, 0.0] }
+    };
+    let mut nodes = Vec::new();
+    for (i, j) in (0..a).flat_map(|i| (0..b).map(move |j| (i, j))) {
+        let ([x, z], [y, s]) = (round(i, h, closed[0]), round(j, w, closed[1]));
+        let base = match closed {
+            [true, true] => DVec3::new((1.0 + 0.4 * x) * y, (1.0 + 0.4 * x) * s, 0.4 * z),
+            _ => DVec3::new(x, y, z + s),
+        };
+        nodes.push(base + random.point(0.6 / h.min(w) as f64));
+    }
+    let data: Vec<f64> = (0..=h)
+        .flat_map(|i| (0..=w).map(move |j| (i, j)))
+        .flat_map(|(i, j)| nodes[i % a * b + j % b].to_array())
+        .collect();
+    Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap()
+}

@@ -1,0 +1,120 @@
+//! The logical scale: a bit for each cell, 1 as long as the cell may hold what is looked for.
+
+use super::lattice::{Lattice, Span};
+use crate::alloc;
+use crate::error::{Error, Result};
+
+/// A set of cells: a *cell region* of the paper. Cell k = row * columns + column is bit k % 64 of word k / 64.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Scale {
+    lattice: Lattice,
+    words: Vec<u64>,
+}
+
+impl Scale {
+    /// With all bits 1, as every search begins.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn full(lattice: Lattice) -> Result<Self> {
+        let mut words = alloc::filled(u64::MAX, lattice.len().div_ceil(64))?;
+        if let (Some(last), used @ 1..) = (words.last_mut(), lattice.len() % 64) {
+            *last = (1 << used) - 1;
+        }
+        Ok(Scale { lattice, words })
+    }
+
+    /// With all bits 0.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn empty(lattice: Lattice) -> Result<Self> {
+        Ok(Scale { lattice, words: alloc::filled(0, lattice.len().div_ceil(64))? })
+    }
+
+    /// From words; bits beyond the last cell do not count.
+    ///
+    /// # Errors
+    /// [`Error::ArrayTooShort`], [`Error::OutOfMemory`].
+    pub fn from_words(lattice: Lattice, words: &[u64]) -> Result<Self> {
+        let mut scale = Scale::full(lattice)?;
+        if words.len() < scale.words.len() {
+            let (needed, given) = (8 * scale.words.len() as u64, 8 * words.len() as u64);
+            return Err(Error::ArrayTooShort { what: "words", needed, given });
+        }
+        scale.words.iter_mut().zip(words).for_each(|(own, given)| *own &= given);
+        Ok(scale)
+    }
+
+    /// The cells and how they lie.
+    pub fn lattice(&self) -> Lattice {
+        self.lattice
+    }
+
+    /// The words.
+    pub fn words(&self) -> &[u64] {
+        &self.words
+    }
+
+    /// The bit of a cell.
+    pub fn get(&self, cell: [usize; 2]) -> bool {
+        let k = self.lattice.index(cell);
+        self.words[k / 64] >> (k % 64) & 1 == 1
+    }
+
+    /// Sets the bit of a cell.
+    pub fn set(&mut self, cell: [usize; 2], on: bool) {
+        let k = self.lattice.index(cell);
+        let bit = 1 << (k % 64);
+        if on {
+            self.words[k / 64] |= bit;
+        } else {
+            self.words[k / 64] &= !bit;
+        }
+    }
+
+    /// How many bits are 1.
+    pub fn count(&self) -> usize {
+        self.words.iter().map(|word| word.count_ones() as usize).sum()
+    }
+
+    /// The cells whose bits are 1, row after row.
+    pub fn cells(&self) -> impl Iterator<Item = [usize; 2]> {
+        let bits = |word: u64| std::iter::successors(Some(word), |&left| Some(left & left.wrapping_sub(1)));
+        let of = move |(w, &word): (usize, &u64)| {
+            bits(word).take_while(|&left| left != 0).map(move |left| 64 * w + left.trailing_zeros() as usize)
+        };
+        self.words.iter().enumerate().flat_map(of).map(|k| self.lattice.cell(k))
+    }
+
+    /// Zeroes a block.
+    pub(crate) fn clear(&mut self, [rows, columns]: [Span; 2]) {
+        let width = self.lattice.cells[1];
+        for i in rows.indices() {
+            for part in columns.parts() {
+                self.clear_bits(i * width + part.start, i * width + part.end);
+            }
+        }
+    }
+
+    /// Zeroes the bits from..to.
+    fn clear_bits(&mut self, from: usize, to: usize) {
+        let mut at = from;
+        while at < to {
+            let (word, bit) = (at / 64, at % 64);
+            let count = (64 - bit).min(to - at);
+            let ones = if count == 64 { u64::MAX } else { (1 << count) - 1 };
+            self.words[word] &= !(ones << bit);
+            at += count;
+        }
+    }
+
+    /// True if none of the cells from..to, by number, has a 1.
+    pub(crate) fn is_clear(&self, from: usize, to: usize) -> bool {
+        (from / 64..to.div_ceil(64)).all(|word| {
+            let low = if word == from / 64 { u64::MAX << (from % 64) } else { u64::MAX };
+            let high = if 64 * (word + 1) > to { u64::MAX >> (64 * (word + 1) - to) } else { u64::MAX };
+            self.words[word] & low & high == 0
+        })
+    }
+}
