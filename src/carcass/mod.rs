@@ -12,6 +12,7 @@ mod closest;
 mod grid;
 mod index;
 pub mod line;
+pub mod meet;
 mod model;
 mod patch;
 mod patches;
