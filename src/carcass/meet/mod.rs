@@ -54,18 +54,19 @@ pub struct CellPair {
 /// How intersections are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
-    /// The greatest distance of the curve from the chords between its points; `None`: points are only where it crosses sides of cells, of
-    /// either surface.
+    /// The greatest distance of the curve from the chords between its points; `None`: 1e-4 of the diagonal of the smaller surface's box;
+    /// infinity: points are only where it crosses sides of cells of either surface.
     pub chord: Option<f64>,
     /// Branches shorter than this may be lost, and surfaces nearer than this to each other all over are reported as touching; `None`: the
     /// smaller one of the tolerances of the two surfaces.
     pub tolerance: Option<f64>,
 }
 
-fn positive(option: &'static str, value: Option<f64>) -> Result<()> {
+/// The value, which must be positive, or the default.
+fn positive(option: &'static str, value: Option<f64>, default: f64) -> Result<f64> {
     match value {
-        Some(value) if !(value > 0.0 && value.is_finite()) => Err(Error::OptionOutOfRange { option, value }),
-        _ => Ok(()),
+        Some(value) if !(value > 0.0) => Err(Error::OptionOutOfRange { option, value }),
+        _ => Ok(value.unwrap_or(default)),
     }
 }
 
@@ -80,16 +81,19 @@ impl Carcass<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells; [`Error::OutOfMemory`]; [`Error::Cancelled`].
     pub fn meet(&self, other: &Carcass<'_>, options: &Options, job: &Job<'_>) -> Result<Paths> {
-        positive("chord", options.chord)?;
-        positive("tolerance", options.tolerance)?;
+        let size = |carcass: &Carcass<'_>| carcass.bounds()[0].distance(carcass.bounds()[1]);
+        let chord = positive("chord", options.chord, 1e-4 * size(self).min(size(other)))?;
+        let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
+        if tolerance == f64::INFINITY {
+            return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
+        }
         let pairs = self.candidates(other, 0.0, &job.part(0.0, 0.2))?;
-        let own = self.tolerance().min(other.tolerance());
         let meeting = Meeting {
             carcasses: [self, other],
             pairs: &pairs,
             origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
-            tolerance: options.tolerance.unwrap_or(own),
-            chord: options.chord.unwrap_or(f64::INFINITY),
+            tolerance,
+            chord: chord.max(tolerance),
         };
         let pieces = meeting.solve(&job.part(0.2, 0.9))?;
         let (chains, explained) = chains(&pieces.arcs, &pieces.spots, meeting.tolerance)?;
