@@ -18,6 +18,7 @@ pub mod leus;
 pub mod line;
 pub mod make;
 mod mesh;
+pub mod meet;
 mod model;
 mod normal;
 mod patch;
