@@ -161,6 +161,11 @@ impl<'a> Grid<'a> {
         [self.u.is_closed(), self.v.is_closed()]
     }
 
+    /// The two directions: how the cubics follow from the nodes.
+    pub(crate) fn axes(&self) -> [&Axis; 2] {
+        [&self.u, &self.v]
+    }
+
     /// The patch over the cell between the nodes (i, j) and (i + 1, j + 1).
     pub fn patch(&self, i: usize, j: usize) -> Patch<4> {
         let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));

@@ -11,6 +11,7 @@ mod cells;
 mod closest;
 mod grid;
 mod index;
+pub mod level;
 pub mod line;
 mod model;
 mod patch;
