@@ -84,7 +84,10 @@ impl Axis {
         (lines, &self.weights[cell - first])
     }
 
-    /// The scheme.
+    /// True if the slopes of neighbouring intervals agree at their common node.
+    pub(crate) fn is_smooth(&self) -> bool {
+        self.scheme == Scheme::SixTap
+    }
 
     /// All lines that a range of intervals depends on, each once.
     pub(crate) fn lines_of(&self, cells: Range<usize>) -> impl Iterator<Item = usize> {

@@ -8,7 +8,11 @@
 mod cell;
 mod chain;
 mod frame;
+mod isophote;
 mod lattice;
+mod leus;
+mod nearest;
+mod normals;
 mod paths;
 mod planes;
 mod refine;
@@ -25,6 +29,7 @@ use chain::{Strands, chain};
 use glam::DVec3;
 use lattice::Lattice;
 use search::{Found, Search};
+pub use nearest::NearestAngle;
 use source::{Nodal, Plane};
 
 /// What is between the points where a curve crosses the lines of the carcass.
@@ -37,6 +42,10 @@ pub enum Between {
     Chord(f64),
     /// Nothing: chords, as the paper has them at first. Their order is two.
     Nothing,
+    /// As many points of the paper's approximation of higher order: on the cubic through the crossings with the neighbouring lines of
+    /// the carcass, two before and two behind, over their chords. These points are near the surface, not on it: of order four where
+    /// crossings are evenly spaced, and less reliable where they cluster. Each has the place of the crossing before it.
+    Leus(u32),
 }
 
 /// Parallel planes.
@@ -84,8 +93,7 @@ impl Carcass<'_> {
         finite(planes.point, "point")?;
         rising(planes.offsets)?;
         let chord = self.chord(between)?;
-        let [low, high] = self.bounds();
-        let reach = low.abs().max(high.abs()).max(planes.point.abs()).max_element();
+        let reach = self.reach().max(planes.point.abs().max_element());
         // A few roundings of coordinates of this size.
         let noise = 64.0 * f64::EPSILON * reach;
         let mut gathered = Gathered::default();
@@ -114,7 +122,7 @@ impl Carcass<'_> {
             };
             gathered.add(k, found, &lattice, apart)?;
         }
-        paths::paths(self, &gathered.sheets, gathered.unresolved, job)
+        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, job)?, between)
     }
 
     /// The contours of a scalar field that is given at the corners of the cells: where it takes the values of `levels`, which rise. Between
@@ -154,7 +162,7 @@ impl Carcass<'_> {
             let found = each_sheet!(sheet, cells => Search { cells, source: &source, lattice, chord }.run(count, block, job))?;
             gathered.add(k, found, &lattice, false)?;
         }
-        paths::paths(self, &gathered.sheets, gathered.unresolved, job)
+        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, job)?, between)
     }
 
     fn check_values(&self, values: &[f64]) -> Result<()> {
@@ -179,6 +187,8 @@ impl Carcass<'_> {
         match between {
             Between::Auto => Ok(Some(1e-4 * low.distance(high))),
             Between::Nothing => Ok(None),
+            Between::Leus(count) if count <= leus::MOST => Ok(None),
+            Between::Leus(count) => Err(Error::OptionOutOfRange { option: "points", value: count.into() }),
             Between::Chord(chord) if chord > 0.0 && chord.is_finite() => Ok(Some(chord.max(self.tolerance()))),
             Between::Chord(value) => Err(Error::OptionOutOfRange { option: "chord", value }),
         }

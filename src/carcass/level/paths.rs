@@ -176,3 +176,52 @@ pub(super) fn paths(
     }
     Ok(paths)
 }
+
+/// Adds paths of one point each, of the given levels, and puts all in the order of levels. Points nearer than the tolerance to others of
+/// their level are the same: those on sides come from both cells.
+pub(super) fn add_points(carcass: &Carcass<'_>, points: &[(u32, Place)], paths: &mut Paths) -> Result<()> {
+    if points.is_empty() {
+        return Ok(());
+    }
+    let frames = alloc::collect(points.iter().map(|&(_, place)| carcass.point_and_normal(place)))?;
+    let mut by: Vec<usize> = alloc::collect(0..points.len())?;
+    by.sort_by(|&a, &b| points[a].0.cmp(&points[b].0).then(frames[a].0.x.total_cmp(&frames[b].0.x)).then(a.cmp(&b)));
+    let mut dropped = alloc::filled(false, points.len())?;
+    for (at, &k) in by.iter().enumerate() {
+        for &other in &by[at + 1..] {
+            if points[other].0 != points[k].0 || frames[other].0.x > frames[k].0.x + carcass.tolerance() {
+                break;
+            }
+            if frames[other].0.distance(frames[k].0) <= carcass.tolerance() {
+                dropped[other.max(k)] = true;
+            }
+        }
+    }
+    for k in (0..points.len()).filter(|&k| !dropped[k]) {
+        alloc::push(&mut paths.places, points[k].1)?;
+        alloc::push(&mut paths.points, frames[k].0)?;
+        alloc::push(&mut paths.normals, frames[k].1)?;
+        alloc::push(&mut paths.ends, paths.points.len() as u32)?;
+        alloc::push(&mut paths.closed, false)?;
+        alloc::push(&mut paths.levels, points[k].0)?;
+    }
+    *paths = by_level(std::mem::take(paths))?;
+    Ok(())
+}
+
+/// The same paths by rising level.
+fn by_level(given: Paths) -> Result<Paths> {
+    let mut order: Vec<usize> = alloc::collect(0..given.len())?;
+    order.sort_by_key(|&k| given.levels[k]);
+    let mut sorted = Paths { ends: vec![0], unresolved: given.unresolved, ..Paths::default() };
+    for k in order {
+        let range = given.ends[k] as usize..given.ends[k + 1] as usize;
+        alloc::append(&mut sorted.places, &given.places[range.clone()])?;
+        alloc::append(&mut sorted.points, &given.points[range.clone()])?;
+        alloc::append(&mut sorted.normals, &given.normals[range])?;
+        alloc::push(&mut sorted.ends, sorted.points.len() as u32)?;
+        alloc::push(&mut sorted.closed, given.closed[k])?;
+        alloc::push(&mut sorted.levels, given.levels[k])?;
+    }
+    Ok(sorted)
+}
