@@ -15,6 +15,7 @@ mod curve;
 mod grid;
 mod index;
 pub mod leus;
+pub mod level;
 pub mod line;
 pub mod make;
 mod mesh;
