@@ -354,7 +354,7 @@ impl<C> Sought<'_, C> {
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             job.step(first as f64 / count as f64, "contours")?;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
-                let mut all: Vec<([u32; 2], Roots)> = Vec::new();
+                let mut all: Vec<([u32; 2], Roots<H>)> = Vec::new();
                 for k in range {
                     let cell = [(first + k) / columns, (first + k) % columns];
                     let of = normals.hodographs::<N>(cell);

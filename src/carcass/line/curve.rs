@@ -121,7 +121,7 @@ impl Carcass<'_> {
     }
 
     fn straight(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) {
-        self.meet(&Line::segment(a, b), Which::All, &mut finder.lines);
+        self.strike(&Line::segment(a, b), Which::All, &mut finder.lines);
         for hit in &finder.lines.hits {
             let ends = hit.span.map(|t| a.lerp(b, t));
             finder.finds.push(Find {
@@ -153,7 +153,7 @@ impl Carcass<'_> {
             let by_place = |place: &Place| (place.sheet, place.cell);
             a.at.total_cmp(&b.at).then_with(|| by_place(&a.place).cmp(&by_place(&b.place)))
         });
-        let reach = self.reach();
+        let reach = self.apart();
         let mut kept: Vec<Find> = alloc::with_capacity(finds.len())?;
         for find in finds {
             let near = kept.iter_mut().rev().take_while(|other| other.tangent || find.at - other.at <= SAME);

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 impl Carcass<'_> {
     /// Hits that are nearer to each other than this, in different cells, are one.
-    pub(super) fn reach(&self) -> f64 {
+    pub(super) fn apart(&self) -> f64 {
         let [low, high] = self.bounds();
         self.tolerance().max(1e-12 * low.distance(high))
     }
@@ -15,7 +15,7 @@ impl Carcass<'_> {
     /// longer than several times that for the size of the whole surface, it runs in it.
     pub(super) fn longest_touch(&self) -> f64 {
         let [low, high] = self.bounds();
-        8.0 * (self.reach() * low.distance(high)).sqrt()
+        8.0 * (self.apart() * low.distance(high)).sqrt()
     }
 
     /// Sorts hits, makes one of those that neighbouring cells have found, and tells touching from running in the surface.
@@ -39,7 +39,7 @@ impl Carcass<'_> {
 
     /// Makes one hit of those on sides of neighbouring cells. What is the same is next to each other along the line.
     fn merge(&self, line: &Line, hits: &mut Vec<Hit>) {
-        let reach = self.reach();
+        let reach = self.apart();
         let (_, length) = line.along();
         let mut kept: usize = 0;
         for k in 0..hits.len() {
