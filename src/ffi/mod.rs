@@ -23,6 +23,7 @@
 //! | [`carcass_line`], [`carcass_curve`] | lines and curves that meet surfaces; curves through points and along surfaces |
 //! | [`carcass_leus`] | the paper's search, the documented reference |
 //! | [`carcass_meet`] | where two surfaces meet |
+//! | [`carcass_level`] | sections, contours and isophotes of surfaces |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -42,6 +43,7 @@ pub mod carcass_curve;
 pub mod carcass_line;
 pub mod carcass_leus;
 pub mod carcass_meet;
+pub mod carcass_level;
 pub mod check;
 pub mod context;
 pub mod curve;

@@ -203,7 +203,8 @@ impl Oriented {
         let half = DVec3::from_array(self.half.map(f64::from));
         let middle = self.centre().dot(direction);
         // The axes are orthonormal to 1e-7, so that the box may reach a little farther.
-        let reach = (self.frame() * direction).abs().dot(half) * (1.0 + 1e-6) + 1e-6 * half.length() * direction.length();
+        let reach =
+            (self.frame() * direction).abs().dot(half) * (1.0 + 1e-6) + 1e-6 * half.length() * direction.length();
         [middle - reach, middle + reach]
     }
 

@@ -108,12 +108,7 @@ pub(super) fn arcs<const M: usize>(
 }
 
 /// As [`arcs`], cutting the cell into parts.
-fn by_parts<const M: usize>(
-    cell: Part<M>,
-    noise: f64,
-    keys: &mut Keys,
-    mut add: impl FnMut(Link),
-) -> Option<DVec2> {
+fn by_parts<const M: usize>(cell: Part<M>, noise: f64, keys: &mut Keys, mut add: impl FnMut(Link)) -> Option<DVec2> {
     let mut waiting = vec![cell];
     let mut unresolved: Option<(f64, DVec2)> = None;
     let mut looked_at = 0;

@@ -101,18 +101,16 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut Strands, order: &mut Vec<([u
         if used[head] {
             continue;
         }
-        let (mut least, mut last, mut at) = (head, head, head);
+        let (mut least, mut last) = (head, head);
         loop {
-            used[at] = true;
-            last = at;
-            if lowest(at) < lowest(least) {
-                least = at;
+            used[last] = true;
+            if lowest(last) < lowest(least) {
+                least = last;
             }
-            match next[at] {
-                NONE => break,
-                after if after as usize == head => break,
-                after => at = after as usize,
+            if next[last] == NONE || next[last] as usize == head {
+                break;
             }
+            last = next[last] as usize;
         }
         let closed = next[last] != NONE;
         let first = made.steps.len();
@@ -126,10 +124,10 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut Strands, order: &mut Vec<([u
             if arc.jumps || next[at] == NONE {
                 alloc::push(&mut made.steps, (arc.cell, arc.ends[1]))?;
             }
-            at = next[at] as usize;
-            if at == NONE as usize || (closed && at == least) {
+            if next[at] == NONE || (closed && next[at] as usize == least) {
                 break;
             }
+            at = next[at] as usize;
         }
         let strand = Strand { level: arcs[head].level, closed, steps: [first, made.steps.len()] };
         alloc::push(&mut made.strands, strand)?;

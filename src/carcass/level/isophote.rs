@@ -10,7 +10,7 @@ use super::{Between, Gathered, Strands, direction, lattice, paths};
 use crate::alloc;
 use crate::carcass::cells::Cells;
 use crate::carcass::solve::{Field, Roots, roots};
-use crate::carcass::{Carcass, Paths, Place, Sheet, each_sheet};
+use crate::carcass::{Carcass, Paths, Place, Sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;

@@ -28,8 +28,8 @@ use crate::job::Job;
 use chain::{Strands, chain};
 use glam::DVec3;
 use lattice::Lattice;
-use search::{Found, Search};
 pub use nearest::NearestAngle;
+use search::{Found, Search};
 use source::{Nodal, Plane};
 
 /// What is between the points where a curve crosses the lines of the carcass.
@@ -69,7 +69,8 @@ struct Gathered {
 impl Gathered {
     fn add(&mut self, sheet: usize, mut found: Found, lattice: &Lattice, apart: bool) -> Result<()> {
         alloc::reserve(&mut self.unresolved, found.unresolved.len())?;
-        let place = |&([i, j], at): &([u32; 2], glam::DVec2)| Place { sheet: sheet as u32, cell: [i, j], u: at.x, v: at.y };
+        let place =
+            |&([i, j], at): &([u32; 2], glam::DVec2)| Place { sheet: sheet as u32, cell: [i, j], u: at.x, v: at.y };
         self.unresolved.extend(found.unresolved.iter().map(place));
         let strands = chain(&mut found, lattice, apart)?;
         alloc::push(&mut self.sheets, (sheet, strands))
@@ -159,7 +160,8 @@ impl Carcass<'_> {
             let [_, across] = lattice.blocks();
             let block = |k: usize| [(k / across) as u32, (k % across) as u32];
             let count = lattice.blocks()[0] * across;
-            let found = each_sheet!(sheet, cells => Search { cells, source: &source, lattice, chord }.run(count, block, job))?;
+            let found =
+                each_sheet!(sheet, cells => Search { cells, source: &source, lattice, chord }.run(count, block, job))?;
             gathered.add(k, found, &lattice, false)?;
         }
         leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, job)?, between)

@@ -256,11 +256,7 @@ impl Carcass<'_> {
         /// What is sought on a sheet of any kind.
         macro_rules! sought {
             ($k:expr, $cells:expr) => {
-                Sought {
-                    normals: Normals { cells: $cells, frame, reach, sides: Sides::Apart },
-                    sheet: $k as u32,
-                    goal,
-                }
+                Sought { normals: Normals { cells: $cells, frame, reach, sides: Sides::Apart }, sheet: $k as u32, goal }
             };
         }
         for k in 0..self.len() {
@@ -296,7 +292,14 @@ impl Carcass<'_> {
             let seen = frame.map(|axis| normal.dot(axis));
             let found = Goal { angle: 0.0, unsigned }.deviation(seen);
             let deviation = goal.deviation(seen);
-            NearestAngle { place, point, normal, angle: found, deviation, bound: bound.min(deviation).min(best.deviation) }
+            NearestAngle {
+                place,
+                point,
+                normal,
+                angle: found,
+                deviation,
+                bound: bound.min(deviation).min(best.deviation),
+            }
         }))
     }
 }

@@ -1,6 +1,7 @@
 //! Strands of all sheets as paths: joined across sheets, with points and normals.
 
 use super::chain::{Strand, Strands};
+use super::lattice;
 use crate::alloc;
 use crate::carcass::{Carcass, Paths, Place};
 use crate::error::{Error, Result};
@@ -60,9 +61,7 @@ impl All {
         let mut taken = alloc::filled(false, heads.len())?;
         for k in open() {
             let (level, end) = (self.strands[k].level, tail(k));
-            let before = |&other: &usize| {
-                (self.strands[other].level, head(other).x) < (level, end.x - tolerance)
-            };
+            let before = |&other: &usize| (self.strands[other].level, head(other).x) < (level, end.x - tolerance);
             let from = heads.partition_point(before);
             let mut best: Option<(f64, usize)> = None;
             for (at, &other) in heads.iter().enumerate().skip(from) {
@@ -120,6 +119,17 @@ impl All {
         alloc::push(&mut paths.levels, self.strands[strands[0]].level)
     }
 
+    /// Ends that are on no open edge are unresolved: where fields jump, and nothing goes on.
+    fn report_inner(&self, carcass: &Carcass<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
+        for place in ends.map(|end| self.places[end]) {
+            let sheet = lattice(carcass.sheet(place.sheet as usize));
+            if !sheet.on_edge(place.cell, [place.u, place.v]) {
+                alloc::push(&mut paths.unresolved, place)?;
+            }
+        }
+        Ok(())
+    }
+
     fn push(&self, step: usize, paths: &mut Paths) -> Result<()> {
         alloc::push(&mut paths.places, self.places[step])?;
         alloc::push(&mut paths.points, self.points[step])?;
@@ -172,6 +182,10 @@ pub(super) fn paths(
         }
         let last = sequence[sequence.len() - 1];
         let closed = all.strands[first].closed || after[last] == Some(first);
+        if !closed {
+            let ends = [all.strands[first].steps[0], all.strands[last].steps[1] - 1];
+            all.report_inner(carcass, ends, &mut paths)?;
+        }
         all.add(&sequence, closed, tolerance, &mut paths)?;
     }
     Ok(paths)

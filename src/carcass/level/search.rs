@@ -134,7 +134,14 @@ impl<C, S> Search<'_, C, S> {
                 let noise = self.source.noise(&base);
                 let [low, high] = field.range();
                 // With rounding: where sides are alike only, a neighbour's may have marks that this cell's own have not.
-                if low > noise || high < -noise || (self.source.sides() != Sides::Alike && one_sign(&field)) {
+                if low > noise || high < -noise {
+                    continue;
+                }
+                if self.source.sides() != Sides::Alike && one_sign(&field) {
+                    if high - low <= noise {
+                        // All of the cell, as far as one can tell.
+                        alloc::push(&mut found.unresolved, (cell.map(|k| k as u32), DVec2::splat(0.5)))?;
+                    }
                     continue;
                 }
                 let (sides, corners) = match self.source.sides() {
