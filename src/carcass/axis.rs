@@ -26,6 +26,8 @@ pub(crate) struct Axis {
     /// Lines of nodes, the repeated one of a closed direction included.
     lines: usize,
     closed: bool,
+    /// Tangents are continuous.
+    smooth: bool,
     /// By the place of the interval among the nodes that it depends on.
     weights: Box<[Weights; TAPS - 1]>,
     lebesgue: f64,
@@ -39,7 +41,13 @@ impl Axis {
 
     /// `lines`: at least [`Axis::least_lines`]; of a closed direction the last one is the first one again.
     pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
-        let mut axis = Axis { lines, closed, weights: Box::new([[[0.0; TAPS]; 4]; TAPS - 1]), lebesgue: 1.0 };
+        let mut axis = Axis {
+            lines,
+            closed,
+            smooth: scheme == Scheme::SixTap,
+            weights: Box::new([[[0.0; TAPS]; 4]; TAPS - 1]),
+            lebesgue: 1.0,
+        };
         if closed {
             // All intervals are like those in the middle of a long row.
             let slopes = if lines > 5 { 5 } else { 3 };
@@ -64,6 +72,11 @@ impl Axis {
         self.closed
     }
 
+    /// True if the surface goes on with continuous tangents at both ends of interval `cell`.
+    pub(crate) fn is_smooth_around(&self, cell: usize) -> bool {
+        self.smooth && (self.closed || (cell > 0 && cell + 1 < self.cells()))
+    }
+
     /// The lines that interval `cell` depends on, and their weights; lines of weight 0 may repeat others.
     pub(crate) fn taps(&self, cell: usize) -> ([usize; TAPS], &Weights) {
         let mut lines = [0; TAPS];
@@ -79,6 +92,11 @@ impl Axis {
             *line = (first + k).min(self.lines - 1);
         }
         (lines, &self.weights[cell - first])
+    }
+
+    /// Which of the lines that interval `cell` depends on is the one where it begins.
+    pub(crate) fn place(&self, cell: usize) -> usize {
+        if self.closed { 2 } else { cell - cell.saturating_sub(2).min(self.lines.saturating_sub(TAPS)) }
     }
 
     /// All lines that a range of intervals depends on, each once.

@@ -20,8 +20,9 @@ mod sheet;
 mod solve;
 
 pub use axis::Scheme;
+pub use closest::{Closest, Minima, Region};
 pub use grid::{Grid, MAX_NODES, Nodes};
-pub use model::{Carcass, Closest, Place};
+pub use model::{Carcass, Place};
 pub use patch::{Jet, Patch};
 pub use patches::{MAX_DEGREE, Patches};
 pub use path::Paths;

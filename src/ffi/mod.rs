@@ -19,6 +19,7 @@
 //! | [`net_arrange`], [`net_join`] | nets arranged anew; nets joined and taken apart |
 //! | [`net_mesh`], [`net_scene`], [`net_stream`] | nets to meshes and back; nets in groups; nets as bytes |
 //! | [`sheet`], [`carcass`] | pieces of smooth surface; the handle of a surface with its index, places and curves on it |
+//! | [`carcass_closest`] | nearest points of surfaces, places of locally least distance, regions of cells |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -33,6 +34,7 @@
 pub mod assembly;
 pub mod boundary;
 pub mod carcass;
+pub mod carcass_closest;
 pub mod check;
 pub mod context;
 pub mod curve;
