@@ -190,6 +190,22 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
+ * gusset_surface_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
+ */
+#define GUSSET_SURFACE_POINT_FOUND 1
+
+/**
+ * gusset_surface_point: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
+ * would take too long, as it may next to a centre of curvature; bound is right nevertheless.
+ */
+#define GUSSET_SURFACE_POINT_PROVEN 2
+
+/**
+ * gusset_surface_point: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
+ */
+#define GUSSET_SURFACE_POINT_MANY 4
+
+/**
  * Every edge has exactly two faces.
  */
 #define GUSSET_MESH_CLOSED 1
@@ -1206,6 +1222,16 @@ typedef struct gusset_strip gusset_strip;
 typedef struct gusset_surface_paths gusset_surface_paths;
 
 /**
+ * Points of a surface. Opaque and immutable; it keeps nothing of the carcass.
+ */
+typedef struct gusset_surface_points gusset_surface_points;
+
+/**
+ * Cells of a surface. Opaque and immutable; it keeps nothing of the carcass.
+ */
+typedef struct gusset_surface_region gusset_surface_region;
+
+/**
  * A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
  */
 typedef struct gusset_weld gusset_weld;
@@ -1899,6 +1925,191 @@ typedef struct gusset_surface_paths_parts {
      */
     size_t unresolved_count;
 } gusset_surface_paths_parts;
+
+/**
+ * What is looked for.
+ */
+typedef struct gusset_closest_options {
+    /**
+     * sizeof(gusset_closest_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * No point farther than this is looked for, if limited is 1; at least 0.
+     */
+    double limit;
+    /**
+     * Of minima: as many of the nearest; 0: all.
+     */
+    size_t most;
+    /**
+     * 1: limit is read.
+     */
+    uint32_t limited;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_closest_options;
+
+/**
+ * A point of a surface that was found for a query.
+ */
+typedef struct gusset_surface_point {
+    /**
+     * Where it is on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal there, or its limit at a pole; 0 where there is none. The query is on its side if (query - point) . normal > 0.
+     */
+    double normal[3];
+    /**
+     * The distance from the query.
+     */
+    double distance;
+    /**
+     * No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
+     */
+    double bound;
+    /**
+     * GUSSET_SURFACE_POINT_...
+     */
+    uint32_t flags;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_point;
+
+/**
+ * What was found. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_points_parts {
+    /**
+     * sizeof(gusset_surface_points_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The points, the nearest first.
+     */
+    const struct gusset_surface_point *points;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * None is missing that is nearer than this.
+     */
+    double bound;
+    /**
+     * 1, or 0 if the search gave up at that distance, as it may where the distance is the same all over the surface.
+     */
+    uint32_t complete;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_points_parts;
+
+/**
+ * A cell of a region.
+ */
+typedef struct gusset_surface_cell {
+    /**
+     * The sheet.
+     */
+    uint32_t sheet;
+    /**
+     * The row of the cell.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+    /**
+     * 1 if all of the cell is within the radius.
+     */
+    uint32_t whole;
+} gusset_surface_cell;
+
+/**
+ * The cells. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_region_parts {
+    /**
+     * sizeof(gusset_surface_region_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The cells, rising by sheet, row, column.
+     */
+    const struct gusset_surface_cell *cells;
+    /**
+     * How many.
+     */
+    size_t cell_count;
+    /**
+     * A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet k, which has c columns, is
+     * b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
+     */
+    const uint64_t *mask;
+    /**
+     * How many words.
+     */
+    size_t word_count;
+    /**
+     * By sheet: its first bit; then the number of bits.
+     */
+    const uint64_t *first;
+    /**
+     * How many sheets.
+     */
+    size_t sheet_count;
+} gusset_surface_region_parts;
+
+/**
+ * What a carcass is.
+ */
+typedef struct gusset_carcass_facts {
+    /**
+     * sizeof(gusset_carcass_facts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many sheets.
+     */
+    size_t sheet_count;
+    /**
+     * How many cells, of all sheets.
+     */
+    size_t cell_count;
+    /**
+     * How many corners of cells: of sheets from nodes, the nodes.
+     */
+    size_t node_count;
+    /**
+     * Bytes of the index; the nodes are not counted.
+     */
+    size_t index_bytes;
+    /**
+     * The length to which answers are proved.
+     */
+    double tolerance;
+    /**
+     * A corner of a box round the surface: the least x, y, z.
+     */
+    double low[3];
+    /**
+     * The greatest.
+     */
+    double high[3];
+} gusset_carcass_facts;
 
 /**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
@@ -5122,6 +5333,96 @@ gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths
  * Frees curves; NULL is allowed.
  */
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
+
+/**
+ * The nearest points of a surface to queries, one or many.
+ *
+ * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit. points: room for
+ * count answers, in the order of the queries; cleared first. Each answer is the same to the bit whether it is asked for alone or among
+ * others, in any order, on any number of threads; of several nearest points it is that of the first sheet, row and column. What is proved is
+ * relative to the surface as declared: no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRIDE, SIZE_OVERFLOW,
+ * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED; nothing is found after an error.
+ * O(log nodes) a query but for queries near centres of curvature, which take bounded work; threads. Source: Leus, "Carcasses on
+ * smooth surfaces", task a, by branch and bound.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_closest(const struct gusset_context *context,
+                                     const struct gusset_carcass *carcass,
+                                     const double *queries,
+                                     size_t count,
+                                     size_t stride,
+                                     const struct gusset_closest_options *options,
+                                     struct gusset_surface_point *points);
+
+/**
+ * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
+ *
+ * query: x, y, z. options: NULL for the defaults: all. points: receives the result, the nearest first, for gusset_surface_points_destroy;
+ * NULL on failure. None is missed: where it cannot be proved whether there is one (the distance is the same all round, as at a
+ * focus), one point is given for all cells that touch, without GUSSET_SURFACE_POINT_PROVEN and with GUSSET_SURFACE_POINT_MANY. On open
+ * borders and creases, places count from which no way on the surface leads nearer. Errors: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
+ * (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(cells within the limit); with most, those no farther than the last.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_minima(const struct gusset_context *context,
+                                    const struct gusset_carcass *carcass,
+                                    const double *query,
+                                    const struct gusset_closest_options *options,
+                                    struct gusset_surface_points **points);
+
+/**
+ * The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_points_view(const struct gusset_surface_points *points,
+                                         struct gusset_surface_points_parts *parts);
+
+/**
+ * Frees points; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
+
+/**
+ * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
+ *
+ * query: x, y, z; radius: at least 0. region: receives all cells that have such a point, and no others but such as come within the
+ * tolerance of the radius or could not be decided in bounded work; for gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * NOT_FINITE, OUT_OF_RANGE (radius), OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_region(const struct gusset_context *context,
+                                    const struct gusset_carcass *carcass,
+                                    const double *query,
+                                    double radius,
+                                    struct gusset_surface_region **region);
+
+/**
+ * The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_region_view(const struct gusset_surface_region *region,
+                                         struct gusset_surface_region_parts *parts);
+
+/**
+ * Frees a region; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
+
+/**
+ * What a carcass is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(sheets). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_info(const struct gusset_carcass *carcass,
+                                  struct gusset_carcass_facts *facts);
 
 /**
  * Checks a mesh. What it finds is no error.

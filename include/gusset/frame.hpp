@@ -95,6 +95,7 @@ public:
         });
         return Outline(created);
     }
+    const gusset_frame *get() const noexcept { return frame_.get(); }
 
 private:
     struct Destroy {

@@ -24,6 +24,7 @@
 //! | [`carcass_leus`] | the paper's search, the documented reference |
 //! | [`carcass_meet`] | where two surfaces meet |
 //! | [`carcass_level`] | sections, contours and isophotes of surfaces |
+//! | [`carcass_closest`] | nearest points of surfaces, places of locally least distance, regions of cells |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -44,6 +45,7 @@ pub mod carcass_line;
 pub mod carcass_leus;
 pub mod carcass_meet;
 pub mod carcass_level;
+pub mod carcass_closest;
 pub mod check;
 pub mod context;
 pub mod curve;

@@ -1,0 +1,263 @@
+// Smooth surfaces that answer: nearest points, lines, sections, silhouettes, intersections. Include gusset.hpp, not this.
+#ifndef GUSSET_CARCASS_HPP
+#define GUSSET_CARCASS_HPP
+
+#include <gusset/sheet.hpp>
+#include <gusset/surface_hits.hpp>
+#include <gusset/surface_points.hpp>
+
+#include <initializer_list>
+
+namespace gusset {
+
+/// What is between the points where a curve crosses the lines of the carcass; see gusset_level_options.
+class Between {
+public:
+    /// Points that keep chords within 1e-4 of the diagonal of the surface's box.
+    Between() = default;
+    /// Points that keep chords within a length.
+    static Between chord(double length) { return {GUSSET_BETWEEN_CHORD, length, 0}; }
+    static Between nothing() { return {GUSSET_BETWEEN_NOTHING, 0.0, 0}; }
+    /// So many points of the paper's cubics.
+    static Between leus(uint32_t points) { return {GUSSET_BETWEEN_LEUS, 0.0, points}; }
+
+    gusset_level_options as_c(bool unsigned_normals = false) const {
+        gusset_level_options given{};
+        given.struct_size = sizeof given;
+        given.chord = chord_;
+        given.between = kind_;
+        given.points = points_;
+        given.unsigned_normals = unsigned_normals ? 1 : 0;
+        return given;
+    }
+
+private:
+    Between(gusset_between kind, double chord, uint32_t points) : kind_(kind), chord_(chord), points_(points) {}
+    gusset_between kind_ = GUSSET_BETWEEN_AUTO;
+    double chord_ = 0.0;
+    uint32_t points_ = 0;
+};
+
+/// Whether a normal and its opposite are the same.
+enum class NormalSide : uint32_t { one = 0, both = 1 };
+
+/// How intersections are wanted; see gusset_intersect_options.
+struct IntersectOptions {
+    /// The greatest distance from chords; 0: 1e-4 of the diagonal of the smaller surface's box; infinite: only where sides are crossed.
+    double chord = 0.0;
+    /// Branches that are shorter may be lost; 0: the smaller tolerance of the two.
+    double tolerance = 0.0;
+};
+
+/// A cell of one surface and one of another; see gusset_cell_pair.
+using CellPair = gusset_cell_pair;
+/// What there is to know of a point of a surface; see gusset_surface_point.
+using SurfacePoint = gusset_surface_point;
+
+/// Pairs of cells that may meet. Spans live as long as this.
+class CellPairs {
+public:
+    explicit CellPairs(gusset_cell_pairs *owned) : pairs_(owned) {}
+    std::size_t size() const { return parts().count; }
+    Span<const CellPair> pairs() const {
+        const gusset_cell_pairs_parts all = parts();
+        return {all.pairs, all.count};
+    }
+
+private:
+    struct Destroy {
+        void operator()(gusset_cell_pairs *pairs) const noexcept { gusset_cell_pairs_destroy(pairs); }
+    };
+    gusset_cell_pairs_parts parts() const { return detail::lent(gusset_cell_pairs_view, pairs_.get()); }
+    std::unique_ptr<gusset_cell_pairs, Destroy> pairs_;
+};
+
+/// A smooth surface of one or more sheets with an index. Immutable: it may be asked from many threads at the same time. It keeps what it
+/// needs of its sheets.
+class Carcass {
+public:
+    explicit Carcass(gusset_carcass *owned) : carcass_(owned) {}
+    /// tolerance: a length, to which answers are proved; 0: 1e-9 of the diagonal of the surface's box.
+    explicit Carcass(Span<const Sheet> sheets, double tolerance = 0.0, const Context &context = Context()) {
+        std::vector<const gusset_sheet *> handles;
+        for (const Sheet &sheet : sheets) {
+            handles.push_back(sheet.get());
+        }
+        gusset_carcass_options given{};
+        given.struct_size = sizeof given;
+        given.tolerance = tolerance;
+        gusset_carcass *created = nullptr;
+        context.call([&](gusset_context *c) {
+            return gusset_carcass_create(c, handles.data(), handles.size(), &given, &created);
+        });
+        carcass_.reset(created);
+    }
+    explicit Carcass(const Sheet &sheet, double tolerance = 0.0, const Context &context = Context())
+        : Carcass(Span<const Sheet>(&sheet, 1), tolerance, context) {}
+
+    const gusset_carcass *get() const noexcept { return carcass_.get(); }
+    /// How large it is, and its box.
+    gusset_carcass_facts info() const { return detail::lent(gusset_carcass_info, get()); }
+
+    /// The nearest point to each query.
+    std::vector<Closest> closest(Span<const Point3> queries, const ClosestOptions &options = {},
+                                 const Context &context = Context()) const {
+        std::vector<Closest> out(queries.size());
+        const gusset_closest_options given = detail::as_c(options);
+        context.call([&](gusset_context *c) {
+            return gusset_carcass_closest(c, get(), detail::numbers(queries.data()), queries.size(), 0, &given, out.data());
+        });
+        return out;
+    }
+    Closest closest(const Point3 &query, const ClosestOptions &options = {}, const Context &context = Context()) const {
+        return closest(Span<const Point3>(&query, 1), options, context)[0];
+    }
+    /// The places where the distance from a query is locally least.
+    SurfacePoints minima(const Point3 &query, const ClosestOptions &options = {}, const Context &context = Context()) const {
+        const gusset_closest_options given = detail::as_c(options);
+        return found<SurfacePoints, gusset_surface_points>(context, [&](gusset_context *c, gusset_surface_points **out) {
+            return gusset_carcass_minima(c, get(), query.data(), &given, out);
+        });
+    }
+    /// The cells that have a point within a radius of a query.
+    SurfaceRegion region(const Point3 &query, double radius, const Context &context = Context()) const {
+        return found<SurfaceRegion, gusset_surface_region>(context, [&](gusset_context *c, gusset_surface_region **out) {
+            return gusset_carcass_region(c, get(), query.data(), radius, out);
+        });
+    }
+
+    /// Where lines, rays or segments meet the surface.
+    SurfaceHits lines(Span<const Line> lines, Which which = Which::all, const Context &context = Context()) const {
+        return found<SurfaceHits, gusset_surface_hits>(context, [&](gusset_context *c, gusset_surface_hits **out) {
+            return gusset_carcass_lines(c, get(), lines.data(), lines.size(), static_cast<gusset_which>(which), out);
+        });
+    }
+    SurfaceHits line(const Line &line, Which which = Which::all, const Context &context = Context()) const {
+        return lines({&line, 1}, which, context);
+    }
+    /// The first hit of each line; its kind is none where there is none.
+    std::vector<Hit> first_hits(Span<const Line> lines, const Context &context = Context()) const {
+        std::vector<Hit> out(lines.size());
+        context.call([&](gusset_context *c) {
+            return gusset_carcass_first_hits(c, get(), lines.data(), lines.size(), out.data());
+        });
+        return out;
+    }
+    /// Where a curve in space meets the surface.
+    SurfaceHits curve(const Curve &curve, Which which = Which::all, const Context &context = Context()) const {
+        return found<SurfaceHits, gusset_surface_hits>(context, [&](gusset_context *c, gusset_surface_hits **out) {
+            return gusset_carcass_curve(c, get(), curve.get(), static_cast<gusset_which>(which), out);
+        });
+    }
+
+    /// Where the plane through a point across a normal cuts the surface.
+    SurfacePaths section(const Point3 &point, const Point3 &normal, const Between &between = {},
+                         const Context &context = Context()) const {
+        const double here = 0.0;
+        return sections(point, normal, {&here, 1}, between, context);
+    }
+    /// Where parallel planes do, at distances from the point along the normal, which rise.
+    SurfacePaths sections(const Point3 &point, const Point3 &normal, Span<const double> offsets, const Between &between = {},
+                          const Context &context = Context()) const {
+        const gusset_level_options given = between.as_c();
+        return paths(context, [&](gusset_context *c, gusset_surface_paths **out) {
+            return gusset_carcass_section(c, get(), point.data(), normal.data(), offsets.data(), offsets.size(), &given, out);
+        });
+    }
+    /// The contours of values that are given at the corners of all cells.
+    SurfacePaths contours(Span<const double> values, Span<const double> levels, const Between &between = {},
+                          const Context &context = Context()) const {
+        const gusset_level_options given = between.as_c();
+        return paths(context, [&](gusset_context *c, gusset_surface_paths **out) {
+            return gusset_carcass_contours(c, get(), values.data(), values.size(), levels.data(), levels.size(), &given, out);
+        });
+    }
+    /// Where the normals make given angles, in radians and rising, with a direction.
+    SurfacePaths isophotes(const Point3 &direction, Span<const double> angles, NormalSide side = NormalSide::one,
+                           const Between &between = {}, const Context &context = Context()) const {
+        const gusset_level_options given = between.as_c(side == NormalSide::both);
+        return paths(context, [&](gusset_context *c, gusset_surface_paths **out) {
+            return gusset_carcass_isophotes(c, get(), direction.data(), angles.data(), angles.size(), &given, out);
+        });
+    }
+    /// The silhouettes of the surface seen along a direction.
+    SurfacePaths silhouette(const Point3 &direction, const Between &between = {}, const Context &context = Context()) const {
+        const double right = 1.57079632679489661923;
+        return isophotes(direction, {&right, 1}, NormalSide::one, between, context);
+    }
+    /// Where a normal's angle with a direction is nearest to one that is given.
+    gusset_nearest_angle nearest_angle(const Point3 &direction, double angle, NormalSide side = NormalSide::one,
+                                       const Context &context = Context()) const {
+        const gusset_level_options given = Between().as_c(side == NormalSide::both);
+        gusset_nearest_angle nearest{};
+        nearest.struct_size = sizeof nearest;
+        context.call([&](gusset_context *c) {
+            return gusset_carcass_nearest_angle(c, get(), direction.data(), angle, &given, &nearest);
+        });
+        return nearest;
+    }
+
+    /// The curves in which two surfaces meet, with places on both.
+    SurfacePaths intersect(const Carcass &other, const IntersectOptions &options = {},
+                           const Context &context = Context()) const {
+        gusset_intersect_options given{};
+        given.struct_size = sizeof given;
+        given.chord = options.chord;
+        given.tolerance = options.tolerance;
+        return paths(context, [&](gusset_context *c, gusset_surface_paths **out) {
+            return gusset_carcass_intersect(c, get(), other.get(), &given, out);
+        });
+    }
+    /// The pairs of cells of two surfaces that may be as near to each other as `within`.
+    CellPairs candidates(const Carcass &other, double within = 0.0, const Context &context = Context()) const {
+        return found<CellPairs, gusset_cell_pairs>(context, [&](gusset_context *c, gusset_cell_pairs **out) {
+            return gusset_carcass_candidates(c, get(), other.get(), within, out);
+        });
+    }
+
+    /// Points, derivatives, normals and curvatures at places.
+    std::vector<SurfacePoint> evaluate(Span<const SurfacePlace> places, const Context &context = Context()) const {
+        std::vector<SurfacePoint> out(places.size());
+        context.call([&](gusset_context *c) {
+            return gusset_carcass_evaluate(c, get(), places.data(), places.size(), out.data());
+        });
+        return out;
+    }
+    SurfacePoint evaluate(const SurfacePlace &place, const Context &context = Context()) const {
+        return evaluate(Span<const SurfacePlace>(&place, 1), context)[0];
+    }
+    /// The places of parameters u, v of a whole sheet: node (i, j) has u = i and v = j.
+    std::vector<SurfacePlace> locate(uint32_t sheet, Span<const std::array<double, 2>> parameters,
+                                     const Context &context = Context()) const {
+        std::vector<SurfacePlace> out(parameters.size());
+        const auto *numbers = reinterpret_cast<const double *>(parameters.data());
+        context.call([&](gusset_context *c) {
+            return gusset_carcass_locate(c, get(), sheet, numbers, parameters.size(), out.data());
+        });
+        return out;
+    }
+    SurfacePlace locate(uint32_t sheet, double u, double v, const Context &context = Context()) const {
+        const std::array<double, 2> parameters{u, v};
+        return locate(sheet, Span<const std::array<double, 2>>(&parameters, 1), context)[0];
+    }
+
+private:
+    struct Destroy {
+        void operator()(gusset_carcass *carcass) const noexcept { gusset_carcass_destroy(carcass); }
+    };
+    template <class Found, class Handle, class Function>
+    static Found found(const Context &context, Function &&function) {
+        Handle *created = nullptr;
+        context.call([&](gusset_context *c) { return function(c, &created); });
+        return Found(created);
+    }
+    template <class Function>
+    static SurfacePaths paths(const Context &context, Function &&function) {
+        return found<SurfacePaths, gusset_surface_paths>(context, function);
+    }
+    std::unique_ptr<gusset_carcass, Destroy> carcass_;
+};
+
+} // namespace gusset
+
+#endif // GUSSET_CARCASS_HPP

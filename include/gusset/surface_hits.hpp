@@ -1,0 +1,94 @@
+// Lines, and where they meet surfaces. Include gusset.hpp, not this.
+#ifndef GUSSET_SURFACE_HITS_HPP
+#define GUSSET_SURFACE_HITS_HPP
+
+#include <gusset/surface_paths.hpp>
+
+#include <limits>
+
+namespace gusset {
+
+/// A line, ray or segment; see gusset_line.
+struct Line : gusset_line {
+    static Line line(const Point3 &origin, const Point3 &direction) {
+        const double infinity = std::numeric_limits<double>::infinity();
+        return {origin, direction, -infinity, infinity};
+    }
+    static Line ray(const Point3 &origin, const Point3 &direction) {
+        return {origin, direction, 0.0, std::numeric_limits<double>::infinity()};
+    }
+    /// t is 0 at the first point and 1 at the second.
+    static Line segment(const Point3 &from, const Point3 &to) {
+        return {from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]}, 0.0, 1.0};
+    }
+    Line(const Point3 &start, const Point3 &along, double least, double greatest) : gusset_line{} {
+        std::memcpy(origin, start.data(), sizeof origin);
+        std::memcpy(direction, along.data(), sizeof direction);
+        from = least;
+        to = greatest;
+    }
+};
+static_assert(sizeof(Line) == sizeof(gusset_line), "a line is what C takes");
+
+/// Which hits are wanted.
+enum class Which : uint32_t { all = GUSSET_WHICH_ALL, first = GUSSET_WHICH_FIRST, any = GUSSET_WHICH_ANY };
+/// What a hit is; see the constants.
+enum class HitKind : uint32_t {
+    none = GUSSET_HIT_NONE,
+    crossing = GUSSET_HIT_CROSSING,
+    touch = GUSSET_HIT_TOUCH,
+    inside = GUSSET_HIT_INSIDE
+};
+
+/// A point that a line or a curve and a surface have in common; see gusset_surface_hit.
+struct Hit : gusset_surface_hit {
+    HitKind what() const noexcept { return static_cast<HitKind>(kind); }
+    /// There is one.
+    bool is_found() const noexcept { return kind != GUSSET_HIT_NONE; }
+};
+static_assert(sizeof(Hit) == sizeof(gusset_surface_hit), "nothing added");
+
+/// The hits of lines, or of a curve: a range with the hits of each. It keeps nothing of the surface; spans live as long as this.
+class SurfaceHits {
+public:
+    using value_type = Span<const Hit>;
+    using iterator = detail::Iterator<SurfaceHits>;
+
+    explicit SurfaceHits(gusset_surface_hits *owned) : hits_(owned) {}
+
+    /// How many lines were asked for; 1 for a curve.
+    std::size_t size() const { return parts().line_count; }
+    /// Of line `i`, by rising t; throws std::out_of_range.
+    Span<const Hit> operator[](std::size_t i) const {
+        const gusset_surface_hits_parts all = parts();
+        if (i >= all.line_count) {
+            throw std::out_of_range("gusset: no such line");
+        }
+        const auto from = static_cast<std::size_t>(all.ends[i]);
+        return {static_cast<const Hit *>(all.hits) + from, static_cast<std::size_t>(all.ends[i + 1]) - from};
+    }
+    iterator begin() const { return {this, 0}; }
+    iterator end() const { return {this, size()}; }
+
+    /// Of all lines, one line after the other.
+    Span<const Hit> hits() const {
+        const gusset_surface_hits_parts all = parts();
+        return {static_cast<const Hit *>(all.hits), all.hit_count};
+    }
+    /// Of a curve, three places on it for each hit: its own, and where its span begins and ends.
+    Span<const Place> on_curve() const {
+        const gusset_surface_hits_parts all = parts();
+        return {all.on_curve, all.on_curve != nullptr ? 3 * all.hit_count : 0};
+    }
+
+private:
+    struct Destroy {
+        void operator()(gusset_surface_hits *hits) const noexcept { gusset_surface_hits_destroy(hits); }
+    };
+    gusset_surface_hits_parts parts() const { return detail::lent(gusset_surface_hits_view, hits_.get()); }
+    std::unique_ptr<gusset_surface_hits, Destroy> hits_;
+};
+
+} // namespace gusset
+
+#endif // GUSSET_SURFACE_HITS_HPP
