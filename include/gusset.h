@@ -190,18 +190,43 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
- * gusset_surface_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
+ * There is no normal: the tangents are 0, or parallel all along the lines to the point.
+ */
+#define GUSSET_NORMAL_NONE 0
+
+/**
+ * The normal of the plane that the tangents span.
+ */
+#define GUSSET_NORMAL_REGULAR 1
+
+/**
+ * The limit along the coordinate line, where the tangents do not span a plane: at poles.
+ */
+#define GUSSET_NORMAL_LIMIT 2
+
+/**
+ * gusset_sheet_curve: u stays and v runs: along rows.
+ */
+#define GUSSET_ALONG_ROWS 0
+
+/**
+ * gusset_sheet_curve: v stays and u runs: along columns.
+ */
+#define GUSSET_ALONG_COLUMNS 1
+
+/**
+ * gusset_surface_closest: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
  */
 #define GUSSET_SURFACE_POINT_FOUND 1
 
 /**
- * gusset_surface_point: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
+ * gusset_surface_closest: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
  * would take too long, as it may next to a centre of curvature; bound is right nevertheless.
  */
 #define GUSSET_SURFACE_POINT_PROVEN 2
 
 /**
- * gusset_surface_point: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
+ * gusset_surface_closest: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
  */
 #define GUSSET_SURFACE_POINT_MANY 4
 
@@ -632,6 +657,16 @@
 #define GUSSET_FIT_DEGREE_TOO_HIGH 6
 
 /**
+ * The surface through the nodes of a frame.
+ */
+#define GUSSET_FRAME_NODES 0
+
+/**
+ * Gordon's surface of the curves of a frame, which contains them.
+ */
+#define GUSSET_FRAME_CURVES 1
+
+/**
  * The strip of triangles of least area through the first meridian.
  */
 #define GUSSET_MERIDIANS_MIN_AREA 0
@@ -1057,6 +1092,14 @@ enum gusset_status
      */
     GUSSET_ERROR_GLUED_INSIDE = 1321,
     /**
+     * Knots of a spline: their number does not fit, or one is out of order or repeated too often.
+     */
+    GUSSET_ERROR_BAD_KNOTS = 1410,
+    /**
+     * Curves of a net do not meet, or not in the order given.
+     */
+    GUSSET_ERROR_CURVES_APART = 1411,
+    /**
      * Memory could not be had.
      */
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
@@ -1092,6 +1135,11 @@ typedef struct gusset_boundary gusset_boundary;
  * and may be asked from many threads at the same time.
  */
 typedef struct gusset_carcass gusset_carcass;
+
+/**
+ * Pairs of cells. Opaque and immutable.
+ */
+typedef struct gusset_cell_pairs gusset_cell_pairs;
 
 /**
  * What a check found. Opaque and immutable; it keeps nothing of the mesh.
@@ -1197,6 +1245,11 @@ typedef struct gusset_sections gusset_sections;
 typedef struct gusset_sheet gusset_sheet;
 
 /**
+ * The mesh of a sheet. Opaque and immutable; it keeps nothing of the sheet.
+ */
+typedef struct gusset_sheet_mesh gusset_sheet_mesh;
+
+/**
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
  */
 typedef struct gusset_stitch gusset_stitch;
@@ -1215,6 +1268,11 @@ typedef struct gusset_stream_decoder gusset_stream_decoder;
  * A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_strip gusset_strip;
+
+/**
+ * Where lines or a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
+ */
+typedef struct gusset_surface_hits gusset_surface_hits;
 
 /**
  * Curves on a surface: what sections, contours and intersections give. Opaque and immutable.
@@ -1927,6 +1985,451 @@ typedef struct gusset_surface_paths_parts {
 } gusset_surface_paths_parts;
 
 /**
+ * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
+ */
+typedef struct gusset_surface_point {
+    /**
+     * The point.
+     */
+    double point[3];
+    /**
+     * S_u.
+     */
+    double u[3];
+    /**
+     * S_v.
+     */
+    double v[3];
+    /**
+     * S_uu.
+     */
+    double uu[3];
+    /**
+     * S_uv.
+     */
+    double uv[3];
+    /**
+     * S_vv.
+     */
+    double vv[3];
+    /**
+     * The unit normal, to the side of S_u x S_v; 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
+     * tip of a cone, which has no normal.
+     */
+    double spread;
+    /**
+     * The principal curvatures, the greater first: positive where the surface bends towards the normal.
+     */
+    double principal[2];
+    /**
+     * Their directions: two unit tangents, x, y, z each.
+     */
+    double directions[6];
+    /**
+     * The mean curvature.
+     */
+    double mean;
+    /**
+     * The Gaussian curvature.
+     */
+    double gaussian;
+    /**
+     * GUSSET_NORMAL_...
+     */
+    uint32_t normal_kind;
+    /**
+     * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
+     */
+    uint32_t is_curved;
+} gusset_surface_point;
+
+/**
+ * How the surface is drawn through nodes.
+ */
+typedef uint32_t gusset_scheme;
+
+/**
+ * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+ */
+typedef struct gusset_line {
+    /**
+     * x, y, z of the point where t is 0; finite.
+     */
+    double origin[3];
+    /**
+     * x, y, z of the direction; finite and not 0, of any length. t counts lengths of it.
+     */
+    double direction[3];
+    /**
+     * The least t: -INFINITY for lines, 0 for rays and segments.
+     */
+    double from;
+    /**
+     * The greatest t: INFINITY for lines and rays; not below `from`.
+     */
+    double to;
+} gusset_line;
+
+/**
+ * Which hits are wanted.
+ */
+typedef uint32_t gusset_which;
+
+/**
+ * What a hit is.
+ */
+typedef uint32_t gusset_hit;
+
+/**
+ * A point that a line or a curve and a surface have in common.
+ */
+typedef struct gusset_surface_hit {
+    /**
+     * Where on the line; of a curve the number of the segment and the parameter on it, added.
+     */
+    double t;
+    /**
+     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
+     */
+    double span[2];
+    /**
+     * Where on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z of the point of the surface.
+     */
+    double point[3];
+    /**
+     * x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * GUSSET_HIT_...
+     */
+    gusset_hit kind;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_hit;
+
+/**
+ * A place on a curve.
+ */
+typedef struct gusset_place {
+    /**
+     * Counted from 0.
+     */
+    uint32_t segment;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The parameter: 0 at the segment's first control point, 1 at its last.
+     */
+    double t;
+} gusset_place;
+
+/**
+ * The hits. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_hits_parts {
+    /**
+     * sizeof(gusset_surface_hits_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many lines were asked for; 1 for a curve.
+     */
+    size_t line_count;
+    /**
+     * How many hits there are in all.
+     */
+    size_t hit_count;
+    /**
+     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
+     */
+    const uint64_t *ends;
+    /**
+     * The hits, those of a line by rising t.
+     */
+    const struct gusset_surface_hit *hits;
+    /**
+     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
+     */
+    const struct gusset_place *on_curve;
+} gusset_surface_hits_parts;
+
+/**
+ * What a cell region is like.
+ */
+typedef struct gusset_region_report {
+    /**
+     * sizeof(gusset_region_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells it has.
+     */
+    uint64_t cells;
+    /**
+     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region is
+     * in several parts.
+     */
+    uint64_t integer_diameter;
+    /**
+     * Vertices less edges plus cells: 1 for a region in one part without holes.
+     */
+    int64_t euler;
+    /**
+     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells; infinite if
+     * the region is in several parts.
+     */
+    double diameter;
+} gusset_region_report;
+
+/**
+ * What distances are measured from, or angles.
+ */
+typedef uint32_t gusset_mask_object;
+
+/**
+ * What the paper's search looks for, and how.
+ */
+typedef struct gusset_mask_task {
+    /**
+     * sizeof(gusset_mask_task), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MASK_...
+     */
+    gusset_mask_object object;
+    /**
+     * 0: cells that may have something within `within`. 1: cells that may have the nearest.
+     */
+    uint32_t least;
+    /**
+     * A point of the object; not read for angles.
+     */
+    double point[3];
+    /**
+     * Its direction, of any length but 0; not read for points.
+     */
+    double direction[3];
+    /**
+     * A distance, 0 or more, in the unit of the nodes, for angles in radians; not read for the nearest.
+     */
+    double within;
+    /**
+     * Of GUSSET_MASK_ANGLE: the angle, 0 to pi.
+     */
+    double angle;
+    /**
+     * Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see gusset_sheet_curvature_bound;
+     * 0: cones of normals instead, which are tighter.
+     */
+    double curvature;
+    /**
+     * Of GUSSET_MASK_ANGLE: 1 if normals of the other side will do as well.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
+     */
+    uint32_t by_rings;
+    /**
+     * 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
+     */
+    uint32_t by_rows;
+    /**
+     * 1: lines of nodes that a block covers from side to side are not left out at once.
+     */
+    uint32_t keep_lines;
+} gusset_mask_task;
+
+/**
+ * What the search did.
+ */
+typedef struct gusset_mask_report {
+    /**
+     * sizeof(gusset_mask_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells are left.
+     */
+    uint64_t cells;
+    /**
+     * How many nodes were looked at.
+     */
+    uint64_t evaluations;
+    /**
+     * How many blocks of cells were excluded.
+     */
+    uint64_t blocks;
+    /**
+     * How many lines of cells were left out at once.
+     */
+    uint64_t dropped;
+    /**
+     * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
+     */
+    double least;
+    /**
+     * The row of that node.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+} gusset_mask_report;
+
+/**
+ * How intersections are wanted.
+ */
+typedef struct gusset_intersect_options {
+    /**
+     * sizeof(gusset_intersect_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
+     * INFINITY: points are only where it crosses sides of cells of either surface.
+     */
+    double chord;
+    /**
+     * A length: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0: the
+     * smaller one of the tolerances of the two carcasses.
+     */
+    double tolerance;
+} gusset_intersect_options;
+
+/**
+ * A cell of one surface and a cell of another.
+ */
+typedef struct gusset_cell_pair {
+    /**
+     * The sheet of the first surface.
+     */
+    uint32_t sheet_a;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_a;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_a;
+    /**
+     * The sheet of the second surface.
+     */
+    uint32_t sheet_b;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_b;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_b;
+} gusset_cell_pair;
+
+/**
+ * The pairs. The pointer is valid until the handle is destroyed.
+ */
+typedef struct gusset_cell_pairs_parts {
+    /**
+     * sizeof(gusset_cell_pairs_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The pairs, by sheets, then by the first surface's cells.
+     */
+    const struct gusset_cell_pair *pairs;
+    /**
+     * How many.
+     */
+    size_t count;
+} gusset_cell_pairs_parts;
+
+/**
+ * What is between the points where a curve crosses the lines of the carcass.
+ */
+typedef uint32_t gusset_between;
+
+/**
+ * How curves of a surface are given.
+ */
+typedef struct gusset_level_options {
+    /**
+     * sizeof(gusset_level_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * With GUSSET_BETWEEN_CHORD: a length above 0; no smaller one counts than the tolerance of the carcass. Otherwise not read.
+     */
+    double chord;
+    /**
+     * GUSSET_BETWEEN_...
+     */
+    gusset_between between;
+    /**
+     * With GUSSET_BETWEEN_LEUS: how many, at most 1000. Otherwise not read.
+     */
+    uint32_t points;
+    /**
+     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_level_options;
+
+/**
+ * Where the angle of a normal is nearest to the one asked for.
+ */
+typedef struct gusset_nearest_angle {
+    /**
+     * sizeof(gusset_nearest_angle), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Where it is.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal.
+     */
+    double normal[3];
+    /**
+     * Its angle with the direction, in radians.
+     */
+    double angle;
+    /**
+     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+     */
+    double deviation;
+    /**
+     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+     */
+    double bound;
+} gusset_nearest_angle;
+
+/**
  * What is looked for.
  */
 typedef struct gusset_closest_options {
@@ -1955,7 +2458,7 @@ typedef struct gusset_closest_options {
 /**
  * A point of a surface that was found for a query.
  */
-typedef struct gusset_surface_point {
+typedef struct gusset_surface_closest {
     /**
      * Where it is on the surface.
      */
@@ -1984,7 +2487,7 @@ typedef struct gusset_surface_point {
      * 0.
      */
     uint32_t reserved;
-} gusset_surface_point;
+} gusset_surface_closest;
 
 /**
  * What was found. Pointers are valid until the handle is destroyed.
@@ -1997,7 +2500,7 @@ typedef struct gusset_surface_points_parts {
     /**
      * The points, the nearest first.
      */
-    const struct gusset_surface_point *points;
+    const struct gusset_surface_closest *points;
     /**
      * How many.
      */
@@ -2273,24 +2776,6 @@ typedef struct gusset_curve_parts {
      */
     uint32_t reserved;
 } gusset_curve_parts;
-
-/**
- * A place on a curve.
- */
-typedef struct gusset_place {
-    /**
-     * Counted from 0.
-     */
-    uint32_t segment;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * The parameter: 0 at the segment's first control point, 1 at its last.
-     */
-    double t;
-} gusset_place;
 
 /**
  * The nearest point of a curve.
@@ -4176,11 +4661,6 @@ typedef struct gusset_sections_parts {
 } gusset_sections_parts;
 
 /**
- * How the surface is drawn through nodes.
- */
-typedef uint32_t gusset_scheme;
-
-/**
  * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride bytes, one after the other.
  */
 typedef struct gusset_nodes {
@@ -4225,6 +4705,243 @@ typedef struct gusset_nodes {
      */
     uint32_t closed_v;
 } gusset_nodes;
+
+/**
+ * What a sheet is.
+ */
+typedef struct gusset_sheet_parts {
+    /**
+     * sizeof(gusset_sheet_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Cells in u: u runs from 0 to this.
+     */
+    size_t rows;
+    /**
+     * Cells in v.
+     */
+    size_t columns;
+    /**
+     * The degree of the patches in both directions as they are kept: 3 or 7.
+     */
+    uint32_t degree;
+    /**
+     * 1: the nodes are kept and patches are made when they are needed; 0: the patches are kept.
+     */
+    uint32_t is_grid;
+    /**
+     * 1: closed in u.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: closed in v.
+     */
+    uint32_t closed_v;
+    /**
+     * 1: the side u = 0 is one point, a pole.
+     */
+    uint32_t pole_u0;
+    /**
+     * 1: the side u = rows is.
+     */
+    uint32_t pole_u1;
+    /**
+     * 1: the side v = 0 is.
+     */
+    uint32_t pole_v0;
+    /**
+     * 1: the side v = columns is.
+     */
+    uint32_t pole_v1;
+} gusset_sheet_parts;
+
+/**
+ * How the mixed derivatives S_uv at nodes are found, which tangents leave open.
+ */
+typedef uint32_t gusset_twists;
+
+/**
+ * Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes: S_u is as long as the step from row to row.
+ */
+typedef struct gusset_tangents {
+    /**
+     * sizeof(gusset_tangents), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * S_u at each node: x, y, z; towards the next row.
+     */
+    const double *u;
+    /**
+     * S_v at each node: towards the next column.
+     */
+    const double *v;
+    /**
+     * For GUSSET_TWISTS_GIVEN: S_uv at each node; else not read.
+     */
+    const double *twists;
+    /**
+     * GUSSET_TWISTS_...
+     */
+    gusset_twists twist;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_tangents;
+
+/**
+ * A tensor-product B-spline, not rational.
+ *
+ * Knots of an open direction: as many as control points and the degree and 1, not decreasing, finite, clamped or not; the surface is defined
+ * between knot degree and knot count. Of a closed one: one more than control points, one period; the control points are not repeated, and span k,
+ * from knot k to the next, is made by the control points k - degree to k, counted round. Inner knots may be repeated degree times.
+ */
+typedef struct gusset_spline {
+    /**
+     * sizeof(gusset_spline), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * x, y, z of the control points, row after row, packed: rows follow each other in u.
+     */
+    const double *points;
+    /**
+     * The number of rows of control points, more than degree_u.
+     */
+    size_t count_u;
+    /**
+     * The number of control points in a row, more than degree_v.
+     */
+    size_t count_v;
+    /**
+     * The knots of u.
+     */
+    const double *knots_u;
+    /**
+     * How many.
+     */
+    size_t knot_count_u;
+    /**
+     * The knots of v.
+     */
+    const double *knots_v;
+    /**
+     * How many.
+     */
+    size_t knot_count_v;
+    /**
+     * The degree in u, 1 to 7.
+     */
+    uint32_t degree_u;
+    /**
+     * The degree in v, 1 to 7.
+     */
+    uint32_t degree_v;
+    /**
+     * 1: closed in u.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: closed in v.
+     */
+    uint32_t closed_v;
+} gusset_spline;
+
+/**
+ * A net of curves: each row meets each column, in the order in which they are given; curves may run either way.
+ */
+typedef struct gusset_curve_net {
+    /**
+     * sizeof(gusset_curve_net), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Curves in v, which follow each other in u. Segments of degree 7 at most; a curve that is one point is a pole.
+     */
+    const struct gusset_curve *const *rows;
+    /**
+     * How many: 0, or at least 2, or 3 if closed_u.
+     */
+    size_t row_count;
+    /**
+     * Curves in u, which follow each other in v.
+     */
+    const struct gusset_curve *const *columns;
+    /**
+     * How many: 0, or at least 2, or 3 if closed_v. Without columns, or without rows, the surface is the skin of the others.
+     */
+    size_t column_count;
+    /**
+     * How far apart curves may be where they meet; both are moved to the middle. 0: 1e-6 of the diagonal of their box.
+     */
+    double tolerance;
+    /**
+     * 1: the columns are closed curves, and the last row is followed by the first.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: the rows are closed curves, and the last column is followed by the first.
+     */
+    uint32_t closed_v;
+} gusset_curve_net;
+
+/**
+ * How a sheet becomes a mesh. All zeros: quads, one a cell.
+ */
+typedef struct gusset_sheet_mesh_options {
+    /**
+     * sizeof(gusset_sheet_mesh_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How far triangles may be from the surface, a length more than 0; 0: no demand.
+     */
+    double tolerance;
+    /**
+     * The fewest parts of each cell in u; 0 stands for 1.
+     */
+    uint32_t least_u;
+    /**
+     * The fewest parts of each cell in v; 0 stands for 1.
+     */
+    uint32_t least_v;
+    /**
+     * 1: triangles only; 0: quads, and triangles at poles.
+     */
+    uint32_t triangles;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_sheet_mesh_options;
+
+/**
+ * What belongs to the mesh of a sheet. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_sheet_mesh_parts {
+    /**
+     * sizeof(gusset_sheet_mesh_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of vertices.
+     */
+    size_t vertex_count;
+    /**
+     * For each vertex its place; the sheet is 0.
+     */
+    const struct gusset_surface_place *places;
+    /**
+     * For each vertex the unit normal: x, y, z; 0 where there is none.
+     */
+    const double *normals;
+    /**
+     * A bound of the distance between the surface and the triangles, or either pair of triangles of quads.
+     */
+    double deviation;
+} gusset_sheet_mesh_parts;
 
 /**
  * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
@@ -4503,6 +5220,87 @@ typedef struct gusset_winged_view {
      */
     struct gusset_indices loop_offsets;
 } gusset_winged_view;
+
+/**
+ * All, in the order of the line.
+ */
+#define GUSSET_WHICH_ALL 0
+
+/**
+ * The first one.
+ */
+#define GUSSET_WHICH_FIRST 1
+
+/**
+ * Any one: whether there is one.
+ */
+#define GUSSET_WHICH_ANY 2
+
+/**
+ * None.
+ */
+#define GUSSET_HIT_NONE 0
+
+/**
+ * It passes through the surface: proved, but for poles, where the surface is not regular.
+ */
+#define GUSSET_HIT_CROSSING 1
+
+/**
+ * It touches the surface within the tolerance: one point, two close to each other, or none.
+ */
+#define GUSSET_HIT_TOUCH 2
+
+/**
+ * It runs in the surface, within the tolerance, all over the span.
+ */
+#define GUSSET_HIT_INSIDE 3
+
+/**
+ * The point.
+ */
+#define GUSSET_MASK_POINT 0
+
+/**
+ * The plane through the point, across the direction.
+ */
+#define GUSSET_MASK_PLANE 1
+
+/**
+ * The line through the point, along the direction.
+ */
+#define GUSSET_MASK_LINE 2
+
+/**
+ * The segment from the point to the point and the direction.
+ */
+#define GUSSET_MASK_SEGMENT 3
+
+/**
+ * Normals at an angle to the direction; distances are deviations from the angle, in radians.
+ */
+#define GUSSET_MASK_ANGLE 4
+
+/**
+ * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+ */
+#define GUSSET_BETWEEN_AUTO 0
+
+/**
+ * As many points of the surface as keep the chords within `chord`.
+ */
+#define GUSSET_BETWEEN_CHORD 1
+
+/**
+ * Nothing.
+ */
+#define GUSSET_BETWEEN_NOTHING 2
+
+/**
+ * `points` points of the paper's approximation: on the cubic through four crossings. They are near the surface, not on it, and have the
+ * place of the crossing before them. Order four where crossings are evenly spaced.
+ */
+#define GUSSET_BETWEEN_LEUS 3
 
 /**
  * Along rows, from column to column.
@@ -5083,6 +5881,26 @@ typedef struct gusset_winged_view {
 #define GUSSET_SCHEME_FOUR_POINT 1
 
 /**
+ * From differences of the tangents over five nodes: fourth order.
+ */
+#define GUSSET_TWISTS_DIFFERENCES 0
+
+/**
+ * Adini's: from the nodes next to each.
+ */
+#define GUSSET_TWISTS_ADINI 1
+
+/**
+ * None: flat spots at nodes.
+ */
+#define GUSSET_TWISTS_ZERO 2
+
+/**
+ * They are given.
+ */
+#define GUSSET_TWISTS_GIVEN 3
+
+/**
  * The report's index means nothing.
  */
 #define GUSSET_ELEMENT_NONE 0
@@ -5128,7 +5946,7 @@ typedef struct gusset_winged_view {
 #define GUSSET_ELEMENT_CONSTRAINT 8
 
 /**
- * One of the places on a curve that were given.
+ * One of the places on a curve or a surface that were given.
  */
 #define GUSSET_ELEMENT_PLACE 9
 
@@ -5181,6 +5999,16 @@ typedef struct gusset_winged_view {
  * A place along the side of a net; the value is a distance.
  */
 #define GUSSET_ELEMENT_SIDE_PLACE 20
+
+/**
+ * A knot of a spline, in u or in v as the message says.
+ */
+#define GUSSET_ELEMENT_KNOT 30
+
+/**
+ * A row of a net of curves; the message has the column, the value is how far they are apart.
+ */
+#define GUSSET_ELEMENT_ROW 31
 
 #ifdef __cplusplus
 extern "C" {
@@ -5335,6 +6163,400 @@ gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
 
 /**
+ * Points, derivatives, normals and curvatures at places.
+ *
+ * places: count of them. results: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
+ * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
+ * CANCELLED; nothing is written then. O(1) a place, at a pole O(cells round it); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_evaluate(const struct gusset_context *context,
+                                      const struct gusset_carcass *carcass,
+                                      const struct gusset_surface_place *places,
+                                      size_t count,
+                                      struct gusset_surface_point *results);
+
+/**
+ * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round; what is beyond an open side is on
+ * it. The other way the parameters of a place are row + u and column + v.
+ *
+ * parameters: u, v of each, packed. places: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first
+ * pair that is not finite, or if there is no such sheet; nothing is written then. O(1) each.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_locate(const struct gusset_context *context,
+                                    const struct gusset_carcass *carcass,
+                                    uint32_t sheet,
+                                    const double *parameters,
+                                    size_t count,
+                                    struct gusset_surface_place *places);
+
+/**
+ * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
+ *
+ * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one again.
+ * closed: 0 or 1. scheme: GUSSET_SCHEME_... curve: receives the result, for gusset_curve_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE,
+ * SIZE_OVERFLOW, OUT_OF_MEMORY. O(count). Source: Leus, "Carcasses on smooth surfaces": points are the carcass of a curve.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_through(const struct gusset_context *context,
+                                   const double *nodes,
+                                   size_t count,
+                                   uint32_t closed,
+                                   gusset_scheme scheme,
+                                   struct gusset_curve **curve);
+
+/**
+ * A coordinate curve of a sheet, exactly: a segment for each cell.
+ *
+ * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round. parameter:
+ * 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for gusset_curve_destroy; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter), OUT_OF_MEMORY. O(cells along the curve).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_curve(const struct gusset_context *context,
+                                 const struct gusset_sheet *sheet,
+                                 uint32_t along,
+                                 double parameter,
+                                 struct gusset_curve **curve);
+
+/**
+ * Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
+ *
+ * within: a length, 0 or more; below 1e-12 of the curves' size that is taken. places: receives the places on the first curve, those on the
+ * other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be told apart; undecided is 1 if
+ * something was given up that may be near enough. For gusset_places_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for each pair of segments
+ * whose boxes are near.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_approach(const struct gusset_context *context,
+                                    const struct gusset_curve *curve,
+                                    const struct gusset_curve *other,
+                                    double within,
+                                    struct gusset_places **places);
+
+/**
+ * Where a curve in space comes as near to a line, ray or segment as `within`.
+ *
+ * line: one. The others among the places have segment 0, and the line's own parameter as t. All else as for gusset_curve_approach; also
+ * OUT_OF_RANGE for a line that is not finite or has no direction.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_approach_line(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         const struct gusset_line *line,
+                                         double within,
+                                         struct gusset_places **places);
+
+/**
+ * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
+ *
+ * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line touches the
+ * surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none. which:
+ * GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
+ * threads. A carcass may be asked from many threads. Source: Leus, "Carcasses on smooth surfaces", task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_lines(const struct gusset_context *context,
+                                   const struct gusset_carcass *carcass,
+                                   const struct gusset_line *lines,
+                                   size_t count,
+                                   gusset_which which,
+                                   struct gusset_surface_hits **hits);
+
+/**
+ * The first hit of each of many lines, rays or segments: that of least t, which gusset_carcass_lines gives first.
+ *
+ * hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where there is none, and everywhere on failure.
+ * Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About O(log cells) a line; threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_first_hits(const struct gusset_context *context,
+                                        const struct gusset_carcass *carcass,
+                                        const struct gusset_line *lines,
+                                        size_t count,
+                                        struct gusset_surface_hit *hits);
+
+/**
+ * Where a curve in space meets a surface, in the order of the curve.
+ *
+ * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits: receives the
+ * result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ * EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve comes near to;
+ * bounded for each segment and cell that run in each other; threads. Source: Leus, task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_curve(const struct gusset_context *context,
+                                   const struct gusset_carcass *carcass,
+                                   const struct gusset_curve *curve,
+                                   gusset_which which,
+                                   struct gusset_surface_hits **hits);
+
+/**
+ * The hits, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_hits_view(const struct gusset_surface_hits *hits,
+                                       struct gusset_surface_hits_parts *parts);
+
+/**
+ * Frees hits; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
+
+/**
+ * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
+ *
+ * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the length of the shortest
+ * curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0; either may be NULL alone. written: receives
+ * the number of cells. greatest: receives the greatest of the first and of the second kind, the paper's d; may be NULL.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
+ * for any number of them. Source: Leus, eqs. (1) and (7); the bounds are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_diameters(const struct gusset_context *context,
+                                     const struct gusset_sheet *sheet,
+                                     double *euclidean,
+                                     double *intrinsic,
+                                     size_t capacity,
+                                     size_t *written,
+                                     double (*greatest)[2]);
+
+/**
+ * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
+ *
+ * bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * OUT_OF_MEMORY, CANCELLED. O(cells); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
+                                           const struct gusset_sheet *sheet,
+                                           double *bound);
+
+/**
+ * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
+ *
+ * words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells; NULL with
+ * count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the region, two numbers
+ * each. cells: receives row and column of each cell of the chain, from and to included; NULL with capacity 0 to ask for the size. capacity: how many cells
+ * it has room for. written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the distance
+ * between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the
+ * cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_chain(const struct gusset_context *context,
+                                 const struct gusset_sheet *sheet,
+                                 const uint64_t *words,
+                                 size_t count,
+                                 const uint32_t (*from)[2],
+                                 const uint32_t (*to)[2],
+                                 uint32_t (*cells)[2],
+                                 size_t capacity,
+                                 size_t *written);
+
+/**
+ * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
+ *
+ * words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for the worst O(cells^2),
+ * which can be cancelled. Source: Leus, eqs. (4) to (6).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_region(const struct gusset_context *context,
+                                  const struct gusset_sheet *sheet,
+                                  const uint64_t *words,
+                                  size_t count,
+                                  struct gusset_region_report *report);
+
+/**
+ * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or the nearest one, or
+ * a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a carcass (gusset_carcass_create)
+ * answers the same and more from its index, much faster.
+ *
+ * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the size and the report alone.
+ * capacity: how many words it has room for. written: receives the number of words. report: what was done; its struct_size set by the
+ * caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (object, flags), OUT_OF_RANGE (what is not
+ * finite, no direction, a negative distance, an angle outside 0 to pi), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds
+ * of cells, with threads; O(cells / 64) and the nodes looked at for the search. From any thread. Source: Leus; its errata are listed with the
+ * Rust module carcass::leus.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask(const struct gusset_context *context,
+                                const struct gusset_sheet *sheet,
+                                const struct gusset_mask_task *task,
+                                uint64_t *words,
+                                size_t capacity,
+                                size_t *written,
+                                struct gusset_mask_report *report);
+
+/**
+ * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners, cut the lines of
+ * the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the size of cells; the exact normals of the
+ * surface are had from a carcass.
+ *
+ * places: count places of the sheet, whose own number is not read; u and v 0 to 1. normals: receives x, y, z of each; 0 where there is
+ * none. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the cell, OUT_OF_RANGE (u, v), CANCELLED. Bounded work for each. From
+ * any thread. Source: Leus, fig. 1.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *context,
+                                               const struct gusset_sheet *sheet,
+                                               const struct gusset_surface_place *places,
+                                               size_t count,
+                                               double *normals);
+
+/**
+ * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
+ *
+ * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths: receives the
+ * curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at `others` are the same
+ * but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of a where the two
+ * touch, coincide, or meet in a single point are listed as unresolved, and curves may end there. Intersections of one surface with itself
+ * are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_RANGE (chord, tolerance), TOO_LARGE
+ * above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of cells that may meet, with a limit for each; threads; the
+ * same bits for any number of them. The carcasses may be in use by other threads. Source: Leus, "Carcasses on smooth surfaces", task e; the
+ * proofs are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_intersect(const struct gusset_context *context,
+                                       const struct gusset_carcass *a,
+                                       const struct gusset_carcass *b,
+                                       const struct gusset_intersect_options *options,
+                                       struct gusset_surface_paths **paths);
+
+/**
+ * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
+ *
+ * within: a length; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs, and
+ * some for each level of the indices; 24 bytes a pair. The carcasses may be in use by other threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_candidates(const struct gusset_context *context,
+                                        const struct gusset_carcass *a,
+                                        const struct gusset_carcass *b,
+                                        double within,
+                                        struct gusset_cell_pairs **pairs);
+
+/**
+ * The pairs, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_cell_pairs_view(const struct gusset_cell_pairs *pairs,
+                                     struct gusset_cell_pairs_parts *parts);
+
+/**
+ * Frees pairs of cells; NULL is allowed.
+ */
+GUSSET_API void gusset_cell_pairs_destroy(struct gusset_cell_pairs *pairs);
+
+/**
+ * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
+ * normal and the surface's.
+ *
+ * point: x, y, z of a point of the plane of offset 0. normal: x, y, z, not 0, of any length. offsets: count of them, rising, distances of the
+ * planes from the point along the normal. options: NULL for the defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL
+ * on failure. Every curve is found, also one within a cell, and on a closed surface all are closed; a corner on a plane counts as above it.
+ * Cells where a plane touches or contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no
+ * larger than the tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not
+ * finite, a normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About
+ * O(count + cells that are cut); threads. Source: Leus, "Carcasses on smooth surfaces", task d.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_section(const struct gusset_context *context,
+                                     const struct gusset_carcass *carcass,
+                                     const double *point,
+                                     const double *normal,
+                                     const double *offsets,
+                                     size_t count,
+                                     const struct gusset_level_options *options,
+                                     struct gusset_surface_paths **paths);
+
+/**
+ * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
+ * surface is; greater values are to the left, seen from where the normals point to.
+ *
+ * values: value_count of them, finite: of all sheets, one after the other, each row after row, one more row and column than there are cells;
+ * the last line of a closed direction repeats the first and is not used. levels: level_count of them, rising. Otherwise as
+ * gusset_carcass_section. Errors: as there; SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number of the
+ * value. O(values + cells that are crossed); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_contours(const struct gusset_context *context,
+                                      const struct gusset_carcass *carcass,
+                                      const double *values,
+                                      size_t value_count,
+                                      const double *levels,
+                                      size_t level_count,
+                                      const struct gusset_level_options *options,
+                                      struct gusset_surface_paths **paths);
+
+/**
+ * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
+ * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
+ *
+ * direction: x, y, z, not 0. angles: count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are unsigned. Otherwise as
+ * gusset_carcass_section. Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side between them;
+ * poles that may have the angle are listed as unresolved. Errors: as there. O(cells); threads. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_isophotes(const struct gusset_context *context,
+                                       const struct gusset_carcass *carcass,
+                                       const double *direction,
+                                       const double *angles,
+                                       size_t count,
+                                       const struct gusset_level_options *options,
+                                       struct gusset_surface_paths **paths);
+
+/**
+ * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
+ *
+ * direction: x, y, z, not 0. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL for the defaults; what is between
+ * crossings is not used. nearest: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells); threads. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_nearest_angle(const struct gusset_context *context,
+                                           const struct gusset_carcass *carcass,
+                                           const double *direction,
+                                           double angle,
+                                           const struct gusset_level_options *options,
+                                           struct gusset_nearest_angle *nearest);
+
+/**
  * The nearest points of a surface to queries, one or many.
  *
  * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit. points: room for
@@ -5353,7 +6575,7 @@ gusset_status gusset_carcass_closest(const struct gusset_context *context,
                                      size_t count,
                                      size_t stride,
                                      const struct gusset_closest_options *options,
-                                     struct gusset_surface_point *points);
+                                     struct gusset_surface_closest *points);
 
 /**
  * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
@@ -7303,6 +8525,164 @@ gusset_status gusset_sheet_borrow(const struct gusset_context *context,
  * Frees a sheet; NULL is allowed. What was made of it keeps what it needs.
  */
 GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
+
+/**
+ * Tells what a sheet is.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(cells at the
+ * sides). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_info(const struct gusset_sheet *sheet,
+                                struct gusset_sheet_parts *parts);
+
+/**
+ * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
+ *
+ * errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal parameters: C h^4 times the fourth
+ * derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if the patches were given. bilinear: a bound of how
+ * far the surface is from the bilinear patch through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL,
+ * and has room for `capacity` numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value is the number of cells), OUT_OF_MEMORY,
+ * CANCELLED; nothing is written then. O(cells); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_estimates(const struct gusset_context *context,
+                                     const struct gusset_sheet *sheet,
+                                     double *errors,
+                                     double *bilinear,
+                                     double *triangles,
+                                     size_t capacity);
+
+/**
+ * The largest angle between the normals on both sides of borders between cells, in radians: 0, or rounding, where the surface is smooth.
+ *
+ * crease: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(cells); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_crease(const struct gusset_context *context,
+                                  const struct gusset_sheet *sheet,
+                                  double *crease);
+
+/**
+ * Makes the bicubic Hermite surface through nodes with given tangents: C1.
+ *
+ * nodes: as for gusset_sheet_from_nodes; the scheme is not used. tangents: rows x columns vectors each; those of the repeated line of a closed direction
+ * are not read as tangents, but must be there. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: those of
+ * gusset_sheet_from_nodes, NOT_FINITE with the node for tangents and twists too, CANCELLED. O(nodes); 384 bytes a cell.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_tangents(const struct gusset_context *context,
+                                         const struct gusset_nodes *nodes,
+                                         const struct gusset_tangents *tangents,
+                                         struct gusset_sheet **sheet);
+
+/**
+ * Makes a surface of Bézier patches in rows and columns, neighbours of which should share their sides.
+ *
+ * points: x, y, z of the control points, packed: patch after patch, row after row of patches; in each patch degree_v + 1 points follow each other in
+ * v, degree_u + 1 times. degree_u, degree_v: 1 to 7. rows, columns: of patches, at least 1. Repeated points and sides that are one point are allowed.
+ * sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, OUT_OF_RANGE (degree), EMPTY_MESH without
+ * patches, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY. O(points); 384 bytes a patch up to degree 3, else
+ * 1536.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_patches(const struct gusset_context *context,
+                                        const double *points,
+                                        uint32_t degree_u,
+                                        uint32_t degree_v,
+                                        size_t rows,
+                                        size_t columns,
+                                        struct gusset_sheet **sheet);
+
+/**
+ * Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding: cells are its spans that are not empty, so that knots become
+ * the whole numbers of rows and columns.
+ *
+ * sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE
+ * (degree), NET_TOO_SMALL (too few control points), BAD_KNOTS with the first knot that is not finite, out of order or repeated too often,
+ * TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(spans x degree^3); 384 bytes a span up to degree 3,
+ * else 1536.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_spline(const struct gusset_context *context,
+                                       const struct gusset_spline *spline,
+                                       struct gusset_sheet **sheet);
+
+/**
+ * Makes Gordon's surface of a net of curves, which contains all of them; with two rows and two columns it is Coons's patch. Nodes are where
+ * each row and each column are nearest.
+ *
+ * Between two nodes rows of equally many segments are matched segment by segment; else all of them are cut where any one has a joint: there may be
+ * more cells than meshes of the net. The surface is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
+ * (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a smooth surface draw curves through their points first,
+ * with gusset_outline_create.
+ *
+ * net: the curves may be destroyed afterwards. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT (with
+ * the item), BAD_STRUCT_SIZE, UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED,
+ * CURVES_APART with the row and the distance (the message has the column too), or if they meet out of order, TOO_LARGE, OUT_OF_MEMORY,
+ * CANCELLED. O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up to degree 3, else 1536. Source: Gordon (1969).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_curves(const struct gusset_context *context,
+                                       const struct gusset_curve_net *net,
+                                       struct gusset_sheet **sheet);
+
+/**
+ * Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
+ *
+ * frame: may be destroyed afterwards. kind: GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES. sheet: receives the surface, for gusset_sheet_destroy; NULL on
+ * failure. Errors: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL; of curves OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or are
+ * out of order along a curve; NOT_FINITE, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_frame(const struct gusset_context *context,
+                                      const struct gusset_frame *frame,
+                                      uint32_t kind,
+                                      struct gusset_sheet **sheet);
+
+/**
+ * Makes a mesh of points of a sheet. Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit; seams of closed
+ * directions and poles are closed. Faces are counter-clockwise seen from where S_u x S_v points to. A mesh without faces is no failure.
+ *
+ * options: NULL for the defaults. mesh: receives the result, for gusset_sheet_mesh_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED. O(cells + vertices).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mesh_create(const struct gusset_context *context,
+                                       const struct gusset_sheet *sheet,
+                                       const struct gusset_sheet_mesh_options *options,
+                                       struct gusset_sheet_mesh **mesh);
+
+/**
+ * Destroys the mesh of a sheet; NULL is allowed.
+ */
+GUSSET_API void gusset_sheet_mesh_destroy(struct gusset_sheet_mesh *mesh);
+
+/**
+ * Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+ * thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mesh_view(const struct gusset_sheet_mesh *mesh,
+                                     struct gusset_mesh_view *view);
+
+/**
+ * Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_view.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mesh_info(const struct gusset_sheet_mesh *mesh,
+                                     struct gusset_sheet_mesh_parts *parts);
 
 /**
  * What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.

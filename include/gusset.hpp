@@ -9,6 +9,7 @@
 
 #include <gusset/assembly.hpp>
 #include <gusset/base.hpp>
+#include <gusset/carcass.hpp>
 #include <gusset/curve.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/frame.hpp>
@@ -19,7 +20,12 @@
 #include <gusset/outline.hpp>
 #include <gusset/repair.hpp>
 #include <gusset/scene.hpp>
+#include <gusset/sheet.hpp>
+#include <gusset/sheet_mesh.hpp>
 #include <gusset/stitch.hpp>
+#include <gusset/surface_hits.hpp>
+#include <gusset/surface_paths.hpp>
+#include <gusset/surface_points.hpp>
 
 namespace gusset {
 

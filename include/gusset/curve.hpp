@@ -106,6 +106,10 @@ enum class Sample : uint32_t {
     chord = GUSSET_SAMPLE_CHORD
 };
 
+/// How curves and surfaces are drawn through nodes; see the constants.
+enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
+
+struct Line;
 struct Bounds {
     Point3 low, high;
 };
@@ -129,6 +133,15 @@ public:
         return made(context, [&](gusset_context *c, gusset_curve **curve) {
             return gusset_curve_create(c, numbers, std::size(points), sizeof(Point) / 8, ends.data(), ends.size(), closed,
                                        curve);
+        });
+    }
+
+    /// Through points, as surfaces are drawn through their nodes. A closed curve ends with its first point again.
+    static Curve through(Span<const Point3> nodes, bool closed, Scheme scheme = Scheme::six_tap,
+                         const Context &context = Context()) {
+        return made(context, [&](gusset_context *c, gusset_curve **curve) {
+            return gusset_curve_through(c, detail::numbers(nodes.data()), nodes.size(), closed ? 1 : 0,
+                                        static_cast<gusset_scheme>(scheme), curve);
         });
     }
 
@@ -233,6 +246,14 @@ public:
             return gusset_curve_intersect(c, get(), nullptr, places);
         });
     }
+    /// Where two curves in space come as near to each other as `within`, and nearest.
+    Places approach(const Curve &other, double within, const Context &context = Context()) const {
+        return found(context, [&](gusset_context *c, gusset_places **places) {
+            return gusset_curve_approach(c, get(), other.get(), within, places);
+        });
+    }
+    /// The same with a line; the others are on its segment 0, with the line's own parameter.
+    Places approach(const Line &line, double within, const Context &context = Context()) const;
     /// `amount`: a count, a step of arc length, or a chord error.
     Places sample(Sample rule, double amount, const Context &context = Context()) const {
         return found(context, [&](gusset_context *c, gusset_places **places) {

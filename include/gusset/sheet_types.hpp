@@ -8,8 +8,6 @@
 
 namespace gusset {
 
-/// How a surface is drawn through nodes; see the constants.
-enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
 /// How mixed derivatives at nodes are found; see the constants.
 enum class Twists : uint32_t {
     differences = GUSSET_TWISTS_DIFFERENCES,

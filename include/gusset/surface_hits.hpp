@@ -89,6 +89,12 @@ private:
     std::unique_ptr<gusset_surface_hits, Destroy> hits_;
 };
 
+inline Places Curve::approach(const Line &line, double within, const Context &context) const {
+    return found(context, [&](gusset_context *c, gusset_places **places) {
+        return gusset_curve_approach_line(c, get(), &line, within, places);
+    });
+}
+
 } // namespace gusset
 
 #endif // GUSSET_SURFACE_HITS_HPP
