@@ -59,8 +59,8 @@ pub(super) struct Meeting {
     pub(super) distance: f64,
 }
 
-/// Finds where two curves are nearest, or one place where they are no farther apart than `noise`.
-pub(super) fn nearest<const N: usize>(strands: [&Strand<N>; 2], boxes: [&Boxes; 2], noise: f64) -> Result<Meeting> {
+/// Finds where two curves are nearest, or nowhere farther apart than there by more than `slack`; the first place that is good enough.
+pub(super) fn nearest<const N: usize>(strands: [&Strand<N>; 2], boxes: [&Boxes; 2], slack: f64) -> Result<Meeting> {
     let start = At { segment: 0, t: 0.0 };
     let mut best = Meeting { places: [start; 2], distance: f64::INFINITY };
     let top = boxes.map(|boxes| (boxes.levels.len() - 1, 0));
@@ -68,11 +68,11 @@ pub(super) fn nearest<const N: usize>(strands: [&Strand<N>; 2], boxes: [&Boxes; 
     alloc::push(&mut stack, (0.0, top))?;
     let mut left = PAIRS;
     while let Some((distance, [a, b])) = stack.pop() {
-        if distance >= best.distance || best.distance <= noise {
+        if distance >= best.distance - slack {
             continue;
         }
         if a.0 == 0 && b.0 == 0 {
-            Segments { strands, of: [a.1, b.1], noise }.search(&mut best, &mut left)?;
+            Segments { strands, of: [a.1, b.1], slack }.search(&mut best, &mut left)?;
             continue;
         }
         // The larger one is opened; the nearer child is taken first, being last.
@@ -97,7 +97,7 @@ pub(super) fn nearest<const N: usize>(strands: [&Strand<N>; 2], boxes: [&Boxes; 
 struct Segments<'a, const N: usize> {
     strands: [&'a Strand<N>; 2],
     of: [usize; 2],
-    noise: f64,
+    slack: f64,
 }
 
 /// Parts of both.
@@ -115,7 +115,7 @@ impl<const N: usize> Segments<'_, N> {
         alloc::push(&mut stack, Parts { points, from: [0.0; 2], size: [1.0; 2], depth: 0 })?;
         while let Some(parts) = stack.pop() {
             let [a, b] = [0, 1].map(|k| bounds(&parts.points[k]));
-            if gap(a, b) >= best.distance || best.distance <= self.noise {
+            if gap(a, b) >= best.distance - self.slack {
                 continue;
             }
             let found = descend(&points, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
