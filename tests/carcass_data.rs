@@ -84,7 +84,8 @@ fn the_hull_passes_every_point_of_its_stations() {
     assert_eq!(grids[1].poles(), [[false, true], [false, false]], "the stem's head is a point");
     // The same as skins of curves through the stations' points, each with as many as it has.
     let skin = |stations: &[Vec<DVec3>]| {
-        let curves: Vec<Curve> = stations.iter().filter(|station| station.len() > 1).map(|points| through(points)).collect();
+        let curves: Vec<Curve> =
+            stations.iter().filter(|station| station.len() > 1).map(|points| through(points)).collect();
         let views: Vec<CurveView<'_>> = curves.iter().map(Curve::view).collect();
         let net = CurveNet { rows: &views, columns: &[], closed: [false, false], tolerance: None };
         Sheet::from_curves(&net, &Job::default()).unwrap()
@@ -146,7 +147,13 @@ impl Sketch {
         found
     }
 
-    fn extend(&self, start: usize, length: usize, path: &mut Vec<(usize, usize)>, found: &mut Vec<Vec<(usize, usize)>>) {
+    fn extend(
+        &self,
+        start: usize,
+        length: usize,
+        path: &mut Vec<(usize, usize)>,
+        found: &mut Vec<Vec<(usize, usize)>>,
+    ) {
         let (_, here) = path[path.len() - 1];
         for (segment, next) in self.at(here) {
             if path.len() == length && next == start && segment != path[1].0 && path[1].0 < segment {
@@ -173,20 +180,26 @@ fn sketched_nets_become_coons_patches_where_their_cycles_allow() {
         let sketch = Sketch::read(&value);
         let mut used = vec![false; sketch.segments.len()];
         let (mut sheets, mut refused) = (Vec::new(), Vec::new());
-        for (length, cycle) in [4, 3].into_iter().flat_map(|n| sketch.cycles(n).into_iter().map(move |cycle| (n, cycle))) {
+        for (length, cycle) in
+            [4, 3].into_iter().flat_map(|n| sketch.cycles(n).into_iter().map(move |cycle| (n, cycle)))
+        {
             let curve = |k: usize| sketch.segments[cycle[k].0].1.view();
             // A three-sided cell has a pole: the node between its last side and its first.
             let start = sketch.nodes[cycle[length - 1].1];
             let tip = CurveView::new(std::slice::from_ref(&start), &[0], false).unwrap();
-            let (rows, columns) =
-                if length == 4 { ([curve(0), curve(2)], [curve(3), curve(1)]) } else { ([tip, curve(1)], [curve(0), curve(2)]) };
+            let (rows, columns) = if length == 4 {
+                ([curve(0), curve(2)], [curve(3), curve(1)])
+            } else {
+                ([tip, curve(1)], [curve(0), curve(2)])
+            };
             let net = CurveNet { rows: &rows, columns: &columns, closed: [false, false], tolerance: None };
             match Sheet::from_curves(&net, &Job::default()) {
                 Ok(sheet) => {
                     // Two curves may meet elsewhere too; here all four corners are nodes.
                     let [h, w] = sheet.cells();
                     let corners = [(0, 0), (0, w), (h, 0), (h, w)].map(|(i, j)| sheet.corner(i, j));
-                    let whole = corners.iter().all(|p| cycle.iter().any(|&(_, node)| sketch.nodes[node].distance(*p) < 1e-5));
+                    let whole =
+                        corners.iter().all(|p| cycle.iter().any(|&(_, node)| sketch.nodes[node].distance(*p) < 1e-5));
                     if whole {
                         let carcass = Carcass::new(vec![sheet.clone()], None, &Job::default()).unwrap();
                         for (curve, t) in (0..length).flat_map(|k| [0.2, 0.7].map(|t| (curve(k), t))) {
@@ -235,10 +248,15 @@ fn a_foot_from_its_frame() {
         points.extend(own.iter().map(DVec3::to_array));
         offsets.push(points.len() as u32);
     }
-    let sections = Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
+    let sections =
+        Outlines { points: Points::from(&points[..]), offsets: Some(&offsets), closed: true, constraints: &[] };
     let curves = Options { mode: Mode::CubicC2, ..Options::default() };
-    let options =
-        FrameOptions { correspondence: Correspondence::ArcLength { columns: 32 }, across: curves, along: curves, ring: false };
+    let options = FrameOptions {
+        correspondence: Correspondence::ArcLength { columns: 32 },
+        across: curves,
+        along: curves,
+        ring: false,
+    };
     let made = frame(&sections, &options, &Job::default()).unwrap();
     for kind in [FrameSurface::Nodes, FrameSurface::Curves] {
         let sheet = Sheet::from_frame(&made, [false, true], kind, &Job::default()).unwrap();

@@ -4,7 +4,7 @@ mod surfaces;
 
 use glam::DVec3;
 use gusset::carcass::{
-    Carcass, Grid, NormalKind, Nodes, Patches, Place, Scheme, Sheet, SurfaceMesh, SurfaceMeshOptions,
+    Carcass, Grid, Nodes, NormalKind, Patches, Place, Scheme, Sheet, SurfaceMesh, SurfaceMeshOptions,
 };
 use gusset::{Error, Job};
 use std::collections::HashMap;
@@ -76,7 +76,8 @@ fn limits_on_patches() {
         let net: Vec<DVec3> = (0..16).map(|k| net[f(k / 4, k % 4)]).collect();
         Sheet::Cubic(Patches::new(&net, [3, 3], 1, 1).unwrap())
     };
-    let (down, left, right) = (turned(|a, b| 4 * (3 - a) + b), turned(|a, b| 4 * b + a), turned(|a, b| 4 * (3 - b) + a));
+    let (down, left, right) =
+        (turned(|a, b| 4 * (3 - a) + b), turned(|a, b| 4 * b + a), turned(|a, b| 4 * (3 - b) + a));
     for (sheet, [u, v], [s, t]) in
         [(down, [1.0, 0.4], [0.999, 0.4]), (left, [0.4, 0.0], [0.4, 1e-3]), (right, [0.4, 1.0], [0.4, 0.999])]
     {
@@ -86,7 +87,17 @@ fn limits_on_patches() {
     // A disc from a square: the tangents are parallel in the corner.
     let (a, b) = (DVec3::new(1.0, 1.0, 0.0), DVec3::new(-1.0, -1.0, 0.0));
     let points = [DVec3::ZERO, a, DVec3::X * 2.0, b, DVec3::Z * 0.0 + DVec3::Y * -1.0 + DVec3::X, DVec3::X * 3.0];
-    let net = [points[0], points[1], points[2], points[3], points[4], points[5], -DVec3::Y * 2.0, DVec3::new(1.0, -3.0, 0.0), DVec3::new(3.0, -2.0, 0.0)];
+    let net = [
+        points[0],
+        points[1],
+        points[2],
+        points[3],
+        points[4],
+        points[5],
+        -DVec3::Y * 2.0,
+        DVec3::new(1.0, -3.0, 0.0),
+        DVec3::new(3.0, -2.0, 0.0),
+    ];
     let corner = Sheet::Cubic(Patches::new(&net, [2, 2], 1, 1).unwrap());
     let normal = corner.normal_limit(0, 0, 0.0, 0.0);
     assert_eq!(normal.kind, NormalKind::Limit);
@@ -123,7 +134,8 @@ fn curvatures_of_a_torus() {
         assert!((curvatures.mean - 0.5 * (tube + ring)).abs() < 5e-3);
         assert!((curvatures.gaussian - tube * ring).abs() < 1e-2);
         let round = DVec3::new(-v.sin(), v.cos(), 0.0);
-        let of_ring = if (curvatures.principal[0] - ring).abs() < (curvatures.principal[1] - ring).abs() { 0 } else { 1 };
+        let of_ring =
+            if (curvatures.principal[0] - ring).abs() < (curvatures.principal[1] - ring).abs() { 0 } else { 1 };
         assert!(curvatures.directions[of_ring].cross(round).length() < 1e-3);
         assert!(curvatures.directions[0].dot(curvatures.directions[1]).abs() < 1e-12);
         let (mean, gaussian) = local.jet.curvatures().unwrap();
@@ -192,9 +204,17 @@ fn estimates_are_near_the_errors() {
                     let point = sheet.jet(i, j, s, t).point;
                     worst = worst.max(point.distance(truth));
                     // Certified: the bilinear patch and the triangles.
-                    let [a, b] = [sheet.corner(i, j).lerp(sheet.corner(i, j + 1), t), sheet.corner(i + 1, j).lerp(sheet.corner(i + 1, j + 1), t)];
+                    let [a, b] = [
+                        sheet.corner(i, j).lerp(sheet.corner(i, j + 1), t),
+                        sheet.corner(i + 1, j).lerp(sheet.corner(i + 1, j + 1), t),
+                    ];
                     assert!(point.distance(a.lerp(b, s)) <= flat[cell][0] + 1e-15);
-                    let p = [sheet.corner(i, j), sheet.corner(i + 1, j), sheet.corner(i + 1, j + 1), sheet.corner(i, j + 1)];
+                    let p = [
+                        sheet.corner(i, j),
+                        sheet.corner(i + 1, j),
+                        sheet.corner(i + 1, j + 1),
+                        sheet.corner(i, j + 1),
+                    ];
                     let (one, other) = if s >= t { (p[1], s) } else { (p[3], t) };
                     let low = s.min(t);
                     let triangle = p[0] * (1.0 - other) + one * (other - low) + p[2] * low;
@@ -202,7 +222,11 @@ fn estimates_are_near_the_errors() {
                 }
                 most = most.max(worst);
                 greatest = greatest.max(estimate);
-                assert!(worst < 2.0 * estimate + 0.05 * greatest.max(most), "{} {i} {j}: {worst} {estimate}", shape.name);
+                assert!(
+                    worst < 2.0 * estimate + 0.05 * greatest.max(most),
+                    "{} {i} {j}: {worst} {estimate}",
+                    shape.name
+                );
             }
             assert!(most < 1.5 * greatest && greatest < 3.0 * most, "{} {scheme:?}: {most} {greatest}", shape.name);
         }

@@ -172,13 +172,18 @@ mod tests {
     /// Whatever the directions, zero and nearly parallel ones too, the axes are at right angles, and the box is round the points.
     #[test]
     fn boxes_hold_their_points() {
-        let points: Vec<DVec3> = (0..20).map(|k| DVec3::new(f64::from(k * 7 % 20), f64::from(k * 11 % 20), f64::from(k))).collect();
+        let points: Vec<DVec3> =
+            (0..20).map(|k| DVec3::new(f64::from(k * 7 % 20), f64::from(k * 11 % 20), f64::from(k))).collect();
         let u = DVec3::new(1e-17, 0.3e-17, -2e-17);
-        let directions = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1e-17, 1e-16), DVec3::new(3.0, 1e-9, 0.0), u, 3.0000001 * u];
+        let directions =
+            [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1e-17, 1e-16), DVec3::new(3.0, 1e-9, 0.0), u, 3.0000001 * u];
         for (a, b) in (0..36).map(|k| (directions[k / 6], directions[k % 6])) {
             let found = Oriented::round(&points, a, b, 0.0);
             let frame = found.frame();
-            assert!((frame * frame.transpose() - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-6), "{a} {b}");
+            assert!(
+                (frame * frame.transpose() - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-6),
+                "{a} {b}"
+            );
             assert!(points.iter().all(|&point| found.distance_squared(point) < 1e-9), "{a} {b}");
         }
     }
