@@ -142,12 +142,11 @@ impl Oriented {
     /// A box round points, whose axes follow two directions of the surface; each point may be off by `by`.
     pub(crate) fn round(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: f64) -> Oriented {
         let single = |v: DVec3| v.to_array().map(|x| x as f32);
-        let normal = along_u.cross(along_v).try_normalize();
-        let first = along_u.try_normalize();
-        let (first, second) = match (first, normal) {
-            (Some(first), Some(normal)) => (first, normal.cross(first)),
-            _ => (DVec3::X, DVec3::Y),
-        };
+        // Of nearly parallel directions, as round a block that closes, the product is rounding and not at right angles to them.
+        let first = along_u.try_normalize().unwrap_or(DVec3::X);
+        let across = along_v.try_normalize().map_or(DVec3::ZERO, |second| first.cross(second));
+        let normal = if across.length() > 1e-4 { across.normalize() } else { first.any_orthonormal_vector() };
+        let second = normal.cross(first);
         let mut found = Oriented { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
         // As the axes are rounded, so they are used: the box is one for what will be computed.
         let axes = found.frame();
@@ -240,5 +239,29 @@ impl Oriented {
             // The inverse of what is orthonormal to 1e-7 is its transpose, to 1e-6.
             self.centre() + frame.transpose() * (along * (1.0 + 1e-6))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever the directions, zero and nearly parallel ones too, the axes are at right angles, and the box is round the points.
+    #[test]
+    fn boxes_hold_their_points() {
+        let points: Vec<DVec3> =
+            (0..20).map(|k| DVec3::new(f64::from(k * 7 % 20), f64::from(k * 11 % 20), f64::from(k))).collect();
+        let u = DVec3::new(1e-17, 0.3e-17, -2e-17);
+        let directions =
+            [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1e-17, 1e-16), DVec3::new(3.0, 1e-9, 0.0), u, 3.0000001 * u];
+        for (a, b) in (0..36).map(|k| (directions[k / 6], directions[k % 6])) {
+            let found = Oriented::round(&points, a, b, 0.0);
+            let frame = found.frame();
+            assert!(
+                (frame * frame.transpose() - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-6),
+                "{a} {b}"
+            );
+            assert!(points.iter().all(|&point| found.distance_squared(point) < 1e-9), "{a} {b}");
+        }
     }
 }

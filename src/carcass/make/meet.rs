@@ -2,8 +2,10 @@
 
 use super::strand::{At, Strand, part, point};
 use crate::alloc;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use glam::DVec3;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 
 /// Pairs of parts that are looked at for two curves: curves that run together would take them without end.
 const PAIRS: usize = 1 << 14;
@@ -59,84 +61,124 @@ pub(super) struct Meeting {
     pub(super) distance: f64,
 }
 
-/// Finds where two curves are nearest, or one place where they are no farther apart than `noise`.
-pub(super) fn nearest<const N: usize>(strands: [&Strand<N>; 2], boxes: [&Boxes; 2], noise: f64) -> Result<Meeting> {
-    let start = At { segment: 0, t: 0.0 };
-    let mut best = Meeting { places: [start; 2], distance: f64::INFINITY };
-    let top = boxes.map(|boxes| (boxes.levels.len() - 1, 0));
-    let mut stack = Vec::new();
-    alloc::push(&mut stack, (0.0, top))?;
-    let mut left = PAIRS;
-    while let Some((distance, [a, b])) = stack.pop() {
-        if distance >= best.distance || best.distance <= noise {
-            continue;
-        }
-        if a.0 == 0 && b.0 == 0 {
-            Segments { strands, of: [a.1, b.1], noise }.search(&mut best, &mut left)?;
-            continue;
-        }
-        // The larger one is opened; the nearer child is taken first, being last.
-        let from = stack.len();
-        if a.0 >= b.0 {
-            for child in boxes[0].children(a) {
-                alloc::push(&mut stack, (gap(boxes[0].get(child), boxes[1].get(b)), [child, b]))?;
-            }
-        } else {
-            for child in boxes[1].children(b) {
-                alloc::push(&mut stack, (gap(boxes[0].get(a), boxes[1].get(child)), [a, child]))?;
-            }
-        }
-        if stack.len() == from + 2 && stack[from].0 < stack[from + 1].0 {
-            stack.swap(from, from + 1);
-        }
-    }
-    Ok(best)
-}
-
-/// Two segments, one of each curve.
-struct Segments<'a, const N: usize> {
-    strands: [&'a Strand<N>; 2],
-    of: [usize; 2],
-    noise: f64,
-}
-
-/// Parts of both.
+/// Parts of two segments, one of each curve.
 struct Parts<const N: usize> {
+    of: [usize; 2],
     points: [[DVec3; N]; 2],
     from: [f64; 2],
     size: [f64; 2],
     depth: u32,
 }
 
-impl<const N: usize> Segments<'_, N> {
-    fn search(&self, best: &mut Meeting, left: &mut usize) -> Result<()> {
-        let points = [0, 1].map(|k| self.strands[k].segments[self.of[k]]);
-        let mut stack = Vec::new();
-        alloc::push(&mut stack, Parts { points, from: [0.0; 2], size: [1.0; 2], depth: 0 })?;
-        while let Some(parts) = stack.pop() {
-            let [a, b] = [0, 1].map(|k| bounds(&parts.points[k]));
-            if gap(a, b) >= best.distance || best.distance <= self.noise {
-                continue;
+/// What may have something nearer: boxes of segments, or parts.
+enum Kind<const N: usize> {
+    Boxes([(usize, usize); 2]),
+    Parts(std::boxed::Box<Parts<N>>),
+}
+
+/// It, with how far its boxes are apart, and when it came.
+struct Item<const N: usize> {
+    gap: f64,
+    number: usize,
+    kind: Kind<N>,
+}
+
+impl<const N: usize> Ord for Item<N> {
+    /// The nearest is the greatest, and of several the first.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.gap.total_cmp(&self.gap).then(other.number.cmp(&self.number))
+    }
+}
+
+impl<const N: usize> PartialOrd for Item<N> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<const N: usize> PartialEq for Item<N> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl<const N: usize> Eq for Item<N> {}
+
+/// Finds where two curves are nearest, or a place where they are farther apart than there by `slack` at most: whatever may be nearest is looked at
+/// first.
+pub(super) fn nearest<const N: usize>(strands: [&Strand<N>; 2], boxes: [&Boxes; 2], slack: f64) -> Result<Meeting> {
+    let start = At { segment: 0, t: 0.0 };
+    let mut best = Meeting { places: [start; 2], distance: f64::INFINITY };
+    let mut heap = BinaryHeap::new();
+    let mut number = 0;
+    let mut push = |heap: &mut BinaryHeap<Item<N>>, gap: f64, kind: Kind<N>| -> Result<()> {
+        heap.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes: size_of::<Item<N>>() as u64 })?;
+        number += 1;
+        heap.push(Item { gap, number, kind });
+        Ok(())
+    };
+    push(&mut heap, 0.0, Kind::Boxes(boxes.map(|boxes| (boxes.levels.len() - 1, 0))))?;
+    let mut left = PAIRS;
+    while let Some(Item { gap: apart, kind, .. }) = heap.pop() {
+        if apart >= best.distance - slack {
+            break;
+        }
+        match kind {
+            Kind::Boxes([a, b]) if a.0 == 0 && b.0 == 0 => {
+                let of = [a.1, b.1];
+                let points = [0, 1].map(|k| strands[k].segments[of[k]]);
+                let whole = Parts { of, points, from: [0.0; 2], size: [1.0; 2], depth: 0 };
+                push(&mut heap, apart, Kind::Parts(std::boxed::Box::new(whole)))?;
             }
-            let found = descend(&points, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
-            if found.1 < best.distance {
-                best.distance = found.1;
-                best.places = [0, 1].map(|k| At { segment: self.of[k], t: found.0[k] });
+            Kind::Boxes([a, b]) if a.0 >= b.0 => {
+                for child in boxes[0].children(a) {
+                    push(&mut heap, gap(boxes[0].get(child), boxes[1].get(b)), Kind::Boxes([child, b]))?;
+                }
             }
-            if parts.depth == DEPTH || *left == 0 {
-                continue;
+            Kind::Boxes([a, b]) => {
+                for child in boxes[1].children(b) {
+                    push(&mut heap, gap(boxes[0].get(a), boxes[1].get(child)), Kind::Boxes([a, child]))?;
+                }
             }
-            *left -= 1;
-            let longer = usize::from(b[0].distance_squared(b[1]) > a[0].distance_squared(a[1]));
-            for from in [0.5, 0.0] {
-                let mut half = Parts { depth: parts.depth + 1, ..parts };
-                half.points[longer] = part(&parts.points[longer], [from, from + 0.5]);
-                half.from[longer] += from * parts.size[longer];
-                half.size[longer] *= 0.5;
-                alloc::push(&mut stack, half)?;
+            Kind::Parts(parts) => {
+                best.improve(&parts, strands);
+                if parts.depth < DEPTH && left > 0 {
+                    left -= 1;
+                    for half in parts.halves() {
+                        let [a, b] = [0, 1].map(|k| bounds(&half.points[k]));
+                        push(&mut heap, gap(a, b), Kind::Parts(std::boxed::Box::new(half)))?;
+                    }
+                }
             }
         }
-        Ok(())
+    }
+    Ok(best)
+}
+
+impl Meeting {
+    /// Looks from the middle of parts.
+    fn improve<const N: usize>(&mut self, parts: &Parts<N>, strands: [&Strand<N>; 2]) {
+        let whole = [0, 1].map(|k| strands[k].segments[parts.of[k]]);
+        let found = descend(&whole, [0, 1].map(|k| parts.from[k] + 0.5 * parts.size[k]));
+        if found.1 < self.distance {
+            self.distance = found.1;
+            self.places = [0, 1].map(|k| At { segment: parts.of[k], t: found.0[k] });
+        }
+    }
+}
+
+impl<const N: usize> Parts<N> {
+    /// The halves of the longer one, each with the other.
+    fn halves(&self) -> [Parts<N>; 2] {
+        let [a, b] = [0, 1].map(|k| bounds(&self.points[k])).map(|[low, high]| low.distance_squared(high));
+        let longer = usize::from(b > a);
+        [0.0, 0.5].map(|from| {
+            let mut half = Parts { depth: self.depth + 1, ..*self };
+            half.points[longer] = part(&self.points[longer], [from, from + 0.5]);
+            half.from[longer] += from * self.size[longer];
+            half.size[longer] *= 0.5;
+            half
+        })
     }
 }
 

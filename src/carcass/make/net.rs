@@ -124,16 +124,17 @@ impl<const N: usize> Gordon<N> {
         let (size, reach) = net.extent();
         let tolerance = net.tolerance.unwrap_or(1e-6 * size);
         let noise = 4.0 * f64::EPSILON * reach;
+        // What is less than this is neither searched for nor cut off.
+        let slack = (0.25 * tolerance).min(1e-9 * size) + noise;
         let mut places = alloc::with_capacity(rows.len() * columns.len())?;
         for (k, row) in rows.iter().enumerate() {
             for (l, column) in columns.iter().enumerate() {
                 job.step(0.5 * (k * columns.len() + l) as f64 / (rows.len() * columns.len()) as f64, "finding nodes")?;
-                let met = nearest([row, column], [&row_boxes[k], &column_boxes[l]], noise)?;
+                let met = nearest([row, column], [&row_boxes[k], &column_boxes[l]], slack)?;
                 if met.distance > tolerance.max(noise) {
                     return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
                 }
-                let near = (0.25 * tolerance).min(1e-9 * size) + noise;
-                places.push([snapped(row, met.places[0], near), snapped(column, met.places[1], near)]);
+                places.push([snapped(row, met.places[0], slack), snapped(column, met.places[1], slack)]);
             }
         }
         Gordon::new(rows, columns, net.closed, &places)
