@@ -1901,6 +1901,75 @@ typedef struct gusset_surface_paths_parts {
 } gusset_surface_paths_parts;
 
 /**
+ * What is between the points where a curve crosses the lines of the carcass.
+ */
+typedef uint32_t gusset_between;
+
+/**
+ * How curves of a surface are given.
+ */
+typedef struct gusset_level_options {
+    /**
+     * sizeof(gusset_level_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * With GUSSET_BETWEEN_CHORD: a length above 0; no smaller one counts than the tolerance of the carcass. Otherwise not read.
+     */
+    double chord;
+    /**
+     * GUSSET_BETWEEN_...
+     */
+    gusset_between between;
+    /**
+     * With GUSSET_BETWEEN_LEUS: how many, at most 1000. Otherwise not read.
+     */
+    uint32_t points;
+    /**
+     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_level_options;
+
+/**
+ * Where the angle of a normal is nearest to the one asked for.
+ */
+typedef struct gusset_nearest_angle {
+    /**
+     * sizeof(gusset_nearest_angle), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Where it is.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal.
+     */
+    double normal[3];
+    /**
+     * Its angle with the direction, in radians.
+     */
+    double angle;
+    /**
+     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+     */
+    double deviation;
+    /**
+     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+     */
+    double bound;
+} gusset_nearest_angle;
+
+/**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
  * destroyed.
  */
@@ -4294,6 +4363,27 @@ typedef struct gusset_winged_view {
 } gusset_winged_view;
 
 /**
+ * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+ */
+#define GUSSET_BETWEEN_AUTO 0
+
+/**
+ * As many points of the surface as keep the chords within `chord`.
+ */
+#define GUSSET_BETWEEN_CHORD 1
+
+/**
+ * Nothing.
+ */
+#define GUSSET_BETWEEN_NOTHING 2
+
+/**
+ * `points` points of the paper's approximation: on the cubic through four crossings. They are near the surface, not on it, and have the
+ * place of the crossing before them. Order four where crossings are evenly spaced.
+ */
+#define GUSSET_BETWEEN_LEUS 3
+
+/**
  * Along rows, from column to column.
  */
 #define GUSSET_DIRECTION_RIGHT 0
@@ -5122,6 +5212,83 @@ gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths
  * Frees curves; NULL is allowed.
  */
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
+
+/**
+ * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
+ * normal and the surface's.
+ *
+ * point: x, y, z of a point of the plane of offset 0. normal: x, y, z, not 0, of any length. offsets: count of them, rising, distances of the
+ * planes from the point along the normal. options: NULL for the defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL
+ * on failure. Every curve is found, also one within a cell, and on a closed surface all are closed; a corner on a plane counts as above it.
+ * Cells where a plane touches or contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no
+ * larger than the tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not
+ * finite, a normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About
+ * O(count + cells that are cut); threads. Source: Leus, "Carcasses on smooth surfaces", task d.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_section(const struct gusset_context *context,
+                                     const struct gusset_carcass *carcass,
+                                     const double *point,
+                                     const double *normal,
+                                     const double *offsets,
+                                     size_t count,
+                                     const struct gusset_level_options *options,
+                                     struct gusset_surface_paths **paths);
+
+/**
+ * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
+ * surface is; greater values are to the left, seen from where the normals point to.
+ *
+ * values: value_count of them, finite: of all sheets, one after the other, each row after row, one more row and column than there are cells;
+ * the last line of a closed direction repeats the first and is not used. levels: level_count of them, rising. Otherwise as
+ * gusset_carcass_section. Errors: as there; SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number of the
+ * value. O(values + cells that are crossed); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_contours(const struct gusset_context *context,
+                                      const struct gusset_carcass *carcass,
+                                      const double *values,
+                                      size_t value_count,
+                                      const double *levels,
+                                      size_t level_count,
+                                      const struct gusset_level_options *options,
+                                      struct gusset_surface_paths **paths);
+
+/**
+ * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
+ * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
+ *
+ * direction: x, y, z, not 0. angles: count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are unsigned. Otherwise as
+ * gusset_carcass_section. Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side between them;
+ * poles that may have the angle are listed as unresolved. Errors: as there. O(cells); threads. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_isophotes(const struct gusset_context *context,
+                                       const struct gusset_carcass *carcass,
+                                       const double *direction,
+                                       const double *angles,
+                                       size_t count,
+                                       const struct gusset_level_options *options,
+                                       struct gusset_surface_paths **paths);
+
+/**
+ * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
+ *
+ * direction: x, y, z, not 0. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL for the defaults; what is between
+ * crossings is not used. nearest: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells); threads. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_nearest_angle(const struct gusset_context *context,
+                                           const struct gusset_carcass *carcass,
+                                           const double *direction,
+                                           double angle,
+                                           const struct gusset_level_options *options,
+                                           struct gusset_nearest_angle *nearest);
 
 /**
  * Checks a mesh. What it finds is no error.

@@ -4,11 +4,12 @@
 //! of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90 degrees where H = 0; at 0 and 180 where both components across are 0, which is so
 //! at single points. None of it suffers from cancellation, whatever the angle.
 
-use super::normals::{Hodographs, squares};
+use super::normals::{Hodographs, cross, squares};
 use super::source::{Sides, Source};
-use super::{Between, Gathered, Strands, direction, lattice, paths};
+use super::{Between, Gathered, Lattice, Strands, direction, lattice, paths};
 use crate::alloc;
-use crate::carcass::cells::Cells;
+use crate::carcass::cells::{BLOCK, Cells};
+use crate::carcass::index::Pyramid;
 use crate::carcass::solve::{Field, Roots, roots};
 use crate::carcass::{Carcass, Paths, Place, Sheet};
 use crate::error::{Error, Result};
@@ -20,13 +21,14 @@ use std::ops::Range;
 
 /// Sines and cosines smaller than that are 0.
 const SMALL: f64 = 1e-8;
-/// Cells that are one thread's work, and such works between two reports of progress.
-const CHUNK: usize = 1024;
+/// Blocks that are one thread's work, and such works between two reports of progress.
+const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
 
 /// Normals of a sheet, seen along a direction.
 pub(super) struct Normals<'a, C> {
     pub(super) cells: &'a C,
+    pub(super) index: &'a Pyramid,
     /// Two directions across the given one, and that one.
     pub(super) frame: [DVec3; 3],
     /// Of the greatest coordinates.
@@ -34,7 +36,67 @@ pub(super) struct Normals<'a, C> {
     pub(super) sides: Sides,
 }
 
+/// The corners of a block's cells, seen in the frame.
+pub(super) struct Corners {
+    at: [[DVec3; BLOCK + 1]; BLOCK + 1],
+    start: [usize; 2],
+    /// By how much control vectors of S_u and S_v differ from the sides of the quadrilateral at most.
+    play: f64,
+}
+
+impl Corners {
+    /// Ranges of the components of N over a cell.
+    #[inline]
+    pub(super) fn ranges(&self, [i, j]: [usize; 2]) -> [[f64; 2]; 3] {
+        let (r, c) = (i - self.start[0], j - self.start[1]);
+        let [[p00, p01], [p10, p11]] = [[self.at[r][c], self.at[r][c + 1]], [self.at[r + 1][c], self.at[r + 1][c + 1]]];
+        let range = |a: DVec3, b: DVec3| {
+            let (low, high) = (a.min(b) - self.play, a.max(b) + self.play);
+            [0, 1, 2].map(|k| [low[k], high[k]])
+        };
+        cross(range(p10 - p00, p11 - p01), range(p01 - p00, p11 - p10))
+    }
+}
+
 impl<C> Normals<'_, C> {
+    /// What tells most cells apart without making their patches.
+    ///
+    /// With c the control points of the difference of surface and bilinear patch, S_u differs from a side of the quadrilateral, or from what
+    /// is between two, by n |c_a+1 - c_a| <= 2 n max |c|, n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4
+    /// (L A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its weights, which is nowhere more than 1.42
+    /// L: by 2 deviations at most.
+    pub(super) fn corners<const N: usize>(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners
+    where
+        C: Cells<N>,
+    {
+        let deviation = self.index.deviation(rows.start / BLOCK, columns.start / BLOCK);
+        let mut at = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
+        let origin = self.index.origin();
+        for (r, row) in at.iter_mut().enumerate().take(rows.len() + 1) {
+            for (c, corner) in row.iter_mut().enumerate().take(columns.len() + 1) {
+                let point = self.cells.corner(rows.start + r, columns.start + c) - origin;
+                *corner = DVec3::from_array(self.frame.map(|axis| axis.dot(point)));
+            }
+        }
+        let play = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.reach;
+        Corners { at, start: [rows.start, columns.start], play }
+    }
+
+    /// The cells of block k, row after row, with the corners of the block.
+    pub(super) fn block_cells<const N: usize>(
+        &self,
+        lattice: &Lattice,
+        k: usize,
+    ) -> impl Iterator<Item = (std::rc::Rc<Corners>, [usize; 2])>
+    where
+        C: Cells<N>,
+    {
+        let [_, across] = lattice.blocks();
+        let [rows, columns] = lattice.block([(k / across) as u32, (k % across) as u32]);
+        let corners = std::rc::Rc::new(self.corners(&[rows.clone(), columns.clone()]));
+        rows.flat_map(move |i| columns.clone().map(move |j| [i, j])).map(move |cell| (corners.clone(), cell))
+    }
+
     fn hodographs<const N: usize>(&self, [i, j]: [usize; 2]) -> Hodographs<N>
     where
         C: Cells<N>,
@@ -53,21 +115,25 @@ impl<C> Normals<'_, C> {
 struct Silhouette<'a, C, const N: usize>(Normals<'a, C>);
 
 impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
-    type Block = ();
+    type Block = Corners;
     type Base = (Field<M>, f64);
 
-    fn block(&self, _: [Range<usize>; 2]) -> Option<()> {
-        Some(())
+    fn block(&self, cells: [Range<usize>; 2]) -> Option<Corners> {
+        Some(self.0.corners(&cells))
     }
 
-    fn may_cross(&self, (): &(), cell: [usize; 2]) -> bool {
+    fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
+        let [low, high] = block.ranges(cell)[2];
+        if low > 0.0 || high < 0.0 {
+            return false;
+        }
         let of = self.0.hodographs::<N>(cell);
         let noise = self.0.noise(&of);
         let [low, high] = of.ranges()[2];
         low <= noise && high >= -noise
     }
 
-    fn base(&self, (): &(), cell: [usize; 2]) -> (Field<M>, f64) {
+    fn base(&self, _: &Corners, cell: [usize; 2]) -> (Field<M>, f64) {
         let of = self.0.hodographs::<N>(cell);
         (of.normal(2), self.0.noise(&of))
     }
@@ -94,6 +160,7 @@ struct Isophotes<'a, C, const N: usize, const H: usize> {
     normals: Normals<'a, C>,
     /// Sines and cosines.
     angles: &'a [[f64; 2]],
+    radians: &'a [f64],
     unsigned: bool,
 }
 
@@ -105,25 +172,26 @@ struct Squares<const M: usize> {
 }
 
 impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for Isophotes<'_, C, N, H> {
-    type Block = ();
+    type Block = Corners;
     type Base = Squares<M>;
 
-    fn block(&self, _: [Range<usize>; 2]) -> Option<()> {
-        Some(())
+    fn block(&self, cells: [Range<usize>; 2]) -> Option<Corners> {
+        Some(self.normals.corners(&cells))
     }
 
-    fn may_cross(&self, (): &(), cell: [usize; 2]) -> bool {
-        let of = self.normals.hodographs::<N>(cell);
-        let noise = self.normals.noise(&of);
-        let [low, high] = angles(&of.ranges(), noise);
-        self.angles.iter().any(|&[sin, cos]| {
-            let angle = libm::atan2(sin, cos);
+    fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
+        let any = |[low, high]: [f64; 2]| {
             let within = |angle: f64| low <= angle && angle <= high;
-            within(angle) || (self.unsigned && within(PI - angle))
-        })
+            self.radians.iter().any(|&angle| within(angle) || (self.unsigned && within(PI - angle)))
+        };
+        if !any(angles(&block.ranges(cell), 0.0)) {
+            return false;
+        }
+        let of = self.normals.hodographs::<N>(cell);
+        any(angles(&of.ranges(), self.normals.noise(&of)))
     }
 
-    fn base(&self, (): &(), cell: [usize; 2]) -> Squares<M> {
+    fn base(&self, _: &Corners, cell: [usize; 2]) -> Squares<M> {
         let of = self.normals.hodographs::<N>(cell);
         let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
         let [u, v] = of.speeds();
@@ -177,6 +245,7 @@ struct Kinds {
     /// Of 0 and 180 degrees: the sign of the cosine.
     poles: Vec<(u32, f64)>,
     others: Vec<[f64; 2]>,
+    radians: Vec<f64>,
     numbers: Vec<u32>,
 }
 
@@ -214,20 +283,20 @@ impl Carcass<'_> {
         let reach = self.reach();
         let (mut curves, mut points) = (Gathered::default(), Vec::new());
         for k in 0..self.len() {
-            let (sheet, _) = self.indexed(k);
+            let (sheet, index) = self.indexed(k);
             match sheet {
                 Sheet::Grid(grid) => {
                     let smooth = grid.axes().iter().all(|axis| axis.is_smooth());
                     let sides = if smooth { Sides::Alike } else { Sides::Apart };
-                    let of = Sought { sheet: k, cells: grid, frame, reach, sides, chord, unsigned };
+                    let of = Sought { sheet: k, cells: grid, index, frame, reach, sides, chord, unsigned };
                     of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
                 }
                 Sheet::Cubic(cells) => {
-                    let of = Sought { sheet: k, cells, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    let of = Sought { sheet: k, cells, index, frame, reach, sides: Sides::Apart, chord, unsigned };
                     of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
                 }
                 Sheet::High(cells) => {
-                    let of = Sought { sheet: k, cells, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    let of = Sought { sheet: k, cells, index, frame, reach, sides: Sides::Apart, chord, unsigned };
                     of.find::<8, 14, 27>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
                 }
             }
@@ -258,6 +327,7 @@ impl Kinds {
                 }
             } else {
                 alloc::push(&mut kinds.others, [sin, cos])?;
+                alloc::push(&mut kinds.radians, angle)?;
                 alloc::push(&mut kinds.numbers, k as u32)?;
             }
         }
@@ -269,6 +339,7 @@ impl Kinds {
 struct Sought<'a, C> {
     sheet: usize,
     cells: &'a C,
+    index: &'a Pyramid,
     frame: [DVec3; 3],
     reach: f64,
     sides: Sides,
@@ -278,13 +349,13 @@ struct Sought<'a, C> {
 
 impl<C> Sought<'_, C> {
     fn normals(&self) -> Normals<'_, C> {
-        Normals { cells: self.cells, frame: self.frame, reach: self.reach, sides: self.sides }
+        Normals { cells: self.cells, index: self.index, frame: self.frame, reach: self.reach, sides: self.sides }
     }
 
     fn find<const N: usize, const H: usize, const M: usize>(
         &self,
         kinds: &Kinds,
-        lattice: super::Lattice,
+        lattice: Lattice,
         curves: &mut Gathered,
         points: &mut Vec<(u32, Place)>,
         job: &Job<'_>,
@@ -305,7 +376,7 @@ impl<C> Sought<'_, C> {
         }
         if !kinds.others.is_empty() {
             let (normals, unsigned) = (self.normals(), self.unsigned);
-            let source = Isophotes::<C, N, H> { normals, angles: &kinds.others, unsigned };
+            let source = Isophotes::<C, N, H> { normals, angles: &kinds.others, radians: &kinds.radians, unsigned };
             let search = super::Search { cells, source: &source, lattice, chord };
             let found = search.run::<N, M>(rows * across, block, job)?;
             curves.add(self.sheet, found, &lattice, apart)?;
@@ -315,7 +386,7 @@ impl<C> Sought<'_, C> {
             }
         }
         for &(number, sign) in &kinds.poles {
-            self.poles::<N, H>(sign, number, lattice.counts, curves, points, job)?;
+            self.poles::<N, H>(sign, number, &lattice, curves, points, job)?;
         }
         Ok(())
     }
@@ -341,7 +412,7 @@ impl<C> Sought<'_, C> {
         &self,
         sign: f64,
         number: u32,
-        [rows, columns]: [usize; 2],
+        lattice: &Lattice,
         curves: &mut Gathered,
         points: &mut Vec<(u32, Place)>,
         job: &Job<'_>,
@@ -350,39 +421,43 @@ impl<C> Sought<'_, C> {
         C: Cells<N>,
     {
         let normals = self.normals();
-        let count = rows * columns;
+        let [rows, across] = lattice.blocks();
+        let count = rows * across;
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             job.step(first as f64 / count as f64, "contours")?;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
-                let mut all: Vec<([u32; 2], Roots)> = Vec::new();
-                for k in range {
-                    let cell = [(first + k) / columns, (first + k) % columns];
+                let mut all = Vec::new();
+                for (corners, cell) in range.flat_map(|k| normals.block_cells(lattice, first + k)) {
+                    let zero = |[low, high]: [f64; 2], noise: f64| low <= noise && high >= -noise;
+                    let [x, y, _] = corners.ranges(cell);
+                    if !(zero(x, 0.0) && zero(y, 0.0)) {
+                        continue;
+                    }
                     let of = normals.hodographs::<N>(cell);
                     let noise = normals.noise(&of);
                     let [first, second, along] = of.ranges();
-                    let zero = |[low, high]: [f64; 2]| low <= noise && high >= -noise;
                     let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
-                    if !(zero(first) && zero(second) && right) {
+                    if !(zero(first, noise) && zero(second, noise) && right) {
                         continue;
                     }
                     let mut found = Roots::default();
                     roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found);
-                    alloc::push(&mut all, (cell.map(|k| k as u32), found))?;
+                    alloc::push(&mut all, (cell.map(|k| k as u32), found.simple, found.unresolved))?;
                 }
                 Ok(all)
             });
             for part in parts {
                 let part: Vec<_> = part?;
-                for (cell, found) in part {
+                for (cell, simple, unresolved) in part {
                     let place = |at: glam::DVec2| Place { sheet: self.sheet as u32, cell, u: at.x, v: at.y };
-                    for at in found.simple {
+                    for at in simple {
                         let [i, j] = cell.map(|k| k as usize);
                         let along = self.cells.patch(i, j).jet(at.x, at.y).normal().dot(self.frame[2]);
                         if along * sign > 0.0 {
                             alloc::push(points, (number, place(at)))?;
                         }
                     }
-                    for (at, _) in found.unresolved {
+                    for (at, _) in unresolved {
                         alloc::push(&mut curves.unresolved, place(at))?;
                     }
                 }

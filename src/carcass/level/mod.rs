@@ -21,6 +21,7 @@ mod side;
 mod source;
 
 use super::axis::{Axis, Scheme};
+use super::cells::BLOCK;
 use super::{Carcass, Paths, Place, Sheet, each_sheet};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -96,7 +97,7 @@ impl Carcass<'_> {
         let chord = self.chord(between)?;
         let reach = self.reach().max(planes.point.abs().max_element());
         // A few roundings of coordinates of this size.
-        let noise = 64.0 * f64::EPSILON * reach;
+        let noise = 16.0 * f64::EPSILON * reach;
         let mut gathered = Gathered::default();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
@@ -109,7 +110,9 @@ impl Carcass<'_> {
                     let axes = grid.axes();
                     let value = |i: usize, j: usize| (grid.nodes().get(i, j) - planes.point).dot(normal);
                     let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
-                    let source = Nodal { axes, value, levels: planes.offsets, noise, excess };
+                    // The normal is a unit vector: what the surface deviates by, its product with the normal does at most.
+                    let deviation = |i: usize, j: usize| index.deviation(i / BLOCK, j / BLOCK) + noise;
+                    let source = Nodal { axes, value, levels: planes.offsets, noise, excess, deviation };
                     Search { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, job)?
                 }
                 Sheet::Cubic(cells) => {
@@ -156,7 +159,8 @@ impl Carcass<'_> {
             };
             let value = |i: usize, j: usize| own[i * columns + j];
             let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
-            let source = Nodal { axes, value, levels, noise: 64.0 * f64::EPSILON * largest, excess };
+            let noise = 16.0 * f64::EPSILON * largest;
+            let source = Nodal { axes, value, levels, noise, excess, deviation: |_, _| f64::INFINITY };
             let [_, across] = lattice.blocks();
             let block = |k: usize| [(k / across) as u32, (k % across) as u32];
             let count = lattice.blocks()[0] * across;

@@ -4,10 +4,10 @@
 //! are those of the components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2 theta P (see
 //! `isophote`), which tell on which side of theta all angles of a part are.
 
-use super::direction;
 use super::isophote::{Normals, angles, frame};
 use super::normals::{Hodographs, squares};
 use super::source::Sides;
+use super::{Lattice, direction, lattice};
 use crate::alloc;
 use crate::carcass::cells::Cells;
 use crate::carcass::solve::Field;
@@ -23,8 +23,8 @@ const TOLERANCE: f64 = 1e-9;
 /// Halvings of a cell, and parts that may be looked at in one.
 const DEPTH: u32 = 40;
 const PARTS: u32 = 4096;
-/// Cells that are one thread's work, and such works between two reports of progress.
-const CHUNK: usize = 1024;
+/// Blocks that are one thread's work, and such works between two reports of progress.
+const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
 
 /// Where a normal's angle is nearest to a given one.
@@ -143,7 +143,7 @@ impl<C> Sought<'_, C> {
     /// The best at the middles of cells, and the cells that may hold something better.
     fn candidates<const N: usize>(
         &self,
-        [rows, columns]: [usize; 2],
+        lattice: &Lattice,
         best: &mut Best,
         candidates: &mut Vec<Candidate>,
         job: &Job<'_>,
@@ -151,15 +151,17 @@ impl<C> Sought<'_, C> {
     where
         C: Cells<N>,
     {
-        let count = rows * columns;
+        let [rows, across] = lattice.blocks();
+        let count = rows * across;
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             job.step(0.9 * first as f64 / count as f64, "angles")?;
             let known = *best;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
                 let (mut best, mut candidates) = (known, Vec::new());
-                for k in range {
-                    let cell = [((first + k) / columns) as u32, ((first + k) % columns) as u32];
-                    self.cell::<N>(cell, &mut best, &mut candidates)?;
+                for (corners, cell) in range.flat_map(|k| self.normals.block_cells(lattice, first + k)) {
+                    if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
+                        self.cell::<N>(cell.map(|k| k as u32), &mut best, &mut candidates)?;
+                    }
                 }
                 Ok((best, candidates))
             });
@@ -255,17 +257,27 @@ impl Carcass<'_> {
         let mut candidates = Vec::new();
         /// What is sought on a sheet of any kind.
         macro_rules! sought {
-            ($k:expr, $cells:expr) => {
-                Sought { normals: Normals { cells: $cells, frame, reach, sides: Sides::Apart }, sheet: $k as u32, goal }
+            ($k:expr, $cells:expr, $index:expr) => {
+                Sought {
+                    normals: Normals { cells: $cells, index: $index, frame, reach, sides: Sides::Apart },
+                    sheet: $k as u32,
+                    goal,
+                }
             };
         }
         for k in 0..self.len() {
-            let (sheet, _) = self.indexed(k);
-            let counts = sheet.cells();
+            let (sheet, index) = self.indexed(k);
+            let cells_of = lattice(sheet);
             match sheet {
-                Sheet::Grid(cells) => sought!(k, cells).candidates(counts, &mut best, &mut candidates, job)?,
-                Sheet::Cubic(cells) => sought!(k, cells).candidates(counts, &mut best, &mut candidates, job)?,
-                Sheet::High(cells) => sought!(k, cells).candidates(counts, &mut best, &mut candidates, job)?,
+                Sheet::Grid(cells) => {
+                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, job)?
+                }
+                Sheet::Cubic(cells) => {
+                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, job)?
+                }
+                Sheet::High(cells) => {
+                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, job)?
+                }
             }
         }
         let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
@@ -279,12 +291,12 @@ impl Carcass<'_> {
                 bound = bound.min(candidate.bound);
                 break;
             }
-            let (sheet, _) = self.indexed(candidate.sheet as usize);
+            let (sheet, index) = self.indexed(candidate.sheet as usize);
             let (number, cell) = (candidate.sheet, candidate.cell);
             bound = bound.min(match sheet {
-                Sheet::Grid(cells) => sought!(number, cells).search::<4, 6, 11>(cell, &mut best),
-                Sheet::Cubic(cells) => sought!(number, cells).search::<4, 6, 11>(cell, &mut best),
-                Sheet::High(cells) => sought!(number, cells).search::<8, 14, 27>(cell, &mut best),
+                Sheet::Grid(cells) => sought!(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::Cubic(cells) => sought!(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::High(cells) => sought!(number, cells, index).search::<8, 14, 27>(cell, &mut best),
             });
         }
         Ok(best.place.map(|place| {
