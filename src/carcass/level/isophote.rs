@@ -283,25 +283,25 @@ impl Carcass<'_> {
         let reach = self.reach();
         let (mut curves, mut points) = (Gathered::default(), Vec::new());
         for k in 0..self.len() {
-            let (sheet, index) = self.indexed(k);
+            let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
             match sheet {
                 Sheet::Grid(grid) => {
                     let smooth = grid.axes().iter().all(|axis| axis.is_smooth());
                     let sides = if smooth { Sides::Alike } else { Sides::Apart };
                     let of = Sought { sheet: k, cells: grid, index, frame, reach, sides, chord, unsigned };
-                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
+                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::Cubic(cells) => {
                     let of = Sought { sheet: k, cells, index, frame, reach, sides: Sides::Apart, chord, unsigned };
-                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
+                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::High(cells) => {
                     let of = Sought { sheet: k, cells, index, frame, reach, sides: Sides::Apart, chord, unsigned };
-                    of.find::<8, 14, 27>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
+                    of.find::<8, 14, 27>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
             }
         }
-        let mut found = paths::paths(self, &curves.sheets, curves.unresolved, job)?;
+        let mut found = paths::paths(self, &curves.sheets, curves.unresolved, &job.part(0.9, 1.0))?;
         paths::add_points(self, &points, &mut found)?;
         super::leus::between(found, between)
     }
@@ -367,10 +367,16 @@ impl<C> Sought<'_, C> {
         let block = |k: usize| [(k / across) as u32, (k % across) as u32];
         let apart = self.sides == Sides::Apart;
         let Sought { cells, chord, .. } = *self;
+        let passes = kinds.silhouettes.len() + usize::from(!kinds.others.is_empty()) + kinds.poles.len();
+        let mut pass = 0;
+        let mut next = || {
+            pass += 1;
+            job.part(f64::from(pass - 1) / passes as f64, f64::from(pass) / passes as f64)
+        };
         for &number in &kinds.silhouettes {
             let source = Silhouette::<C, N>(self.normals());
             let search = super::Search { cells, source: &source, lattice, chord };
-            let mut found = search.run::<N, H>(rows * across, block, job)?;
+            let mut found = search.run::<N, H>(rows * across, block, &next())?;
             found.arcs.iter_mut().for_each(|arc| arc.level = number);
             curves.add(self.sheet, found, &lattice, apart)?;
         }
@@ -378,7 +384,7 @@ impl<C> Sought<'_, C> {
             let (normals, unsigned) = (self.normals(), self.unsigned);
             let source = Isophotes::<C, N, H> { normals, angles: &kinds.others, radians: &kinds.radians, unsigned };
             let search = super::Search { cells, source: &source, lattice, chord };
-            let found = search.run::<N, M>(rows * across, block, job)?;
+            let found = search.run::<N, M>(rows * across, block, &next())?;
             curves.add(self.sheet, found, &lattice, apart)?;
             if let Some((_, strands)) = curves.sheets.last_mut() {
                 self.keep_signs(strands, &kinds.others);
@@ -386,7 +392,7 @@ impl<C> Sought<'_, C> {
             }
         }
         for &(number, sign) in &kinds.poles {
-            self.poles::<N, H>(sign, number, &lattice, curves, points, job)?;
+            self.poles::<N, H>(sign, number, &lattice, curves, points, &next())?;
         }
         Ok(())
     }

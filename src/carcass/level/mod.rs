@@ -100,7 +100,7 @@ impl Carcass<'_> {
         let noise = 16.0 * f64::EPSILON * reach;
         let mut gathered = Gathered::default();
         for k in 0..self.len() {
-            let (sheet, index) = self.indexed(k);
+            let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
             let lattice = lattice(sheet);
             let blocks = planes::blocks(index, lattice.blocks(), planes.point, normal, planes.offsets, noise)?;
             let block = |k: usize| blocks[k];
@@ -113,20 +113,20 @@ impl Carcass<'_> {
                     // The normal is a unit vector: what the surface deviates by, its product with the normal does at most.
                     let deviation = |i: usize, j: usize| index.deviation(i / BLOCK, j / BLOCK) + noise;
                     let source = Nodal { axes, value, levels: planes.offsets, noise, excess, deviation };
-                    Search { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, job)?
+                    Search { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
                 Sheet::Cubic(cells) => {
                     let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, noise };
-                    Search { cells, source: &source, lattice, chord }.run::<4, 4>(blocks.len(), block, job)?
+                    Search { cells, source: &source, lattice, chord }.run::<4, 4>(blocks.len(), block, &part)?
                 }
                 Sheet::High(cells) => {
                     let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, noise };
-                    Search { cells, source: &source, lattice, chord }.run::<8, 8>(blocks.len(), block, job)?
+                    Search { cells, source: &source, lattice, chord }.run::<8, 8>(blocks.len(), block, &part)?
                 }
             };
             gathered.add(k, found, &lattice, apart)?;
         }
-        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, job)?, between)
+        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, &job.part(0.9, 1.0))?, between)
     }
 
     /// The contours of a scalar field that is given at the corners of the cells: where it takes the values of `levels`, which rise. Between
@@ -146,7 +146,7 @@ impl Carcass<'_> {
         let mut gathered = Gathered::default();
         let mut first = 0;
         for k in 0..self.len() {
-            let (sheet, _) = self.indexed(k);
+            let (part, (sheet, _)) = (self.part(k, job), self.indexed(k));
             let lattice = lattice(sheet);
             let [rows, columns] = sheet.cells().map(|count| count + 1);
             let own = &values[first..first + rows * columns];
@@ -164,11 +164,16 @@ impl Carcass<'_> {
             let [_, across] = lattice.blocks();
             let block = |k: usize| [(k / across) as u32, (k % across) as u32];
             let count = lattice.blocks()[0] * across;
-            let found =
-                each_sheet!(sheet, cells => Search { cells, source: &source, lattice, chord }.run(count, block, job))?;
+            let found = each_sheet!(sheet, cells => Search { cells, source: &source, lattice, chord }.run(count, block, &part))?;
             gathered.add(k, found, &lattice, false)?;
         }
-        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, job)?, between)
+        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, &job.part(0.9, 1.0))?, between)
+    }
+
+    /// The share of sheet k in the search.
+    fn part<'a>(&self, k: usize, job: &Job<'a>) -> Job<'a> {
+        let share = |k: usize| 0.9 * k as f64 / self.len() as f64;
+        job.part(share(k), share(k + 1))
     }
 
     fn check_values(&self, values: &[f64]) -> Result<()> {

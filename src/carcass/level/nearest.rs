@@ -154,7 +154,7 @@ impl<C> Sought<'_, C> {
         let [rows, across] = lattice.blocks();
         let count = rows * across;
         for first in (0..count).step_by(CHUNK * CHUNKS) {
-            job.step(0.9 * first as f64 / count as f64, "angles")?;
+            job.step(first as f64 / count as f64, "angles")?;
             let known = *best;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
                 let (mut best, mut candidates) = (known, Vec::new());
@@ -266,17 +266,17 @@ impl Carcass<'_> {
             };
         }
         for k in 0..self.len() {
-            let (sheet, index) = self.indexed(k);
+            let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
             let cells_of = lattice(sheet);
             match sheet {
                 Sheet::Grid(cells) => {
-                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, job)?
+                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, &part)?
                 }
                 Sheet::Cubic(cells) => {
-                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, job)?
+                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, &part)?
                 }
                 Sheet::High(cells) => {
-                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, job)?
+                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, &part)?
                 }
             }
         }

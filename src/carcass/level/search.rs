@@ -15,7 +15,7 @@ use crate::par;
 use glam::DVec2;
 
 /// Blocks that are one thread's work.
-const CHUNK: usize = 64;
+const CHUNK: usize = 16;
 /// Chunks between two reports of progress.
 const CHUNKS: usize = 16;
 
