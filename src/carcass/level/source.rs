@@ -205,7 +205,7 @@ where
 
     #[inline]
     fn levels(&self, base: &Field<4>) -> Range<usize> {
-        between(self.levels, base.range(), 0.0)
+        between(self.levels, base.range(), self.noise)
     }
 
     #[inline]
@@ -256,7 +256,7 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     }
 
     fn levels(&self, base: &Field<N>) -> Range<usize> {
-        between(self.levels, base.range(), 0.0)
+        between(self.levels, base.range(), self.noise)
     }
 
     fn field(&self, base: &Field<N>, level: usize) -> Field<N> {
