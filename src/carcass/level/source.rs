@@ -54,7 +54,11 @@ pub(super) trait Source<const M: usize>: Sync {
 }
 
 /// The levels, which rise, from `low` to `high`, with some play.
+#[inline]
 pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], play: f64) -> Range<usize> {
+    if let &[level] = levels {
+        return 0..usize::from(low - play <= level && level <= high + play);
+    }
     let first = levels.partition_point(|&level| level < low - play);
     let count = levels[first..].partition_point(|&level| level <= high + play);
     first..first + count
@@ -182,6 +186,7 @@ where
     type Block = Window;
     type Base = Field<4>;
 
+    #[inline]
     fn block(&self, cells: [Range<usize>; 2]) -> Option<Window> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
         let window = Window::new(self.axes, &cells, deviation, &self.value);
