@@ -15,7 +15,7 @@ use crate::carcass::{Carcass, Paths, Place, Sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -82,19 +82,19 @@ impl<C> Normals<'_, C> {
         Corners { at, start: [rows.start, columns.start], play }
     }
 
-    /// The cells of block k, row after row, with the corners of the block.
-    pub(super) fn block_cells<const N: usize>(
+    /// The corners of block k, and its cells, row after row.
+    pub(super) fn block<const N: usize>(
         &self,
         lattice: &Lattice,
         k: usize,
-    ) -> impl Iterator<Item = (std::rc::Rc<Corners>, [usize; 2])>
+    ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>)
     where
         C: Cells<N>,
     {
         let [_, across] = lattice.blocks();
         let [rows, columns] = lattice.block([(k / across) as u32, (k % across) as u32]);
-        let corners = std::rc::Rc::new(self.corners(&[rows.clone(), columns.clone()]));
-        rows.flat_map(move |i| columns.clone().map(move |j| [i, j])).map(move |cell| (corners.clone(), cell))
+        let corners = self.corners(&[rows.clone(), columns.clone()]);
+        (corners, rows.flat_map(move |i| columns.clone().map(move |j| [i, j])))
     }
 
     fn hodographs<const N: usize>(&self, [i, j]: [usize; 2]) -> Hodographs<N>
@@ -102,6 +102,33 @@ impl<C> Normals<'_, C> {
         C: Cells<N>,
     {
         Hodographs::new(&self.cells.patch(i, j), &self.frame)
+    }
+
+    /// Where in a cell both components across are 0 and the one along may have the given sign: simple roots, and what is unresolved.
+    fn roots<const N: usize, const H: usize>(
+        &self,
+        corners: &Corners,
+        cell: [usize; 2],
+        sign: f64,
+    ) -> Option<(Vec<DVec2>, Vec<DVec2>)>
+    where
+        C: Cells<N>,
+    {
+        let zero = |[low, high]: [f64; 2], noise: f64| low <= noise && high >= -noise;
+        let [x, y, _] = corners.ranges(cell);
+        if !(zero(x, 0.0) && zero(y, 0.0)) {
+            return None;
+        }
+        let of = self.hodographs::<N>(cell);
+        let noise = self.noise(&of);
+        let [x, y, along] = of.ranges();
+        let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
+        if !(zero(x, noise) && zero(y, noise) && right) {
+            return None;
+        }
+        let mut found = Roots::default();
+        roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found);
+        Some((found.simple, found.unresolved.into_iter().map(|(place, _)| place).collect()))
     }
 
     /// By what components of normals may be wrong for rounding.
@@ -433,29 +460,20 @@ impl<C> Sought<'_, C> {
             job.step(first as f64 / count as f64, "contours")?;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
                 let mut all = Vec::new();
-                for (corners, cell) in range.flat_map(|k| normals.block_cells(lattice, first + k)) {
-                    let zero = |[low, high]: [f64; 2], noise: f64| low <= noise && high >= -noise;
-                    let [x, y, _] = corners.ranges(cell);
-                    if !(zero(x, 0.0) && zero(y, 0.0)) {
-                        continue;
+                for k in range {
+                    let (corners, cells) = normals.block(lattice, first + k);
+                    for cell in cells {
+                        if let Some(roots) = normals.roots::<N, H>(&corners, cell, sign) {
+                            alloc::push(&mut all, (cell.map(|k| k as u32), roots))?;
+                        }
                     }
-                    let of = normals.hodographs::<N>(cell);
-                    let noise = normals.noise(&of);
-                    let [first, second, along] = of.ranges();
-                    let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
-                    if !(zero(first, noise) && zero(second, noise) && right) {
-                        continue;
-                    }
-                    let mut found = Roots::default();
-                    roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found);
-                    alloc::push(&mut all, (cell.map(|k| k as u32), found.simple, found.unresolved))?;
                 }
                 Ok(all)
             });
             for part in parts {
                 let part: Vec<_> = part?;
-                for (cell, simple, unresolved) in part {
-                    let place = |at: glam::DVec2| Place { sheet: self.sheet as u32, cell, u: at.x, v: at.y };
+                for (cell, (simple, unresolved)) in part {
+                    let place = |at: DVec2| Place { sheet: self.sheet as u32, cell, u: at.x, v: at.y };
                     for at in simple {
                         let [i, j] = cell.map(|k| k as usize);
                         let along = self.cells.patch(i, j).jet(at.x, at.y).normal().dot(self.frame[2]);
@@ -463,7 +481,7 @@ impl<C> Sought<'_, C> {
                             alloc::push(points, (number, place(at)))?;
                         }
                     }
-                    for (at, _) in unresolved {
+                    for at in unresolved {
                         alloc::push(&mut curves.unresolved, place(at))?;
                     }
                 }

@@ -10,8 +10,9 @@ use super::source::Sides;
 use super::{Lattice, direction, lattice};
 use crate::alloc;
 use crate::carcass::cells::Cells;
+use crate::carcass::index::Pyramid;
 use crate::carcass::solve::Field;
-use crate::carcass::{Carcass, Place, Sheet};
+use crate::carcass::{Carcass, Place, Sheet, each_sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
@@ -139,6 +140,20 @@ struct Sought<'a, C> {
     goal: Goal,
 }
 
+/// What is asked for on all sheets.
+struct Asked {
+    goal: Goal,
+    frame: [DVec3; 3],
+    reach: f64,
+}
+
+impl Asked {
+    fn of<'a, C>(&self, sheet: u32, cells: &'a C, index: &'a Pyramid) -> Sought<'a, C> {
+        let normals = Normals { cells, index, frame: self.frame, reach: self.reach, sides: Sides::Apart };
+        Sought { normals, sheet, goal: self.goal }
+    }
+}
+
 impl<C> Sought<'_, C> {
     /// The best at the middles of cells, and the cells that may hold something better.
     fn candidates<const N: usize>(
@@ -158,9 +173,12 @@ impl<C> Sought<'_, C> {
             let known = *best;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
                 let (mut best, mut candidates) = (known, Vec::new());
-                for (corners, cell) in range.flat_map(|k| self.normals.block_cells(lattice, first + k)) {
-                    if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
-                        self.cell::<N>(cell.map(|k| k as u32), &mut best, &mut candidates)?;
+                for k in range {
+                    let (corners, cells) = self.normals.block(lattice, first + k);
+                    for cell in cells {
+                        if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
+                            self.cell::<N>(cell.map(|k| k as u32), &mut best, &mut candidates)?;
+                        }
                     }
                 }
                 Ok((best, candidates))
@@ -255,30 +273,14 @@ impl Carcass<'_> {
         let (goal, frame, reach) = (Goal { angle, unsigned }, frame(axis), self.reach());
         let mut best = Best { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();
-        /// What is sought on a sheet of any kind.
-        macro_rules! sought {
-            ($k:expr, $cells:expr, $index:expr) => {
-                Sought {
-                    normals: Normals { cells: $cells, index: $index, frame, reach, sides: Sides::Apart },
-                    sheet: $k as u32,
-                    goal,
-                }
-            };
-        }
+        let asked = Asked { goal, frame, reach };
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
             let cells_of = lattice(sheet);
-            match sheet {
-                Sheet::Grid(cells) => {
-                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, &part)?
-                }
-                Sheet::Cubic(cells) => {
-                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, &part)?
-                }
-                Sheet::High(cells) => {
-                    sought!(k, cells, index).candidates(&cells_of, &mut best, &mut candidates, &part)?
-                }
-            }
+            let number = k as u32;
+            each_sheet!(sheet, cells => {
+                asked.of(number, cells, index).candidates(&cells_of, &mut best, &mut candidates, &part)
+            })?;
         }
         let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
         candidates.sort_by(|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
@@ -294,9 +296,9 @@ impl Carcass<'_> {
             let (sheet, index) = self.indexed(candidate.sheet as usize);
             let (number, cell) = (candidate.sheet, candidate.cell);
             bound = bound.min(match sheet {
-                Sheet::Grid(cells) => sought!(number, cells, index).search::<4, 6, 11>(cell, &mut best),
-                Sheet::Cubic(cells) => sought!(number, cells, index).search::<4, 6, 11>(cell, &mut best),
-                Sheet::High(cells) => sought!(number, cells, index).search::<8, 14, 27>(cell, &mut best),
+                Sheet::Grid(cells) => asked.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::Cubic(cells) => asked.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::High(cells) => asked.of(number, cells, index).search::<8, 14, 27>(cell, &mut best),
             });
         }
         Ok(best.place.map(|place| {
