@@ -5262,7 +5262,8 @@ gusset_status gusset_carcass_contours(const struct gusset_context *context,
  *
  * direction: x, y, z, not 0. angles: count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are unsigned. Otherwise as
  * gusset_carcass_section. Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side between them;
- * poles that may have the angle are listed as unresolved. Errors: as there. O(cells); threads. Source: Leus, task b.
+ * poles that may have the angle are listed as unresolved. Angles are of order three, as normals are; contours of the cosines at the nodes
+ * are of order four. Errors: as there. O(cells); threads. Source: Leus, task b.
  */
 GUSSET_API
 GUSSET_MUST_USE

@@ -283,6 +283,9 @@ impl Carcass<'_> {
     ///
     /// `angles`: in radians, rising, from 0 to pi; `unsigned`: a normal and its opposite are the same, and angles end at pi / 2.
     ///
+    /// The angles are those of the interpolant's normals, which are of order three. Those at nodes are of order four, and so are the
+    /// [`Carcass::contours`] of their cosines.
+    ///
     /// Every curve is found, as [`Carcass::section`] finds them, if the surface is regular. On sheets of patches and of the four-point
     /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for. At
     /// poles, where the normal is none, a curve ends or passes; a pole that may have the angle itself is listed as unresolved. O(cells).
