@@ -205,7 +205,8 @@ fn circles_and_orders() {
                 let middle = 0.5 * (*point + points[(i + 1) % points.len()]);
                 worst[1] = worst[1].max((middle.truncate().length() - truth).abs());
             }
-            assert!((length(&paths, k) - std::f64::consts::TAU * truth).abs() < 1e-3 / h as f64, "{h} {k}");
+            let (found, circle) = (length(&paths, k), std::f64::consts::TAU * truth);
+            assert!((found - circle).abs() < 1e-4 + 20.0 * worst[0], "{h} {k}: {found} {circle}");
         }
         assert!(worst[1] < 1.01 * chord + 10.0 * worst[0], "{h}: {worst:?}");
         // Tilted planes, the chords refined: points between the lines too.
@@ -231,7 +232,8 @@ fn angles_of_contours() {
             for k in 0..paths.len() {
                 for point in paths.points_of(k) {
                     let ring = point.truncate().normalize().extend(0.0);
-                    let angle = (*point - ring).angle_between(axis);
+                    // The normals of this torus point inwards.
+                    let angle = (ring - *point).angle_between(axis);
                     worst = worst.max((angle - angles[paths.levels[k] as usize]).abs());
                 }
             }
@@ -240,6 +242,18 @@ fn angles_of_contours() {
         println!("angles {name} contours: {errors:?}");
         assert!(errors.windows(2).all(|pair| (pair[0] / pair[1]).log2() >= 2.9), "{errors:?}");
     }
+    // Slopes at nodes are of order four, and so are contours of the cosines there.
+    let mut errors = Vec::new();
+    for h in [32, 64, 128] {
+        let carcass = torus_of([h, 2 * h]);
+        let nodes = (0..=h).flat_map(|i| (0..=2 * h).map(move |j| (i % h, j % (2 * h))));
+        let values: Vec<f64> = nodes.map(|(i, j)| carcass.sheet(0).normal(i, j, 0.0, 0.0).dot(axis)).collect();
+        let paths = carcass.contours(&values, &[1.1_f64.cos()], Between::Nothing, &job).unwrap();
+        let angle = |point: &DVec3| (point.truncate().normalize().extend(0.0) - *point).angle_between(axis);
+        errors.push(paths.points.iter().map(|point| (angle(point) - 1.1).abs()).fold(0.0, f64::max));
+    }
+    println!("angles of contours of cosines at nodes: {errors:?}");
+    assert!(errors.windows(2).all(|pair| (pair[0] / pair[1]).log2() >= 3.8), "{errors:?}");
 }
 
 #[test]
@@ -355,6 +369,54 @@ fn patches_and_several_sheets() {
     assert_eq!((paths.len(), paths.closed.iter().all(|&closed| closed)), (truth.len(), true));
 }
 
+/// The teapot's patches, a sheet each; `None` where there are no data.
+fn teapot() -> Option<Carcass<'static>> {
+    let folder =
+        std::env::var("GUSSET_DATA").unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data").into());
+    let text = std::fs::read_to_string(format!("{folder}/carcass/teapot_bezier.json")).ok()?;
+    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let numbers = |value: &serde_json::Value| -> Vec<f64> {
+        value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
+    };
+    let vertices: Vec<DVec3> =
+        data["vertices"].as_array().unwrap().iter().map(|vertex| DVec3::from_slice(&numbers(vertex))).collect();
+    let patches = data["patches"].as_array().unwrap().iter().map(|patch| {
+        let points: Vec<DVec3> = numbers(patch).into_iter().map(|k| vertices[k as usize]).collect();
+        Sheet::Cubic(Patches::new(&points, [3, 3], 1, 1).unwrap())
+    });
+    Some(Carcass::new(patches.collect(), None, &Job::default()).unwrap())
+}
+
+#[test]
+fn teapot_patches_are_joined() {
+    let Some(carcass) = teapot() else { return println!("skipped: no data") };
+    let job = Job::default();
+    // Round the body, below the lid: no plane section of a teapot's body ends.
+    let planes = Planes { point: DVec3::ZERO, normal: DVec3::Y, offsets: &[0.1, 0.2, 0.35, 0.5] };
+    let paths = carcass.section(&planes, Between::Auto, &job).unwrap();
+    check(&carcass, &paths, "teapot");
+    for level in 0..4 {
+        let round = |k: &usize| {
+            let box_of =
+                |axis: fn(&DVec3) -> f64| paths.points_of(*k).iter().map(axis).fold(f64::NEG_INFINITY, f64::max);
+            paths.closed[*k] && paths.levels[*k] == level && box_of(|p| p.z) > 0.3 && box_of(|p| -p.z) > 0.3
+        };
+        assert_eq!((0..paths.len()).filter(round).count(), 1, "{level}");
+    }
+    // Any plane: no two ends are left that fit.
+    let mut random = Random(8);
+    for k in 0..20 {
+        let planes = Planes { point: random.point(0.4), normal: random.point(1.0), offsets: &[0.0] };
+        let paths = carcass.section(&planes, Between::Auto, &job).unwrap();
+        check(&carcass, &paths, "teapot");
+        let open: Vec<usize> = (0..paths.len()).filter(|&k| !paths.closed[k]).collect();
+        for (&a, &b) in open.iter().flat_map(|a| open.iter().map(move |b| (a, b))) {
+            let (tail, head) = (paths.points_of(a).last().unwrap(), paths.points_of(b)[0]);
+            assert!(tail.distance(head) > 1e-8, "{k}: {a} {b}");
+        }
+    }
+}
+
 #[test]
 fn contours_of_heights_are_sections() {
     let job = Job::default();
@@ -378,7 +440,7 @@ fn contours_of_heights_are_sections() {
             let left = normal.cross(along);
             // The direction in the surface in which z rises.
             let rise = DVec3::Z - normal.z * normal;
-            assert!(jet.point == points[0] && left.dot(rise) > 0.0, "{} {k}", shape.name);
+            assert!(jet.point.distance(points[0]) < 1e-13 && left.dot(rise) > 0.0, "{} {k}", shape.name);
         }
     }
 }
@@ -526,13 +588,16 @@ fn any_size_and_place() {
 fn timing() {
     let carcass = torus_of([707, 1412]);
     let job = Job::new(1, &Quiet);
+    // Of this thread alone, in milliseconds: the machine may have others to serve.
+    let clock = || {
+        let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap();
+        text.split_whitespace().next().unwrap().parse::<f64>().unwrap() * 1e-6
+    };
     let least = |run: &mut dyn FnMut() -> usize| {
-        let times = (0..15).map(|_| {
-            let start = std::time::Instant::now();
-            let count = run();
-            (start.elapsed().as_secs_f64() * 1e3, count)
-        });
-        times.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
+        // The clock ticks every few milliseconds.
+        let start = clock();
+        let count = (0..100).map(|_| run()).last().unwrap();
+        ((clock() - start) / 100.0, count)
     };
     let mut random = Random(5);
     for k in 0..4 {
@@ -547,13 +612,14 @@ fn timing() {
     let (time, count) = least(&mut || carcass.section(&planes, Between::Nothing, &job).unwrap().points.len());
     println!("100 planes: {time:.2} ms, {count} points");
     for angle in [FRAC_PI_2, 1.0] {
-        let start = std::time::Instant::now();
-        let paths = carcass.isophotes(DVec3::new(0.3, 0.2, 1.0), &[angle], false, Between::Nothing, &job).unwrap();
-        println!("isophote {angle}: {:.1} ms, {} points", start.elapsed().as_secs_f64() * 1e3, paths.points.len());
+        let axis = DVec3::new(0.3, 0.2, 1.0);
+        let start = clock();
+        let paths = carcass.isophotes(axis, &[angle], false, Between::Nothing, &job).unwrap();
+        println!("isophote {angle}: {:.1} ms, {} points", clock() - start, paths.points.len());
+        let start = clock();
+        let found = carcass.nearest_angle(axis, angle, false, &job).unwrap().unwrap();
+        println!("nearest angle: {:.1} ms, {:.1e}", clock() - start, found.deviation);
     }
-    let start = std::time::Instant::now();
-    let found = carcass.nearest_angle(DVec3::new(0.3, 0.2, 1.0), 1.0, false, &job).unwrap().unwrap();
-    println!("nearest angle: {:.1} ms, {:.1e}", start.elapsed().as_secs_f64() * 1e3, found.deviation);
 }
 
 struct Quiet;

@@ -68,16 +68,19 @@ static void sections(const gusset_carcass *carcass) {
     EXPECT(GUSSET_OK, gusset_carcass_section(context, carcass, origin, up, NULL, 0, NULL, &paths));
     CHECK(closed_curves(paths) == 0);
     options.between = GUSSET_BETWEEN_CHORD;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
+           gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     CHECK(paths == NULL);
     options.chord = NAN;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
+           gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     options.chord = 1e-5;
     EXPECT(GUSSET_OK, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
     options.between = GUSSET_BETWEEN_LEUS;
     options.points = 1001;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
+           gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     options.points = 3;
     EXPECT(GUSSET_OK, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
@@ -85,18 +88,23 @@ static void sections(const gusset_carcass *carcass) {
     EXPECT(GUSSET_OK, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
     options.between = 4;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE,
+           gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     options.between = 0, options.unsigned_normals = 2;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE,
+           gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     options.unsigned_normals = 0, options.reserved = 1;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE,
+           gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     options.reserved = 0, options.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE,
+           gusset_carcass_section(context, carcass, origin, up, offsets, 3, &options, &paths));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
            gusset_carcass_section(context, carcass, origin, up, offsets, 3, misaligned(), &paths));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_section(context, NULL, origin, up, offsets, 3, NULL, &paths));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_section(context, carcass, NULL, up, offsets, 3, NULL, &paths));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_section(context, carcass, origin, NULL, offsets, 3, NULL, &paths));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT,
+           gusset_carcass_section(context, carcass, origin, NULL, offsets, 3, NULL, &paths));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_section(context, carcass, origin, up, NULL, 3, NULL, &paths));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_section(context, carcass, origin, up, offsets, 3, NULL, NULL));
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_section(context, carcass, origin, zero, offsets, 3, NULL, &paths));

@@ -178,7 +178,8 @@ pub unsafe extern "C" fn gusset_carcass_contours(
 ///
 /// direction: x, y, z, not 0. angles: count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are unsigned. Otherwise as
 /// gusset_carcass_section. Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side between them;
-/// poles that may have the angle are listed as unresolved. Errors: as there. O(cells); threads. Source: Leus, task b.
+/// poles that may have the angle are listed as unresolved. Angles are of order three, as normals are; contours of the cosines at the nodes
+/// are of order four. Errors: as there. O(cells); threads. Source: Leus, task b.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_isophotes(

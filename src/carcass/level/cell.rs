@@ -128,7 +128,7 @@ fn by_parts<const M: usize>(cell: Part<M>, noise: f64, keys: &mut Keys, mut add:
             if unresolved.is_none_or(|(least, _)| middle.abs() < least) {
                 unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
             }
-            by_middle(part.marks, positive(middle), &mut add);
+            by_middle(&part.marks, positive(middle), &mut add);
             continue;
         }
         waiting.extend(cut(part, keys));
@@ -177,7 +177,7 @@ fn in_order(marks: &mut [Mark], graph: Graph, add: &mut impl FnMut(Link)) {
 }
 
 /// Round a part that is unresolved: where the middle is positive, arcs cut off what is negative, else what is positive.
-fn by_middle(marks: Vec<Mark>, middle: bool, add: &mut impl FnMut(Link)) {
+fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
     let mut round: Vec<Mark> = Vec::with_capacity(marks.len());
     for side in 0..SIDES {
         let first = round.len();

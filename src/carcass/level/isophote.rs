@@ -4,29 +4,31 @@
 //! of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90 degrees where H = 0; at 0 and 180 where both components across are 0, which is so
 //! at single points. None of it suffers from cancellation, whatever the angle.
 
-use super::normals::{Hodographs, squares};
+use super::normals::{Hodographs, cross, squares};
 use super::source::{Sides, Source};
-use super::{Between, Gathered, Strands, direction, lattice, paths};
+use super::{Between, Gathered, Lattice, Strands, direction, lattice, paths};
 use crate::alloc;
-use crate::carcass::cells::Cells;
+use crate::carcass::cells::{BLOCK, Cells};
+use crate::carcass::index::Pyramid;
 use crate::carcass::solve::{Field, Roots, roots};
 use crate::carcass::{Carcass, Paths, Place, Sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Sines and cosines smaller than that are 0.
 const SMALL: f64 = 1e-8;
-/// Cells that are one thread's work, and such works between two reports of progress.
-const CHUNK: usize = 1024;
+/// Blocks that are one thread's work, and such works between two reports of progress.
+const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
 
 /// Normals of a sheet, seen along a direction.
 pub(super) struct Normals<'a, C> {
     pub(super) cells: &'a C,
+    pub(super) index: &'a Pyramid,
     /// Two directions across the given one, and that one.
     pub(super) frame: [DVec3; 3],
     /// Of the greatest coordinates.
@@ -34,12 +36,99 @@ pub(super) struct Normals<'a, C> {
     pub(super) sides: Sides,
 }
 
+/// The corners of a block's cells, seen in the frame.
+pub(super) struct Corners {
+    at: [[DVec3; BLOCK + 1]; BLOCK + 1],
+    start: [usize; 2],
+    /// By how much control vectors of S_u and S_v differ from the sides of the quadrilateral at most.
+    play: f64,
+}
+
+impl Corners {
+    /// Ranges of the components of N over a cell.
+    #[inline]
+    pub(super) fn ranges(&self, [i, j]: [usize; 2]) -> [[f64; 2]; 3] {
+        let (r, c) = (i - self.start[0], j - self.start[1]);
+        let [[p00, p01], [p10, p11]] = [[self.at[r][c], self.at[r][c + 1]], [self.at[r + 1][c], self.at[r + 1][c + 1]]];
+        let range = |a: DVec3, b: DVec3| {
+            let (low, high) = (a.min(b) - self.play, a.max(b) + self.play);
+            [0, 1, 2].map(|k| [low[k], high[k]])
+        };
+        cross(range(p10 - p00, p11 - p01), range(p01 - p00, p11 - p10))
+    }
+}
+
 impl<C> Normals<'_, C> {
+    /// What tells most cells apart without making their patches.
+    ///
+    /// With c the control points of the difference of surface and bilinear patch, S_u differs from a side of the quadrilateral, or from what
+    /// is between two, by n |c_a+1 - c_a| <= 2 n max |c|, n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4
+    /// (L A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its weights, which is nowhere more than 1.42
+    /// L: by 2 deviations at most.
+    pub(super) fn corners<const N: usize>(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners
+    where
+        C: Cells<N>,
+    {
+        let deviation = self.index.deviation(rows.start / BLOCK, columns.start / BLOCK);
+        let mut at = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
+        let origin = self.index.origin();
+        for (r, row) in at.iter_mut().enumerate().take(rows.len() + 1) {
+            for (c, corner) in row.iter_mut().enumerate().take(columns.len() + 1) {
+                let point = self.cells.corner(rows.start + r, columns.start + c) - origin;
+                *corner = DVec3::from_array(self.frame.map(|axis| axis.dot(point)));
+            }
+        }
+        let play = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.reach;
+        Corners { at, start: [rows.start, columns.start], play }
+    }
+
+    /// The corners of block k, and its cells, row after row.
+    pub(super) fn block<const N: usize>(
+        &self,
+        lattice: &Lattice,
+        k: usize,
+    ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>)
+    where
+        C: Cells<N>,
+    {
+        let [_, across] = lattice.blocks();
+        let [rows, columns] = lattice.block([(k / across) as u32, (k % across) as u32]);
+        let corners = self.corners(&[rows.clone(), columns.clone()]);
+        (corners, rows.flat_map(move |i| columns.clone().map(move |j| [i, j])))
+    }
+
     fn hodographs<const N: usize>(&self, [i, j]: [usize; 2]) -> Hodographs<N>
     where
         C: Cells<N>,
     {
         Hodographs::new(&self.cells.patch(i, j), &self.frame)
+    }
+
+    /// Where in a cell both components across are 0 and the one along may have the given sign: simple roots, and what is unresolved.
+    fn roots<const N: usize, const H: usize>(
+        &self,
+        corners: &Corners,
+        cell: [usize; 2],
+        sign: f64,
+    ) -> Option<(Vec<DVec2>, Vec<DVec2>)>
+    where
+        C: Cells<N>,
+    {
+        let zero = |[low, high]: [f64; 2], noise: f64| low <= noise && high >= -noise;
+        let [x, y, _] = corners.ranges(cell);
+        if !(zero(x, 0.0) && zero(y, 0.0)) {
+            return None;
+        }
+        let of = self.hodographs::<N>(cell);
+        let noise = self.noise(&of);
+        let [x, y, along] = of.ranges();
+        let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
+        if !(zero(x, noise) && zero(y, noise) && right) {
+            return None;
+        }
+        let mut found = Roots::default();
+        roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found);
+        Some((found.simple, found.unresolved.into_iter().map(|(place, _)| place).collect()))
     }
 
     /// By what components of normals may be wrong for rounding.
@@ -53,21 +142,25 @@ impl<C> Normals<'_, C> {
 struct Silhouette<'a, C, const N: usize>(Normals<'a, C>);
 
 impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
-    type Block = ();
+    type Block = Corners;
     type Base = (Field<M>, f64);
 
-    fn block(&self, _: [Range<usize>; 2]) -> Option<()> {
-        Some(())
+    fn block(&self, cells: [Range<usize>; 2]) -> Option<Corners> {
+        Some(self.0.corners(&cells))
     }
 
-    fn may_cross(&self, (): &(), cell: [usize; 2]) -> bool {
+    fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
+        let [low, high] = block.ranges(cell)[2];
+        if low > 0.0 || high < 0.0 {
+            return false;
+        }
         let of = self.0.hodographs::<N>(cell);
         let noise = self.0.noise(&of);
         let [low, high] = of.ranges()[2];
         low <= noise && high >= -noise
     }
 
-    fn base(&self, (): &(), cell: [usize; 2]) -> (Field<M>, f64) {
+    fn base(&self, _: &Corners, cell: [usize; 2]) -> (Field<M>, f64) {
         let of = self.0.hodographs::<N>(cell);
         (of.normal(2), self.0.noise(&of))
     }
@@ -94,6 +187,7 @@ struct Isophotes<'a, C, const N: usize, const H: usize> {
     normals: Normals<'a, C>,
     /// Sines and cosines.
     angles: &'a [[f64; 2]],
+    radians: &'a [f64],
     unsigned: bool,
 }
 
@@ -105,25 +199,26 @@ struct Squares<const M: usize> {
 }
 
 impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for Isophotes<'_, C, N, H> {
-    type Block = ();
+    type Block = Corners;
     type Base = Squares<M>;
 
-    fn block(&self, _: [Range<usize>; 2]) -> Option<()> {
-        Some(())
+    fn block(&self, cells: [Range<usize>; 2]) -> Option<Corners> {
+        Some(self.normals.corners(&cells))
     }
 
-    fn may_cross(&self, (): &(), cell: [usize; 2]) -> bool {
-        let of = self.normals.hodographs::<N>(cell);
-        let noise = self.normals.noise(&of);
-        let [low, high] = angles(&of.ranges(), noise);
-        self.angles.iter().any(|&[sin, cos]| {
-            let angle = libm::atan2(sin, cos);
+    fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
+        let any = |[low, high]: [f64; 2]| {
             let within = |angle: f64| low <= angle && angle <= high;
-            within(angle) || (self.unsigned && within(PI - angle))
-        })
+            self.radians.iter().any(|&angle| within(angle) || (self.unsigned && within(PI - angle)))
+        };
+        if !any(angles(&block.ranges(cell), 0.0)) {
+            return false;
+        }
+        let of = self.normals.hodographs::<N>(cell);
+        any(angles(&of.ranges(), self.normals.noise(&of)))
     }
 
-    fn base(&self, (): &(), cell: [usize; 2]) -> Squares<M> {
+    fn base(&self, _: &Corners, cell: [usize; 2]) -> Squares<M> {
         let of = self.normals.hodographs::<N>(cell);
         let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
         let [u, v] = of.speeds();
@@ -177,6 +272,7 @@ struct Kinds {
     /// Of 0 and 180 degrees: the sign of the cosine.
     poles: Vec<(u32, f64)>,
     others: Vec<[f64; 2]>,
+    radians: Vec<f64>,
     numbers: Vec<u32>,
 }
 
@@ -186,6 +282,9 @@ impl Carcass<'_> {
     /// place of curves: paths of one point each. To the left of curves, seen from where the normals point to, angles are smaller.
     ///
     /// `angles`: in radians, rising, from 0 to pi; `unsigned`: a normal and its opposite are the same, and angles end at pi / 2.
+    ///
+    /// The angles are those of the interpolant's normals, which are of order three. Those at nodes are of order four, and so are the
+    /// [`Carcass::contours`] of their cosines.
     ///
     /// Every curve is found, as [`Carcass::section`] finds them, if the surface is regular. On sheets of patches and of the four-point
     /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for. At
@@ -214,25 +313,25 @@ impl Carcass<'_> {
         let reach = self.reach();
         let (mut curves, mut points) = (Gathered::default(), Vec::new());
         for k in 0..self.len() {
-            let (sheet, _) = self.indexed(k);
+            let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
             match sheet {
                 Sheet::Grid(grid) => {
                     let smooth = grid.axes().iter().all(|axis| axis.is_smooth());
                     let sides = if smooth { Sides::Alike } else { Sides::Apart };
-                    let of = Sought { sheet: k, cells: grid, frame, reach, sides, chord, unsigned };
-                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
+                    let of = Sought { sheet: k, cells: grid, index, frame, reach, sides, chord, unsigned };
+                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::Cubic(cells) => {
-                    let of = Sought { sheet: k, cells, frame, reach, sides: Sides::Apart, chord, unsigned };
-                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
+                    let of = Sought { sheet: k, cells, index, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::High(cells) => {
-                    let of = Sought { sheet: k, cells, frame, reach, sides: Sides::Apart, chord, unsigned };
-                    of.find::<8, 14, 27>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
+                    let of = Sought { sheet: k, cells, index, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    of.find::<8, 14, 27>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
             }
         }
-        let mut found = paths::paths(self, &curves.sheets, curves.unresolved, job)?;
+        let mut found = paths::paths(self, &curves.sheets, curves.unresolved, &job.part(0.9, 1.0))?;
         paths::add_points(self, &points, &mut found)?;
         super::leus::between(found, between)
     }
@@ -258,6 +357,7 @@ impl Kinds {
                 }
             } else {
                 alloc::push(&mut kinds.others, [sin, cos])?;
+                alloc::push(&mut kinds.radians, angle)?;
                 alloc::push(&mut kinds.numbers, k as u32)?;
             }
         }
@@ -269,6 +369,7 @@ impl Kinds {
 struct Sought<'a, C> {
     sheet: usize,
     cells: &'a C,
+    index: &'a Pyramid,
     frame: [DVec3; 3],
     reach: f64,
     sides: Sides,
@@ -278,13 +379,13 @@ struct Sought<'a, C> {
 
 impl<C> Sought<'_, C> {
     fn normals(&self) -> Normals<'_, C> {
-        Normals { cells: self.cells, frame: self.frame, reach: self.reach, sides: self.sides }
+        Normals { cells: self.cells, index: self.index, frame: self.frame, reach: self.reach, sides: self.sides }
     }
 
     fn find<const N: usize, const H: usize, const M: usize>(
         &self,
         kinds: &Kinds,
-        lattice: super::Lattice,
+        lattice: Lattice,
         curves: &mut Gathered,
         points: &mut Vec<(u32, Place)>,
         job: &Job<'_>,
@@ -296,18 +397,24 @@ impl<C> Sought<'_, C> {
         let block = |k: usize| [(k / across) as u32, (k % across) as u32];
         let apart = self.sides == Sides::Apart;
         let Sought { cells, chord, .. } = *self;
+        let passes = kinds.silhouettes.len() + usize::from(!kinds.others.is_empty()) + kinds.poles.len();
+        let mut pass = 0;
+        let mut next = || {
+            pass += 1;
+            job.part(f64::from(pass - 1) / passes as f64, f64::from(pass) / passes as f64)
+        };
         for &number in &kinds.silhouettes {
             let source = Silhouette::<C, N>(self.normals());
             let search = super::Search { cells, source: &source, lattice, chord };
-            let mut found = search.run::<N, H>(rows * across, block, job)?;
+            let mut found = search.run::<N, H>(rows * across, block, &next())?;
             found.arcs.iter_mut().for_each(|arc| arc.level = number);
             curves.add(self.sheet, found, &lattice, apart)?;
         }
         if !kinds.others.is_empty() {
             let (normals, unsigned) = (self.normals(), self.unsigned);
-            let source = Isophotes::<C, N, H> { normals, angles: &kinds.others, unsigned };
+            let source = Isophotes::<C, N, H> { normals, angles: &kinds.others, radians: &kinds.radians, unsigned };
             let search = super::Search { cells, source: &source, lattice, chord };
-            let found = search.run::<N, M>(rows * across, block, job)?;
+            let found = search.run::<N, M>(rows * across, block, &next())?;
             curves.add(self.sheet, found, &lattice, apart)?;
             if let Some((_, strands)) = curves.sheets.last_mut() {
                 self.keep_signs(strands, &kinds.others);
@@ -315,7 +422,7 @@ impl<C> Sought<'_, C> {
             }
         }
         for &(number, sign) in &kinds.poles {
-            self.poles::<N, H>(sign, number, lattice.counts, curves, points, job)?;
+            self.poles::<N, H>(sign, number, &lattice, curves, points, &next())?;
         }
         Ok(())
     }
@@ -341,7 +448,7 @@ impl<C> Sought<'_, C> {
         &self,
         sign: f64,
         number: u32,
-        [rows, columns]: [usize; 2],
+        lattice: &Lattice,
         curves: &mut Gathered,
         points: &mut Vec<(u32, Place)>,
         job: &Job<'_>,
@@ -350,39 +457,34 @@ impl<C> Sought<'_, C> {
         C: Cells<N>,
     {
         let normals = self.normals();
-        let count = rows * columns;
+        let [rows, across] = lattice.blocks();
+        let count = rows * across;
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             job.step(first as f64 / count as f64, "contours")?;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
-                let mut all: Vec<([u32; 2], Roots<H>)> = Vec::new();
+                let mut all = Vec::new();
                 for k in range {
-                    let cell = [(first + k) / columns, (first + k) % columns];
-                    let of = normals.hodographs::<N>(cell);
-                    let noise = normals.noise(&of);
-                    let [first, second, along] = of.ranges();
-                    let zero = |[low, high]: [f64; 2]| low <= noise && high >= -noise;
-                    let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
-                    if !(zero(first) && zero(second) && right) {
-                        continue;
+                    let (corners, cells) = normals.block(lattice, first + k);
+                    for cell in cells {
+                        if let Some(roots) = normals.roots::<N, H>(&corners, cell, sign) {
+                            alloc::push(&mut all, (cell.map(|k| k as u32), roots))?;
+                        }
                     }
-                    let mut found = Roots::default();
-                    roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found);
-                    alloc::push(&mut all, (cell.map(|k| k as u32), found))?;
                 }
                 Ok(all)
             });
             for part in parts {
                 let part: Vec<_> = part?;
-                for (cell, found) in part {
-                    let place = |at: glam::DVec2| Place { sheet: self.sheet as u32, cell, u: at.x, v: at.y };
-                    for at in found.simple {
+                for (cell, (simple, unresolved)) in part {
+                    let place = |at: DVec2| Place { sheet: self.sheet as u32, cell, u: at.x, v: at.y };
+                    for at in simple {
                         let [i, j] = cell.map(|k| k as usize);
                         let along = self.cells.patch(i, j).jet(at.x, at.y).normal().dot(self.frame[2]);
                         if along * sign > 0.0 {
                             alloc::push(points, (number, place(at)))?;
                         }
                     }
-                    for (at, _) in found.unresolved {
+                    for at in unresolved {
                         alloc::push(&mut curves.unresolved, place(at))?;
                     }
                 }

@@ -21,6 +21,7 @@ mod side;
 mod source;
 
 use super::axis::{Axis, Scheme};
+use super::cells::BLOCK;
 use super::{Carcass, Paths, Place, Sheet, each_sheet};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -96,10 +97,10 @@ impl Carcass<'_> {
         let chord = self.chord(between)?;
         let reach = self.reach().max(planes.point.abs().max_element());
         // A few roundings of coordinates of this size.
-        let noise = 64.0 * f64::EPSILON * reach;
+        let noise = 16.0 * f64::EPSILON * reach;
         let mut gathered = Gathered::default();
         for k in 0..self.len() {
-            let (sheet, index) = self.indexed(k);
+            let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
             let lattice = lattice(sheet);
             let blocks = planes::blocks(index, lattice.blocks(), planes.point, normal, planes.offsets, noise)?;
             let block = |k: usize| blocks[k];
@@ -109,21 +110,23 @@ impl Carcass<'_> {
                     let axes = grid.axes();
                     let value = |i: usize, j: usize| (grid.nodes().get(i, j) - planes.point).dot(normal);
                     let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
-                    let source = Nodal { axes, value, levels: planes.offsets, noise, excess };
-                    Search { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, job)?
+                    // The normal is a unit vector: what the surface deviates by, its product with the normal does at most.
+                    let deviation = |i: usize, j: usize| index.deviation(i / BLOCK, j / BLOCK) + noise;
+                    let source = Nodal { axes, value, levels: planes.offsets, noise, excess, deviation };
+                    Search { cells: grid, source: &source, lattice, chord }.run(blocks.len(), block, &part)?
                 }
                 Sheet::Cubic(cells) => {
                     let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, noise };
-                    Search { cells, source: &source, lattice, chord }.run::<4, 4>(blocks.len(), block, job)?
+                    Search { cells, source: &source, lattice, chord }.run::<4, 4>(blocks.len(), block, &part)?
                 }
                 Sheet::High(cells) => {
                     let source = Plane { cells, normal, origin: planes.point, levels: planes.offsets, noise };
-                    Search { cells, source: &source, lattice, chord }.run::<8, 8>(blocks.len(), block, job)?
+                    Search { cells, source: &source, lattice, chord }.run::<8, 8>(blocks.len(), block, &part)?
                 }
             };
             gathered.add(k, found, &lattice, apart)?;
         }
-        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, job)?, between)
+        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, &job.part(0.9, 1.0))?, between)
     }
 
     /// The contours of a scalar field that is given at the corners of the cells: where it takes the values of `levels`, which rise. Between
@@ -143,7 +146,7 @@ impl Carcass<'_> {
         let mut gathered = Gathered::default();
         let mut first = 0;
         for k in 0..self.len() {
-            let (sheet, _) = self.indexed(k);
+            let (part, (sheet, _)) = (self.part(k, job), self.indexed(k));
             let lattice = lattice(sheet);
             let [rows, columns] = sheet.cells().map(|count| count + 1);
             let own = &values[first..first + rows * columns];
@@ -156,15 +159,21 @@ impl Carcass<'_> {
             };
             let value = |i: usize, j: usize| own[i * columns + j];
             let excess = axes[0].lebesgue() * axes[1].lebesgue() - 1.0;
-            let source = Nodal { axes, value, levels, noise: 64.0 * f64::EPSILON * largest, excess };
+            let noise = 16.0 * f64::EPSILON * largest;
+            let source = Nodal { axes, value, levels, noise, excess, deviation: |_, _| f64::INFINITY };
             let [_, across] = lattice.blocks();
             let block = |k: usize| [(k / across) as u32, (k % across) as u32];
             let count = lattice.blocks()[0] * across;
-            let found =
-                each_sheet!(sheet, cells => Search { cells, source: &source, lattice, chord }.run(count, block, job))?;
+            let found = each_sheet!(sheet, cells => Search { cells, source: &source, lattice, chord }.run(count, block, &part))?;
             gathered.add(k, found, &lattice, false)?;
         }
-        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, job)?, between)
+        leus::between(paths::paths(self, &gathered.sheets, gathered.unresolved, &job.part(0.9, 1.0))?, between)
+    }
+
+    /// The share of sheet k in the search.
+    fn part<'a>(&self, k: usize, job: &Job<'a>) -> Job<'a> {
+        let share = |k: usize| 0.9 * k as f64 / self.len() as f64;
+        job.part(share(k), share(k + 1))
     }
 
     fn check_values(&self, values: &[f64]) -> Result<()> {

@@ -4,14 +4,15 @@
 //! are those of the components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2 theta P (see
 //! `isophote`), which tell on which side of theta all angles of a part are.
 
-use super::direction;
 use super::isophote::{Normals, angles, frame};
 use super::normals::{Hodographs, squares};
 use super::source::Sides;
+use super::{Lattice, direction, lattice};
 use crate::alloc;
 use crate::carcass::cells::Cells;
+use crate::carcass::index::Pyramid;
 use crate::carcass::solve::Field;
-use crate::carcass::{Carcass, Place, Sheet};
+use crate::carcass::{Carcass, Place, Sheet, each_sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
@@ -23,8 +24,8 @@ const TOLERANCE: f64 = 1e-9;
 /// Halvings of a cell, and parts that may be looked at in one.
 const DEPTH: u32 = 40;
 const PARTS: u32 = 4096;
-/// Cells that are one thread's work, and such works between two reports of progress.
-const CHUNK: usize = 1024;
+/// Blocks that are one thread's work, and such works between two reports of progress.
+const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
 
 /// Where a normal's angle is nearest to a given one.
@@ -139,11 +140,25 @@ struct Sought<'a, C> {
     goal: Goal,
 }
 
+/// What is asked for on all sheets.
+struct Asked {
+    goal: Goal,
+    frame: [DVec3; 3],
+    reach: f64,
+}
+
+impl Asked {
+    fn of<'a, C>(&self, sheet: u32, cells: &'a C, index: &'a Pyramid) -> Sought<'a, C> {
+        let normals = Normals { cells, index, frame: self.frame, reach: self.reach, sides: Sides::Apart };
+        Sought { normals, sheet, goal: self.goal }
+    }
+}
+
 impl<C> Sought<'_, C> {
     /// The best at the middles of cells, and the cells that may hold something better.
     fn candidates<const N: usize>(
         &self,
-        [rows, columns]: [usize; 2],
+        lattice: &Lattice,
         best: &mut Best,
         candidates: &mut Vec<Candidate>,
         job: &Job<'_>,
@@ -151,15 +166,20 @@ impl<C> Sought<'_, C> {
     where
         C: Cells<N>,
     {
-        let count = rows * columns;
+        let [rows, across] = lattice.blocks();
+        let count = rows * across;
         for first in (0..count).step_by(CHUNK * CHUNKS) {
-            job.step(0.9 * first as f64 / count as f64, "angles")?;
+            job.step(first as f64 / count as f64, "angles")?;
             let known = *best;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
                 let (mut best, mut candidates) = (known, Vec::new());
                 for k in range {
-                    let cell = [((first + k) / columns) as u32, ((first + k) % columns) as u32];
-                    self.cell::<N>(cell, &mut best, &mut candidates)?;
+                    let (corners, cells) = self.normals.block(lattice, first + k);
+                    for cell in cells {
+                        if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
+                            self.cell::<N>(cell.map(|k| k as u32), &mut best, &mut candidates)?;
+                        }
+                    }
                 }
                 Ok((best, candidates))
             });
@@ -253,20 +273,14 @@ impl Carcass<'_> {
         let (goal, frame, reach) = (Goal { angle, unsigned }, frame(axis), self.reach());
         let mut best = Best { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();
-        /// What is sought on a sheet of any kind.
-        macro_rules! sought {
-            ($k:expr, $cells:expr) => {
-                Sought { normals: Normals { cells: $cells, frame, reach, sides: Sides::Apart }, sheet: $k as u32, goal }
-            };
-        }
+        let asked = Asked { goal, frame, reach };
         for k in 0..self.len() {
-            let (sheet, _) = self.indexed(k);
-            let counts = sheet.cells();
-            match sheet {
-                Sheet::Grid(cells) => sought!(k, cells).candidates(counts, &mut best, &mut candidates, job)?,
-                Sheet::Cubic(cells) => sought!(k, cells).candidates(counts, &mut best, &mut candidates, job)?,
-                Sheet::High(cells) => sought!(k, cells).candidates(counts, &mut best, &mut candidates, job)?,
-            }
+            let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
+            let cells_of = lattice(sheet);
+            let number = k as u32;
+            each_sheet!(sheet, cells => {
+                asked.of(number, cells, index).candidates(&cells_of, &mut best, &mut candidates, &part)
+            })?;
         }
         let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
         candidates.sort_by(|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
@@ -279,12 +293,12 @@ impl Carcass<'_> {
                 bound = bound.min(candidate.bound);
                 break;
             }
-            let (sheet, _) = self.indexed(candidate.sheet as usize);
+            let (sheet, index) = self.indexed(candidate.sheet as usize);
             let (number, cell) = (candidate.sheet, candidate.cell);
             bound = bound.min(match sheet {
-                Sheet::Grid(cells) => sought!(number, cells).search::<4, 6, 11>(cell, &mut best),
-                Sheet::Cubic(cells) => sought!(number, cells).search::<4, 6, 11>(cell, &mut best),
-                Sheet::High(cells) => sought!(number, cells).search::<8, 14, 27>(cell, &mut best),
+                Sheet::Grid(cells) => asked.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::Cubic(cells) => asked.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::High(cells) => asked.of(number, cells, index).search::<8, 14, 27>(cell, &mut best),
             });
         }
         Ok(best.place.map(|place| {

@@ -89,11 +89,7 @@ impl<const N: usize> Hodographs<N> {
         };
         let u = [0, 1, 2].map(|k| range(&self.u[k], N - 1, N));
         let v = [0, 1, 2].map(|k| range(&self.v[k], N, N - 1));
-        [0, 1, 2].map(|k| {
-            let (k, l) = ((k + 1) % 3, (k + 2) % 3);
-            let (first, second) = (times(u[k], v[l]), times(u[l], v[k]));
-            [first[0] - second[1], first[1] - second[0]]
-        })
+        cross(u, v)
     }
 
     /// The greatest lengths of S_u and S_v, as control points bound them.
@@ -139,10 +135,20 @@ fn add_trimmed<const N: usize, const M: usize>(u: &Scaled<N>, v: &Scaled<N>, fac
     }
 }
 
+/// Ranges of the components of the cross product of vectors whose components are within ranges.
+pub(super) fn cross(u: [[f64; 2]; 3], v: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
+    [0, 1, 2].map(|k| {
+        let (k, l) = ((k + 1) % 3, (k + 2) % 3);
+        let (first, second) = (times(u[k], v[l]), times(u[l], v[k]));
+        [first[0] - second[1], first[1] - second[0]]
+    })
+}
+
 /// Intervals multiplied.
 fn times(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     let all = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
-    [all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+    let (low, high) = (|x: f64, y: f64| if x < y { x } else { y }, |x: f64, y: f64| if x > y { x } else { y });
+    [low(low(all[0], all[1]), low(all[2], all[3])), high(high(all[0], all[1]), high(all[2], all[3]))]
 }
 
 /// The sum of the squares of fields, of twice their degree.

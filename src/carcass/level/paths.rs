@@ -10,7 +10,9 @@ use crate::par;
 use glam::DVec3;
 
 /// Places that are one thread's work.
-const CHUNK: usize = 4096;
+const CHUNK: usize = 1024;
+/// Such works between two reports of progress.
+const CHUNKS: usize = 64;
 
 /// The strands of all sheets.
 struct All {
@@ -32,15 +34,19 @@ impl All {
             strands.extend(own.strands.iter().map(moved));
         }
         strands.sort_by_key(|strand| strand.level);
-        let parts = par::chunks(job.threads(), places.len(), CHUNK, |range| {
-            let frames = places[range].iter().map(|&place| carcass.point_and_normal(place));
-            alloc::collect(frames).map(|frames| frames.into_iter().unzip::<_, _, Vec<_>, Vec<_>>())
-        });
         let (mut points, mut normals) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
-        for part in parts {
-            let (some, others): (Vec<DVec3>, Vec<DVec3>) = part?;
-            points.extend(some);
-            normals.extend(others);
+        for some in places.chunks(CHUNK * CHUNKS) {
+            job.step(points.len() as f64 / count as f64, "points")?;
+            let parts = par::chunks(job.threads(), some.len(), CHUNK, |range| {
+                let frames = some[range].iter().map(|&place| carcass.point_and_normal(place));
+                alloc::collect(frames)
+            });
+            for part in parts {
+                for (point, normal) in part? {
+                    points.push(point);
+                    normals.push(normal);
+                }
+            }
         }
         Ok(All { strands, places, points, normals })
     }

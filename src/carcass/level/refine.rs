@@ -25,6 +25,28 @@ struct Node {
     point: DVec3,
 }
 
+/// True if an arc cannot leave its chord by more than `chord`, as the deviation of surface and field from bilinear ones shows.
+///
+/// With v over u: along the straight line between the ends in (u, v) the bilinear parts bend by a quarter of their twists at most, so that the field
+/// is within 2 `deviation` + twist / 4 of 0 there, and the arc, where |F_v| >= m, within that over m of the line. Between the two the surface
+/// moves by no more than its greatest step in v takes, and 2 `deviation`. Twists of the field are no greater than those of the surface.
+pub(super) fn is_straight<const M: usize>(
+    corners: &[DVec3; 4],
+    field: &Field<M>,
+    link: &Link,
+    deviation: f64,
+    chord: f64,
+) -> bool {
+    let Some(graph) = link.graph.filter(|_| deviation < chord) else { return false };
+    let [p00, p01, p10, p11] = corners;
+    let bend = 2.0 * deviation + 0.25 * (*p00 + *p11 - *p01 - *p10).length();
+    let steps = if graph.over == 0 { [*p01 - *p00, *p11 - *p10] } else { [*p10 - *p00, *p11 - *p01] };
+    let step = steps[0].length_squared().max(steps[1].length_squared()).sqrt();
+    let [low, high] = field.slope_ranges()[1 - graph.over];
+    let slope = low.max(-high);
+    slope > 0.0 && bend * (1.0 + step / slope) + 2.0 * deviation <= chord
+}
+
 /// Adds the places between the ends of an arc that keep the chords within `chord` of it, as seen at their middles and quarters.
 pub(super) fn refine<const N: usize, const M: usize>(
     patch: &Patch<N>,

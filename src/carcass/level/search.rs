@@ -2,7 +2,7 @@
 
 use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
 use super::lattice::Lattice;
-use super::refine::refine;
+use super::refine::{is_straight, refine};
 use super::side::{crossings, positive};
 use super::source::{Sides, Source};
 use crate::alloc;
@@ -15,7 +15,7 @@ use crate::par;
 use glam::DVec2;
 
 /// Blocks that are one thread's work.
-const CHUNK: usize = 64;
+const CHUNK: usize = 16;
 /// Chunks between two reports of progress.
 const CHUNKS: usize = 16;
 
@@ -63,12 +63,21 @@ pub(super) struct Search<'a, C, S> {
     pub(super) chord: Option<f64>,
 }
 
+/// Room for the work on a cell.
+#[derive(Default)]
+struct Scratch {
+    marks: Vec<Mark>,
+    links: Vec<Link>,
+}
+
 /// One level in a cell.
 struct Piece<'a, const M: usize> {
     cell: [usize; 2],
     level: usize,
     field: &'a Field<M>,
     noise: f64,
+    /// How far it and the surface are from bilinear.
+    deviation: f64,
     /// Polynomials along the sides.
     sides: [[f64; M]; SIDES],
     /// Signs at the corners 2 u + v.
@@ -93,9 +102,9 @@ impl<C, S> Search<'_, C, S> {
             let blocks = (count - first).min(CHUNK * CHUNKS);
             let parts = par::chunks(job.threads(), blocks, CHUNK, |range| {
                 let mut part = Found::default();
-                let mut marks = Vec::new();
+                let mut scratch = Scratch::default();
                 for k in range {
-                    self.block(block(first + k), &mut marks, &mut part)?;
+                    self.block(block(first + k), &mut scratch, &mut part)?;
                 }
                 Ok(part)
             });
@@ -114,7 +123,7 @@ impl<C, S> Search<'_, C, S> {
     fn block<const N: usize, const M: usize>(
         &self,
         block: [u32; 2],
-        marks: &mut Vec<Mark>,
+        scratch: &mut Scratch,
         found: &mut Found,
     ) -> Result<()>
     where
@@ -130,8 +139,8 @@ impl<C, S> Search<'_, C, S> {
             let base = self.source.base(&block, cell);
             let mut patch = None;
             for level in self.source.levels(&base) {
-                let field = self.source.field(&base, level);
                 let noise = self.source.noise(&base);
+                let field = snapped(self.source.field(&base, level), noise);
                 let [low, high] = field.range();
                 // With rounding: where sides are alike only, a neighbour's may have marks that this cell's own have not.
                 if low > noise || high < -noise {
@@ -148,8 +157,9 @@ impl<C, S> Search<'_, C, S> {
                     Sides::Alike => self.common_border(&block, cell, &field, level),
                     _ => own_border(&field),
                 };
-                let piece = Piece { cell, level, field: &field, noise, sides, corners };
-                self.piece(&piece, &mut patch, marks, found)?;
+                let deviation = self.source.deviation(&block);
+                let piece = Piece { cell, level, field: &field, noise, deviation, sides, corners };
+                self.piece(&piece, &mut patch, scratch, found)?;
             }
         }
         Ok(())
@@ -169,7 +179,12 @@ impl<C, S> Search<'_, C, S> {
         let ([low_v, mut high_u, mut high_v, low_u], mut corners) = own_border(own);
         for after in [[true, false], [false, true], [true, true]] {
             let (owner, ends) = self.lattice.owner(cell, after);
-            let field = if owner == cell { *own } else { self.source.field(&self.source.base(block, owner), level) };
+            let field = if owner == cell {
+                *own
+            } else {
+                let base = self.source.base(block, owner);
+                snapped(self.source.field(&base, level), self.source.noise(&base))
+            };
             let corner = field.c[if ends[0] { M - 1 } else { 0 }][if ends[1] { M - 1 } else { 0 }];
             corners[2 * usize::from(after[0]) + usize::from(after[1])] = positive(corner);
             match after {
@@ -186,28 +201,33 @@ impl<C, S> Search<'_, C, S> {
         &self,
         piece: &Piece<'_, M>,
         patch: &mut Option<Patch<N>>,
-        marks: &mut Vec<Mark>,
+        scratch: &mut Scratch,
         found: &mut Found,
     ) -> Result<()>
     where
         C: Cells<N>,
         S: Source<M>,
     {
+        let Scratch { marks, links } = scratch;
+        links.clear();
         self.marks(piece, marks);
         let [i, j] = piece.cell;
         let cell = [i as u32, j as u32];
         let number = (i * self.lattice.counts[1] + j) as u64;
         let mut keys = Keys(1 << 63 | number << 24);
-        let mut links: Vec<Link> = Vec::new();
         let unresolved = arcs(piece.field, marks, piece.corners, piece.noise, &mut keys, |link| links.push(link));
         if let Some(at) = unresolved {
             alloc::push(&mut found.unresolved, (cell, at))?;
         }
-        for link in links {
+        for link in links.iter() {
             let first = found.inner.len() as u32;
-            if let Some(chord) = self.chord {
+            let corners = || [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner(i, j));
+            let straight = |chord: f64| {
+                piece.deviation < chord && is_straight(&corners(), piece.field, link, piece.deviation, chord)
+            };
+            if let Some(chord) = self.chord.filter(|&chord| !straight(chord)) {
                 let patch = patch.get_or_insert_with(|| self.cells.patch(i, j));
-                refine(patch, piece.field, &link, chord, &mut found.inner);
+                refine(patch, piece.field, link, chord, &mut found.inner);
             }
             let arc = Arc {
                 level: piece.level as u32,
@@ -244,6 +264,13 @@ impl<C, S> Search<'_, C, S> {
             });
         }
     }
+}
+
+/// What cannot be told from 0 is 0: so what lies in a plane within rounding lies in it, and is no heap of tiny curves. The same
+/// coefficients stay the same.
+#[inline]
+fn snapped<const M: usize>(field: Field<M>, noise: f64) -> Field<M> {
+    Field { c: field.c.map(|row| row.map(|x| if x.abs() <= noise { 0.0 } else { x })) }
 }
 
 /// As the cell has it itself.

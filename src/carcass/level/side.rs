@@ -55,11 +55,11 @@ fn isolate<const M: usize>(c: &[f64; M], from: f64, to: f64, depth: u32, found: 
         return;
     }
     let (mut low, mut high) = (*c, *c);
-    for k in 1..M {
+    for (k, coefficient) in low.iter_mut().enumerate().skip(1) {
         for a in 0..M - k {
             high[a] = 0.5 * (high[a] + high[a + 1]);
         }
-        low[k] = high[0];
+        *coefficient = high[0];
     }
     let middle = 0.5 * (from + to);
     isolate(&low, from, middle, depth - 1, found);

@@ -41,6 +41,11 @@ pub(super) trait Source<const M: usize>: Sync {
     /// The field whose zero set is one level's.
     fn field(&self, base: &Self::Base, level: usize) -> Field<M>;
 
+    /// How far the surface over a cell of the block, and the field too, may be from the bilinear ones through the cell's corners.
+    fn deviation(&self, _block: &Self::Block) -> f64 {
+        f64::INFINITY
+    }
+
     /// How cells fit.
     fn sides(&self) -> Sides;
 
@@ -49,9 +54,14 @@ pub(super) trait Source<const M: usize>: Sync {
 }
 
 /// The levels, which rise, from `low` to `high`, with some play.
+#[inline]
 pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], play: f64) -> Range<usize> {
+    if let &[level] = levels {
+        return 0..usize::from(low - play <= level && level <= high + play);
+    }
     let first = levels.partition_point(|&level| level < low - play);
-    first..first + levels[first..].partition_point(|&level| level <= high + play)
+    let count = levels[first..].partition_point(|&level| level <= high + play);
+    first..first + count
 }
 
 /// Nodes in one direction that the cells of a block depend on.
@@ -61,6 +71,10 @@ const WINDOW: usize = BLOCK + TAPS - 1;
 pub(super) struct Window {
     start: [usize; 2],
     values: [[f64; WINDOW]; WINDOW],
+    /// Where the first cell's first corner is.
+    corner: [usize; 2],
+    /// How far the field over a cell may be from the corners' range.
+    deviation: f64,
     /// By direction and cell: where its nodes begin.
     first: [[usize; BLOCK]; 2],
     rows: [[[f64; TAPS]; 4]; BLOCK],
@@ -69,10 +83,12 @@ pub(super) struct Window {
 }
 
 impl Window {
-    fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
+    fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], deviation: f64, value: impl Fn(usize, usize) -> f64) -> Self {
         let mut window = Window {
             start: [cells[0].start, cells[1].start],
             values: [[0.0; WINDOW]; WINDOW],
+            corner: [0; 2],
+            deviation,
             first: [[0; BLOCK]; 2],
             rows: [[[0.0; TAPS]; 4]; BLOCK],
             columns: [[[0.0; 4]; TAPS]; BLOCK],
@@ -81,6 +97,7 @@ impl Window {
         let mut counts = [0; 2];
         for (d, (axis, range)) in axes.into_iter().zip(cells).enumerate() {
             let ([origin, ..], _) = axis.taps(range.start);
+            window.corner[d] = if axis.is_closed() { 2 } else { range.start - origin };
             for (k, cell) in range.clone().enumerate() {
                 let (taps, weights) = axis.taps(cell);
                 let first = if axis.is_closed() { k } else { taps[0] - origin };
@@ -107,6 +124,15 @@ impl Window {
         let last = window.values[counts[0] - 1];
         window.values[counts[0]..].fill(last);
         window
+    }
+
+    /// A range of the field over a cell, from its corners.
+    #[inline]
+    fn near(&self, [i, j]: [usize; 2]) -> [f64; 2] {
+        let (r, c) = (self.corner[0] + i - self.start[0], self.corner[1] + j - self.start[1]);
+        let [a, b] = [self.values[r][c], self.values[r][c + 1]];
+        let [d, e] = [self.values[r + 1][c], self.values[r + 1][c + 1]];
+        [a.min(b).min(d.min(e)) - self.deviation, a.max(b).max(d.max(e)) + self.deviation]
     }
 
     /// The least and the greatest scalar.
@@ -141,24 +167,40 @@ impl Window {
 }
 
 /// The same interpolation of scalars as of nodes.
-pub(super) struct Nodal<'a, F> {
+pub(super) struct Nodal<'a, F, D> {
     pub(super) axes: [&'a Axis; 2],
     pub(super) value: F,
     pub(super) levels: &'a [f64],
     pub(super) noise: f64,
     /// How far values of cells may be outside those of their nodes, in parts of the half range: |w| sums to at most 1 + `excess`.
     pub(super) excess: f64,
+    /// By the first cell of a block: how far the field over its cells may be from the ranges of their corners.
+    pub(super) deviation: D,
 }
 
-impl<F: Fn(usize, usize) -> f64 + Sync> Source<4> for Nodal<'_, F> {
+impl<F, D> Source<4> for Nodal<'_, F, D>
+where
+    F: Fn(usize, usize) -> f64 + Sync,
+    D: Fn(usize, usize) -> f64 + Sync,
+{
     type Block = Window;
     type Base = Field<4>;
 
+    #[inline]
     fn block(&self, cells: [Range<usize>; 2]) -> Option<Window> {
-        let window = Window::new(self.axes, &cells, &self.value);
+        let deviation = (self.deviation)(cells[0].start, cells[1].start);
+        let window = Window::new(self.axes, &cells, deviation, &self.value);
+        if deviation.is_finite() {
+            return Some(window);
+        }
         let [low, high] = window.range();
         let play = 0.5 * self.excess * (high - low) + self.noise;
         (!between(self.levels, [low, high], play).is_empty()).then_some(window)
+    }
+
+    #[inline]
+    fn may_cross(&self, block: &Window, cell: [usize; 2]) -> bool {
+        !between(self.levels, block.near(cell), self.noise).is_empty()
     }
 
     #[inline]
@@ -168,12 +210,17 @@ impl<F: Fn(usize, usize) -> f64 + Sync> Source<4> for Nodal<'_, F> {
 
     #[inline]
     fn levels(&self, base: &Field<4>) -> Range<usize> {
-        between(self.levels, base.range(), 0.0)
+        between(self.levels, base.range(), self.noise)
     }
 
     #[inline]
     fn field(&self, base: &Field<4>, level: usize) -> Field<4> {
         shifted(base, self.levels[level])
+    }
+
+    #[inline]
+    fn deviation(&self, block: &Window) -> f64 {
+        block.deviation
     }
 
     fn sides(&self) -> Sides {
@@ -214,7 +261,7 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     }
 
     fn levels(&self, base: &Field<N>) -> Range<usize> {
-        between(self.levels, base.range(), 0.0)
+        between(self.levels, base.range(), self.noise)
     }
 
     fn field(&self, base: &Field<N>, level: usize) -> Field<N> {
