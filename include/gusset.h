@@ -190,6 +190,16 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
+ * gusset_sheet_curve: u stays and v runs: along rows.
+ */
+#define GUSSET_ALONG_ROWS 0
+
+/**
+ * gusset_sheet_curve: v stays and u runs: along columns.
+ */
+#define GUSSET_ALONG_COLUMNS 1
+
+/**
  * Every edge has exactly two faces.
  */
 #define GUSSET_MESH_CLOSED 1
@@ -1201,6 +1211,11 @@ typedef struct gusset_stream_decoder gusset_stream_decoder;
 typedef struct gusset_strip gusset_strip;
 
 /**
+ * Where lines or a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
+ */
+typedef struct gusset_surface_hits gusset_surface_hits;
+
+/**
  * Curves on a surface: what sections, contours and intersections give. Opaque and immutable.
  */
 typedef struct gusset_surface_paths gusset_surface_paths;
@@ -1901,6 +1916,125 @@ typedef struct gusset_surface_paths_parts {
 } gusset_surface_paths_parts;
 
 /**
+ * How the surface is drawn through nodes.
+ */
+typedef uint32_t gusset_scheme;
+
+/**
+ * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+ */
+typedef struct gusset_line {
+    /**
+     * x, y, z of the point where t is 0; finite.
+     */
+    double origin[3];
+    /**
+     * x, y, z of the direction; finite and not 0, of any length. t counts lengths of it.
+     */
+    double direction[3];
+    /**
+     * The least t: -INFINITY for lines, 0 for rays and segments.
+     */
+    double from;
+    /**
+     * The greatest t: INFINITY for lines and rays; not below `from`.
+     */
+    double to;
+} gusset_line;
+
+/**
+ * Which hits are wanted.
+ */
+typedef uint32_t gusset_which;
+
+/**
+ * What a hit is.
+ */
+typedef uint32_t gusset_hit;
+
+/**
+ * A point that a line or a curve and a surface have in common.
+ */
+typedef struct gusset_surface_hit {
+    /**
+     * Where on the line; of a curve the number of the segment and the parameter on it, added.
+     */
+    double t;
+    /**
+     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
+     */
+    double span[2];
+    /**
+     * Where on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z of the point of the surface.
+     */
+    double point[3];
+    /**
+     * x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * GUSSET_HIT_...
+     */
+    gusset_hit kind;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_hit;
+
+/**
+ * A place on a curve.
+ */
+typedef struct gusset_place {
+    /**
+     * Counted from 0.
+     */
+    uint32_t segment;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The parameter: 0 at the segment's first control point, 1 at its last.
+     */
+    double t;
+} gusset_place;
+
+/**
+ * The hits. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_hits_parts {
+    /**
+     * sizeof(gusset_surface_hits_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many lines were asked for; 1 for a curve.
+     */
+    size_t line_count;
+    /**
+     * How many hits there are in all.
+     */
+    size_t hit_count;
+    /**
+     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
+     */
+    const uint64_t *ends;
+    /**
+     * The hits, those of a line by rising t.
+     */
+    const struct gusset_surface_hit *hits;
+    /**
+     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
+     */
+    const struct gusset_place *on_curve;
+} gusset_surface_hits_parts;
+
+/**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
  * destroyed.
  */
@@ -2062,24 +2196,6 @@ typedef struct gusset_curve_parts {
      */
     uint32_t reserved;
 } gusset_curve_parts;
-
-/**
- * A place on a curve.
- */
-typedef struct gusset_place {
-    /**
-     * Counted from 0.
-     */
-    uint32_t segment;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * The parameter: 0 at the segment's first control point, 1 at its last.
-     */
-    double t;
-} gusset_place;
 
 /**
  * The nearest point of a curve.
@@ -3965,11 +4081,6 @@ typedef struct gusset_sections_parts {
 } gusset_sections_parts;
 
 /**
- * How the surface is drawn through nodes.
- */
-typedef uint32_t gusset_scheme;
-
-/**
  * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride bytes, one after the other.
  */
 typedef struct gusset_nodes {
@@ -4292,6 +4403,41 @@ typedef struct gusset_winged_view {
      */
     struct gusset_indices loop_offsets;
 } gusset_winged_view;
+
+/**
+ * All, in the order of the line.
+ */
+#define GUSSET_WHICH_ALL 0
+
+/**
+ * The first one.
+ */
+#define GUSSET_WHICH_FIRST 1
+
+/**
+ * Any one: whether there is one.
+ */
+#define GUSSET_WHICH_ANY 2
+
+/**
+ * None.
+ */
+#define GUSSET_HIT_NONE 0
+
+/**
+ * It passes through the surface: proved, but for poles, where the surface is not regular.
+ */
+#define GUSSET_HIT_CROSSING 1
+
+/**
+ * It touches the surface within the tolerance: one point, two close to each other, or none.
+ */
+#define GUSSET_HIT_TOUCH 2
+
+/**
+ * It runs in the surface, within the tolerance, all over the span.
+ */
+#define GUSSET_HIT_INSIDE 3
 
 /**
  * Along rows, from column to column.
@@ -5122,6 +5268,134 @@ gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths
  * Frees curves; NULL is allowed.
  */
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
+
+/**
+ * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
+ *
+ * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one again.
+ * closed: 0 or 1. scheme: GUSSET_SCHEME_... curve: receives the result, for gusset_curve_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE,
+ * SIZE_OVERFLOW, OUT_OF_MEMORY. O(count). Source: Leus, "Carcasses on smooth surfaces": points are the carcass of a curve.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_through(const struct gusset_context *context,
+                                   const double *nodes,
+                                   size_t count,
+                                   uint32_t closed,
+                                   gusset_scheme scheme,
+                                   struct gusset_curve **curve);
+
+/**
+ * A coordinate curve of a sheet, exactly: a segment for each cell.
+ *
+ * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round. parameter:
+ * 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for gusset_curve_destroy; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter), OUT_OF_MEMORY. O(cells along the curve).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_curve(const struct gusset_context *context,
+                                 const struct gusset_sheet *sheet,
+                                 uint32_t along,
+                                 double parameter,
+                                 struct gusset_curve **curve);
+
+/**
+ * Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
+ *
+ * within: a length, 0 or more; below 1e-12 of the curves' size that is taken. places: receives the places on the first curve, those on the
+ * other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be told apart; undecided is 1 if
+ * something was given up that may be near enough. For gusset_places_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for each pair of segments
+ * whose boxes are near.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_approach(const struct gusset_context *context,
+                                    const struct gusset_curve *curve,
+                                    const struct gusset_curve *other,
+                                    double within,
+                                    struct gusset_places **places);
+
+/**
+ * Where a curve in space comes as near to a line, ray or segment as `within`.
+ *
+ * line: one. The others among the places have segment 0, and the line's own parameter as t. All else as for gusset_curve_approach; also
+ * OUT_OF_RANGE for a line that is not finite or has no direction.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_approach_line(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         const struct gusset_line *line,
+                                         double within,
+                                         struct gusset_places **places);
+
+/**
+ * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
+ *
+ * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line touches the
+ * surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none. which:
+ * GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
+ * threads. A carcass may be asked from many threads. Source: Leus, "Carcasses on smooth surfaces", task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_lines(const struct gusset_context *context,
+                                   const struct gusset_carcass *carcass,
+                                   const struct gusset_line *lines,
+                                   size_t count,
+                                   gusset_which which,
+                                   struct gusset_surface_hits **hits);
+
+/**
+ * The first hit of each of many lines, rays or segments: that of least t, which gusset_carcass_lines gives first.
+ *
+ * hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where there is none, and everywhere on failure.
+ * Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About O(log cells) a line; threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_first_hits(const struct gusset_context *context,
+                                        const struct gusset_carcass *carcass,
+                                        const struct gusset_line *lines,
+                                        size_t count,
+                                        struct gusset_surface_hit *hits);
+
+/**
+ * Where a curve in space meets a surface, in the order of the curve.
+ *
+ * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits: receives the
+ * result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ * EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve comes near to;
+ * bounded for each segment and cell that run in each other; threads. Source: Leus, task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_curve(const struct gusset_context *context,
+                                   const struct gusset_carcass *carcass,
+                                   const struct gusset_curve *curve,
+                                   gusset_which which,
+                                   struct gusset_surface_hits **hits);
+
+/**
+ * The hits, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_hits_view(const struct gusset_surface_hits *hits,
+                                       struct gusset_surface_hits_parts *parts);
+
+/**
+ * Frees hits; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
 
 /**
  * Checks a mesh. What it finds is no error.

@@ -96,7 +96,7 @@ static void many_lines(void) {
         CHECK(hit->place.sheet == 0 && hit->place.row == 2 && hit->place.column == 2);
         CHECK(near(hit->place.row + hit->place.u, 2.6) && near(hit->place.column + hit->place.v, 2.8));
         ++hit;
-        CHECK(hit->kind == GUSSET_HIT_INSIDE && fabs(hit->span[0] + 0.5) < 0.02 && fabs(hit->span[1] - 0.5) < 0.02);
+        CHECK(hit->kind == GUSSET_HIT_INSIDE && fabs(hit->span[0] + 0.5) < 0.05 && fabs(hit->span[1] - 0.5) < 0.05);
     }
     gusset_surface_hits_destroy(hits);
     EXPECT(GUSSET_OK, gusset_carcass_lines(NULL, surface, lines, 4, GUSSET_WHICH_ANY, &hits));
@@ -190,7 +190,7 @@ static void made_curves(void) {
     EXPECT(GUSSET_ERROR_CURVE_NOT_CLOSED, gusset_curve_through(context, nodes, 4, 1, GUSSET_SCHEME_SIX_TAP, &made));
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_through(context, nodes, 5, 1, 2, &made));
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_through(context, nodes, 5, 2, GUSSET_SCHEME_SIX_TAP, &made));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_curve_through(context, nodes, SIZE_MAX / 8, 0, 0, &made));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_curve_through(context, nodes, SIZE_MAX / 8, 0, 0, &made));
     nodes[7] = NAN;
     EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_curve_through(context, nodes, 5, 1, GUSSET_SCHEME_SIX_TAP, &made));
     nodes[7] = 1;
