@@ -5,8 +5,8 @@ mod surfaces;
 use glam::{DMat3, DVec3};
 use gusset::Job;
 use gusset::carcass::line::{Line, Which};
-use gusset::carcass::{Carcass, Grid, Sheet};
-use surfaces::{Random, SHAPES, grid};
+use gusset::carcass::{Carcass, Grid, Nodes, Patches, Scheme, Sheet};
+use surfaces::{Random, SHAPES, Shape, grid};
 
 /// Parameters of all points that Newton's method finds from 7 x 7 starts in every cell.
 fn by_force(grid: &Grid<'_>, line: &Line) -> Vec<f64> {
@@ -113,4 +113,295 @@ fn lines_that_are_none() {
     ] {
         assert!(carcass.line(&line, Which::All).is_err());
     }
+}
+
+/// A point of a sphere's upper cap and what hangs below it, with a pole at both ends.
+fn egg(u: f64, v: f64) -> DVec3 {
+    let (polar, turn) = (std::f64::consts::PI * u, std::f64::consts::TAU * v);
+    let ring = if u == 1.0 { 0.0 } else { polar.sin() } * (1.0 + 0.2 * polar.cos());
+    DVec3::new(ring * turn.cos(), 0.7 * ring * turn.sin(), polar.cos())
+}
+
+fn saddle(u: f64, v: f64) -> DVec3 {
+    let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+    DVec3::new(x, y, x * (x * x - 3.0 * y * y))
+}
+
+/// The shapes that tests share, and two more.
+fn shapes() -> Vec<Shape> {
+    let mut shapes: Vec<Shape> = SHAPES.into_iter().take(4).collect();
+    shapes.push(Shape { name: "egg", cells: [18, 26], closed: [false, true], point: egg });
+    shapes.push(Shape { name: "monkey saddle", cells: [23, 31], closed: [false, false], point: saddle });
+    shapes
+}
+
+/// Compares lines with brute force, and sums with parity.
+fn compare(shape: &Shape, count: usize) {
+    let grid = grid(shape);
+    let carcass = Carcass::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap();
+    let mut random = Random(11);
+    for k in 0..count {
+        let (a, b) = (random.point(1.5), random.point(1.2));
+        let line = if k % 2 == 0 { Line::new(a, b - a) } else { Line::segment(a, b) };
+        let hits = carcass.line(&line, Which::All).unwrap();
+        let truth = by_force(&grid, &line);
+        let found: Vec<f64> = hits.iter().filter(|hit| !hit.tangent).map(|hit| hit.t).collect();
+        // Near touches may be a pair for the one and a spot for the other.
+        let spots = hits.iter().filter(|hit| hit.tangent);
+        let free = |t: &f64| !spots.clone().any(|spot| spot.span[0] - 1e-3 <= *t && *t <= spot.span[1] + 1e-3);
+        let rest: Vec<f64> = truth.iter().copied().filter(free).collect();
+        let ours: Vec<f64> = found.iter().copied().filter(free).collect();
+        assert_eq!(ours.len(), rest.len(), "{} {k}: {line:?}: {hits:?} {truth:?}", shape.name);
+        assert!(ours.iter().zip(&rest).all(|(a, b)| (a - b).abs() < 1e-8), "{} {k}: {ours:?} {rest:?}", shape.name);
+        if (shape.closed == [true, true] || shape.name == "egg") && k % 2 == 0 {
+            let sum: u32 = hits.iter().map(|hit| hit.multiplicity).sum();
+            assert!(sum.is_multiple_of(2), "{} {k}: {line:?} {hits:?}", shape.name);
+        }
+    }
+}
+
+#[test]
+fn more_shapes() {
+    for shape in &shapes()[4..] {
+        compare(shape, 150);
+    }
+}
+
+#[test]
+#[ignore = "minutes: brute force"]
+fn exhaustive_lines_by_force() {
+    for shape in &shapes() {
+        compare(shape, 10_000);
+    }
+}
+
+/// Lines of all kinds in all directions; some through nodes.
+fn lines(grid: &Grid<'_>, count: usize) -> Vec<Line> {
+    let mut random = Random(5);
+    let [h, w] = grid.cells();
+    (0..count)
+        .map(|k| {
+            let (a, b) = (random.point(1.5), random.point(1.2));
+            let node = grid.nodes().get((k * 7) % (h + 1), (k * 13) % (w + 1));
+            match k % 4 {
+                0 => Line::new(a, b - a),
+                1 => Line::ray(a, b - a),
+                2 => Line::segment(a, b),
+                _ => Line::new(a, node - a),
+            }
+        })
+        .collect()
+}
+
+#[test]
+fn batches_are_single_lines() {
+    for shape in &shapes() {
+        let grid = grid(shape);
+        let carcass = Carcass::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap();
+        let lines = lines(&grid, 1200);
+        for which in [Which::All, Which::First, Which::Any] {
+            let one = carcass.lines(&lines, which, &Job::new(1, &Quiet)).unwrap();
+            for threads in [2, 5] {
+                assert_eq!(carcass.lines(&lines, which, &Job::new(threads, &Quiet)).unwrap(), one);
+            }
+            for (k, line) in lines.iter().enumerate() {
+                assert_eq!(carcass.line(line, which).unwrap(), one.hits_of(k), "{} {line:?}", shape.name);
+            }
+        }
+        let all = carcass.lines(&lines, Which::All, &Job::default()).unwrap();
+        let first = carcass.first_hits(&lines, &Job::default()).unwrap();
+        for k in 0..lines.len() {
+            assert_eq!(all.hits_of(k).first().copied(), first[k], "{} {:?}", shape.name, lines[k]);
+            for hit in all.hits_of(k) {
+                assert_eq!(hit.normal, carcass.normal(hit.place));
+                assert!((hit.normal.length() - 1.0).abs() < 1e-12, "{hit:?}");
+            }
+        }
+    }
+}
+
+struct Quiet;
+
+impl gusset::Progress for Quiet {
+    fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
+        std::ops::ControlFlow::Continue(())
+    }
+}
+
+#[test]
+fn through_any_node_once() {
+    for shape in &shapes() {
+        let grid = grid(shape);
+        let carcass = Carcass::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap();
+        let [h, w] = grid.cells();
+        let mut random = Random(8);
+        for k in 0..300 {
+            let node = grid.nodes().get((k * 5) % (h + 1), (k * 11) % (w + 1));
+            let direction = random.point(1.0);
+            let line = Line::new(node, direction);
+            let hits = carcass.line(&line, Which::All).unwrap();
+            let here: Vec<_> = hits.iter().filter(|hit| hit.point.distance(node) < 1e-7).collect();
+            assert_eq!(here.len(), 1, "{} {k}: {line:?}: {hits:?}", shape.name);
+            let normal = here[0].normal;
+            if normal.dot(direction.normalize()).abs() > 0.05 {
+                assert_eq!((here[0].multiplicity, here[0].tangent), (1, false), "{} {k}: {hits:?}", shape.name);
+            }
+            if shape.closed == [true, true] || shape.name == "egg" {
+                let sum: u32 = hits.iter().map(|hit| hit.multiplicity).sum();
+                assert!(sum.is_multiple_of(2), "{} {k}: {line:?} {hits:?}", shape.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn sheets_that_share_sides_are_one_surface() {
+    // The torus cut in two along rows: lines through nodes of the common rows.
+    let grid = grid(&SHAPES[0]);
+    let [h, w] = grid.cells();
+    let part = |rows: std::ops::Range<usize>| {
+        let mut points = Vec::new();
+        for (i, j) in rows.clone().flat_map(|i| (0..w).map(move |j| (i, j))) {
+            points.extend_from_slice(grid.patch(i, j).points.as_flattened());
+        }
+        Sheet::Cubic(Patches::<4>::new(&points, [3, 3], rows.len(), w).unwrap())
+    };
+    let two = Carcass::new(vec![part(0..7), part(7..h)], None, &Job::default()).unwrap();
+    let whole = Carcass::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap();
+    let mut random = Random(2);
+    for k in 0..200 {
+        let node = grid.nodes().get(if k % 2 == 0 { 7 } else { 0 }, k % w);
+        let line = Line::new(node, random.point(1.0));
+        let (a, b) = (two.line(&line, Which::All).unwrap(), whole.line(&line, Which::All).unwrap());
+        assert_eq!(a.len(), b.len(), "{k}: {a:?} {b:?}");
+        assert!(a.iter().zip(&b).all(|(a, b)| (a.t - b.t).abs() < 1e-9 && a.multiplicity == b.multiplicity));
+    }
+}
+
+#[test]
+fn touching_and_running_inside() {
+    let grid_of = |cells, closed, point| grid(&Shape { name: "", cells, closed, point });
+    // At a node of the outer equator, along its tangent.
+    let torus = grid(&SHAPES[0]);
+    let carcass = Carcass::new(vec![Sheet::Grid(torus.clone())], None, &Job::default()).unwrap();
+    for j in [0, 5, 11] {
+        let place = gusset::carcass::Place { sheet: 0, cell: [0, j], u: 0.0, v: 0.0 };
+        let jet = carcass.jet(place);
+        for along in [jet.v, jet.u + 0.3 * jet.v, jet.u] {
+            let line = Line::new(jet.point, along);
+            let hits = carcass.line(&line, Which::All).unwrap();
+            let here: Vec<_> = hits.iter().filter(|hit| hit.point.distance(jet.point) < 1e-3).collect();
+            assert_eq!(here.len(), 1, "{j} {along}: {hits:?}");
+            assert_eq!((here[0].multiplicity, here[0].tangent), (2, true), "{hits:?}");
+            assert!(here[0].point.distance(jet.point) < 1e-4 && here[0].span[0] <= 0.0 && here[0].span[1] >= 0.0);
+            assert_eq!(carcass.line(&line, Which::First).unwrap()[0], hits[0]);
+        }
+    }
+    // In a plane: in the middle of cells, along their sides, and across.
+    let plane = |u: f64, v: f64| DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0);
+    let carcass = Carcass::new(vec![Sheet::Grid(grid_of([12, 17], [false; 2], plane))], None, &Job::default()).unwrap();
+    for (a, b, from, to) in [
+        (DVec3::new(-2.0, 0.03, 0.0), DVec3::new(2.0, 0.03, 0.0), 0.25, 0.75),
+        (DVec3::new(-2.0, -1.0, 0.0), DVec3::new(2.0, -1.0, 0.0), 0.25, 0.75),
+        (DVec3::new(-2.0, -2.0, 0.0), DVec3::new(2.0, 2.0, 0.0), 0.25, 0.75),
+        (DVec3::new(-0.3, 0.1, 0.0), DVec3::new(0.3, 0.2, 0.0), 0.0, 1.0),
+    ] {
+        let hits = carcass.line(&Line::segment(a, b), Which::All).unwrap();
+        assert_eq!(hits.len(), 1, "{a} {b}: {hits:?}");
+        assert_eq!((hits[0].multiplicity, hits[0].tangent), (0, true));
+        let [start, end] = hits[0].span;
+        assert!((start - from).abs() < 0.01 && (end - to).abs() < 0.01, "{a} {b}: {hits:?}");
+        assert_eq!(carcass.line(&Line::segment(a, b), Which::First).unwrap(), hits);
+    }
+    // In the same plane, past the sheet.
+    let past = Line::new(DVec3::new(-2.0, 0.5, 0.0), DVec3::new(1.0, 1.0, 0.0));
+    assert!(carcass.line(&past, Which::All).unwrap().is_empty());
+    // Rulings of a cylinder.
+    let cylinder = |u: f64, v: f64| {
+        let turn = std::f64::consts::TAU * v;
+        DVec3::new(turn.cos(), turn.sin(), 2.0 * u - 1.0)
+    };
+    let pipe = grid_of([9, 40], [false, true], cylinder);
+    let carcass = Carcass::new(vec![Sheet::Grid(pipe.clone())], None, &Job::default()).unwrap();
+    for (j, v) in [(0, 0.0), (3, 0.5), (39, 0.25)] {
+        let foot = pipe.patch(4, j).point(0.5, v);
+        let hits = carcass.line(&Line::new(foot, DVec3::Z), Which::All).unwrap();
+        assert_eq!(hits.len(), 1, "{j}: {hits:?}");
+        let span = hits[0].span;
+        assert!(hits[0].multiplicity == 0 && (span[0] + 1.0).abs() < 0.02 && (span[1] - 1.0).abs() < 0.02, "{hits:?}");
+    }
+}
+
+#[test]
+fn any_size_and_anywhere() {
+    let shape = &SHAPES[1];
+    let plain = grid(shape);
+    let carcass = Carcass::new(vec![Sheet::Grid(plain.clone())], None, &Job::default()).unwrap();
+    for (scale, shift) in [(1e-9, 0.0), (1e9, 0.0), (1.0, 1e6)] {
+        let moved = |p: DVec3| scale * p + DVec3::new(shift, -0.5 * shift, 0.25 * shift);
+        let [h, w] = plain.cells();
+        let nodes = (0..=h).flat_map(|i| (0..=w).map(move |j| (i, j)));
+        let data: Vec<f64> = nodes.flat_map(|(i, j)| moved(plain.nodes().get(i, j)).to_array()).collect();
+        let nodes = Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap();
+        let other = Grid::new(nodes, shape.closed, Scheme::SixTap).unwrap();
+        let other = Carcass::new(vec![Sheet::Grid(other)], None, &Job::default()).unwrap();
+        let mut random = Random(21);
+        for k in 0..100 {
+            let (a, b) = (random.point(1.5), random.point(1.2));
+            let hits = carcass.line(&Line::new(a, b - a), Which::All).unwrap();
+            let same = other.line(&Line::new(moved(a), scale * (b - a)), Which::All).unwrap();
+            assert_eq!(hits.len(), same.len(), "{scale} {shift} {k}: {hits:?} {same:?}");
+            let play = if shift == 0.0 { 1e-10 } else { 1e-6 };
+            assert!(hits.iter().zip(&same).all(|(x, y)| (x.t - y.t).abs() < play), "{scale} {shift} {k}");
+        }
+    }
+}
+
+/// Parameters at which a line meets the torus: the roots of a quartic, by bisection between dense samples.
+fn torus_roots(line: &Line) -> Vec<f64> {
+    let f = |t: f64| {
+        let p = line.origin + t * line.direction;
+        let ring = (p.x * p.x + p.y * p.y).sqrt() - 1.0;
+        ring * ring + p.z * p.z - 0.16
+    };
+    let count = 4000_u32;
+    let at = |k: usize| -4.0 + 8.0 * k as f64 / f64::from(count);
+    let mut roots = Vec::new();
+    for k in 0..count as usize {
+        let (mut low, mut high) = (at(k), at(k + 1));
+        if f(low) * f(high) < 0.0 {
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if f(low) * f(middle) <= 0.0 { high = middle } else { low = middle }
+            }
+            roots.push(low);
+        }
+    }
+    roots
+}
+
+#[test]
+fn fourth_order_on_a_torus() {
+    let errors = [16, 32, 64].map(|n| {
+        let shape = Shape { name: "torus", cells: [n, 2 * n], ..SHAPES[0] };
+        let carcass = Carcass::new(vec![Sheet::Grid(grid(&shape))], None, &Job::default()).unwrap();
+        let mut random = Random(4);
+        let mut worst = 0.0_f64;
+        for _ in 0..400 {
+            let direction = random.point(1.0).normalize();
+            let line = Line::new(random.point(1.0), direction);
+            let hits = carcass.line(&line, Which::All).unwrap();
+            // Not where it nearly touches: there the parameter is far off for little.
+            if hits.iter().any(|hit| hit.normal.dot(direction).abs() < 0.3) {
+                continue;
+            }
+            let truth = torus_roots(&line);
+            assert_eq!(hits.len(), truth.len(), "{n} {line:?}");
+            worst = hits.iter().zip(&truth).fold(worst, |worst, (hit, t)| worst.max((hit.t - t).abs()));
+        }
+        worst
+    });
+    let orders = [errors[0] / errors[1], errors[1] / errors[2]].map(f64::log2);
+    println!("lines and a torus: errors {errors:?}, orders {orders:?}");
+    assert!(orders[1] > 3.8 && errors[2] < 1e-6, "{errors:?} {orders:?}");
 }

@@ -3,6 +3,11 @@
 use super::{Hit, Line};
 use crate::carcass::{Carcass, Place};
 use glam::DVec3;
+use std::cmp::Ordering;
+
+/// A spot that is no longer than so many times the least distance is no touch, which takes the root of it: there the parameters are not
+/// regular, as at a pole.
+pub(super) const POINT: f64 = 16.0;
 
 impl Carcass<'_> {
     /// Hits that are nearer to each other than this, in different cells, are one.
@@ -18,43 +23,30 @@ impl Carcass<'_> {
         8.0 * (self.apart() * low.distance(high)).sqrt()
     }
 
-    /// Sorts hits, makes one of those that neighbouring cells have found, and tells touching from running in the surface.
+    /// True if a direction is not along the surface next to a place, away from the sides of its cell: what could not be resolved there is
+    /// no touch but a place where the parameters are not regular, a pole.
+    pub(super) fn passes(&self, place: Place, direction: DVec3) -> bool {
+        let inwards = |x: f64| x + 1e-3 * (0.5 - x).signum();
+        let near = Place { u: inwards(place.u), v: inwards(place.v), ..place };
+        self.normal(near).dot(direction).abs() > 1e-2
+    }
+
+    /// Makes one hit of those that neighbouring cells have found, tells touching from running in the surface, and sorts.
     pub(super) fn settle(&self, line: &Line, hits: &mut Vec<Hit>) {
-        let order = |a: &Hit, b: &Hit| {
-            let by_place = |place: &Place| (place.sheet, place.cell);
-            a.t.total_cmp(&b.t).then_with(|| by_place(&a.place).cmp(&by_place(&b.place)))
-        };
-        if hits.len() > 1 {
-            hits.sort_unstable_by(order);
-            self.merge(line, hits);
-        }
         for hit in hits.iter_mut().filter(|hit| hit.normal == DVec3::ZERO) {
             hit.normal = self.normal(hit.place);
         }
         if hits.iter().any(|hit| hit.tangent) {
-            self.classify(line, hits);
-            hits.sort_unstable_by(order);
+            self.join_spots(line, hits);
         }
-    }
-
-    /// Makes one hit of those on sides of neighbouring cells. What is the same is next to each other along the line.
-    fn merge(&self, line: &Line, hits: &mut Vec<Hit>) {
-        let reach = self.apart();
-        let (_, length) = line.along();
+        hits.sort_unstable_by(in_order);
+        let (reach, (_, length)) = (self.apart(), line.along());
         let mut kept: usize = 0;
         for k in 0..hits.len() {
             let hit = hits[k];
-            let near = hits[..kept]
-                .iter_mut()
-                .rev()
-                .take_while(|other| other.tangent || (hit.t - other.t) * length <= 2.0 * reach);
-            let mut same = near.filter(|other| is_same(other, &hit, reach, length));
-            if let Some(other) = same.next() {
-                other.span = [other.span[0].min(hit.span[0]), other.span[1].max(hit.span[1])];
-                if (hit.place.sheet, hit.place.cell) < (other.place.sheet, other.place.cell) && !hit.tangent {
-                    *other = Hit { span: other.span, ..hit };
-                }
-            } else {
+            // What is the same is next to each other along the line.
+            let mut near = hits[..kept].iter().rev().take_while(|other| (hit.t - other.t) * length <= 2.0 * reach);
+            if !near.any(|other| is_same(other, &hit, reach)) {
                 hits[kept] = hit;
                 kept += 1;
             }
@@ -62,29 +54,52 @@ impl Carcass<'_> {
         hits.truncate(kept);
     }
 
-    fn classify(&self, line: &Line, hits: &mut [Hit]) {
+    /// Makes one of the spots that overlap along the line. What is simple comes first then.
+    fn join_spots(&self, line: &Line, hits: &mut Vec<Hit>) {
+        let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
+        hits.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
         let (along, length) = line.along();
-        for hit in hits.iter_mut().filter(|hit| hit.tangent) {
-            if (hit.span[1] - hit.span[0]) * length > self.longest_touch() {
-                hit.multiplicity = 0;
-            } else if self.jet(hit.place).unit_normal().is_none() && hit.normal.dot(along).abs() > 1e-3 {
-                // At a pole, and not along the surface: it passes through.
-                (hit.multiplicity, hit.tangent, hit.span) = (1, false, [hit.t; 2]);
+        let play = 2.0 * self.apart() / length;
+        let miss = |hit: &Hit| (hit.point - line.origin).cross(along).length_squared();
+        let mut kept = hits.partition_point(|hit| !hit.tangent);
+        let mut from = kept;
+        while from < hits.len() {
+            let (mut to, [start, mut end]) = (from + 1, hits[from].span);
+            while to < hits.len() && hits[to].span[0] <= end + play {
+                end = end.max(hits[to].span[1]);
+                to += 1;
             }
+            // Where it runs in the surface, the first; else the nearest.
+            let first = hits[from];
+            let nearest =
+                hits[from..to].iter().fold(first, |best, hit| if miss(hit) < miss(&best) { *hit } else { best });
+            hits[kept] = if (end - start) * length > self.longest_touch() {
+                Hit { span: [start, end], multiplicity: 0, ..first }
+            } else if (end - start) * length <= POINT * self.apart() || self.passes(nearest.place, along) {
+                Hit { span: [nearest.t; 2], multiplicity: 1, tangent: false, ..nearest }
+            } else {
+                Hit { span: [start, end], ..nearest }
+            };
+            kept += 1;
+            from = to;
         }
+        hits.truncate(kept);
     }
 }
 
-/// True for two finds of one hit: in different cells at the same point of their sides, or spots that run into each other.
-fn is_same(a: &Hit, b: &Hit, reach: f64, length: f64) -> bool {
-    let cells = |hit: &Hit| (hit.place.sheet, hit.place.cell);
-    if a.tangent != b.tangent || (cells(a) == cells(b)) {
-        return false;
-    }
-    if !a.tangent {
-        return on_side(a.place) && on_side(b.place) && a.point.distance(b.point) <= reach;
-    }
-    (b.span[0] - a.span[1]).max(a.span[0] - b.span[1]) * length <= 2.0 * reach
+/// By t, then by cells.
+fn in_order(a: &Hit, b: &Hit) -> Ordering {
+    a.t.total_cmp(&b.t).then_with(|| cell(a).cmp(&cell(b)))
+}
+
+fn cell(hit: &Hit) -> (u32, [u32; 2]) {
+    (hit.place.sheet, hit.place.cell)
+}
+
+/// True for two finds of one hit: in different cells, at the same point of their sides.
+fn is_same(a: &Hit, b: &Hit, reach: f64) -> bool {
+    let simple = !a.tangent && !b.tangent && cell(a) != cell(b);
+    simple && on_side(a.place) && on_side(b.place) && a.point.distance(b.point) <= reach
 }
 
 /// True next to a side of the cell.

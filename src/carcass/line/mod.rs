@@ -8,6 +8,7 @@ mod batch;
 mod curve;
 mod hits;
 mod search;
+mod walk;
 
 pub use batch::Lines;
 pub use curve::CurveHit;

@@ -45,6 +45,10 @@ impl Solve<8> for Scratch {
     }
 }
 
+/// Rounding beyond this part of the surface's size is not allowed for, which would make all of it a hit: a line from so far away is taken from its
+/// foot on, as that is rounded.
+pub(super) const FARTHEST: f64 = 1e-6;
+
 /// A line as a sheet sees it: by the distance from its foot, the point nearest to the index's origin.
 struct Ray {
     line: Line,
@@ -78,7 +82,7 @@ impl Ray {
             length,
             across: [first, second],
             start: distance / length,
-            noise: 8.0 * f64::EPSILON * reach,
+            noise: (8.0 * f64::EPSILON * reach).min(FARTHEST * bounds.low.distance(bounds.high)),
         }
     }
 
@@ -129,7 +133,8 @@ pub(super) fn search<const N: usize>(
     let mut farthest = to;
     let first = |farthest: f64, hits: &[Hit]| match which {
         Which::First => {
-            let reach = 4.0 * tolerance + play;
+            // Farther than what is one with the hit may be.
+            let reach = 4.0 * tolerance + 1e4 * play;
             hits.iter().map(|hit| ray.distance(hit.t) + reach).fold(farthest, f64::min)
         }
         _ => farthest,

@@ -3,8 +3,9 @@
 //! Pairs of parts are halved until a proof holds:
 //!
 //! * *apart*: their hulls are farther from each other than asked for, along an axis or across both chords;
-//! * *one at most*: the Hessian of |A(s) - B(t)|^2 / 2 is positive definite for all s and t of the pair, by bounds of its
-//!   coefficients over the control points: then Newton's method finds the only least distance there is.
+//! * *none*: one of the slopes of f = |A(s) - B(t)|^2 / 2 has one sign all over the pair, and leads into the next part;
+//! * *one at most*: the Hessian of f is positive definite for all s and t of the pair, or f falls towards the end of a segment and is
+//!   convex along that end: then Newton's method finds the only least distance there is. All by bounds over the control points.
 //!
 //! Parts that run beside each other have no such proof: what is left of them at the least size is one part in common, if it is near
 //! enough.
@@ -55,7 +56,7 @@ pub struct Approaches {
 /// Distances below this, in a frame of size 1, are rounding.
 const NOISE: f64 = 1e-12;
 /// Parts are not halved beyond this.
-const SHORT: f64 = 1.0 / 4096.0;
+const SHORT: f64 = 1.0 / 1024.0;
 /// Pairs of parts that are looked at for two segments.
 const PATIENCE: usize = 20_000;
 /// Places whose parameters differ by less are one.
@@ -93,27 +94,40 @@ impl CurveView<'_> {
         }
         let frame = Frame::of(self.points().iter().chain(other.points()));
         let mut search = Search { within: frame.length(within).max(NOISE), ..Search::default() };
-        let (ours, theirs) = (parts(self, &frame)?, parts(other, &frame)?);
-        let tree = Tree::new(theirs.iter().map(|part| Aabb::of(part.controls())))?;
-        for (i, a) in ours.iter().enumerate() {
+        let sides = [Side::new(self, &frame)?, Side::new(other, &frame)?];
+        let tree = Tree::new(sides[1].parts.iter().map(|part| Aabb::of(part.controls())))?;
+        for (i, a) in sides[0].parts.iter().enumerate() {
             if i % 16 == 0 {
-                job.step(i as f64 / ours.len() as f64, "approaches of curves")?;
+                job.step(i as f64 / sides[0].parts.len() as f64, "approaches of curves")?;
             }
-            tree.overlapping(&Aabb::of(a.controls()), search.within, |j| {
-                search.run(a, &theirs[j], DVec2::new(i as f64, j as f64), [ours.len(), theirs.len()])
-            })?;
+            tree.overlapping(&Aabb::of(a.controls()), search.within, |j| search.run(&sides, [i, j]))?;
         }
         search.finish([self, other], &frame)
     }
 }
 
-/// The segments in a frame.
-fn parts(curve: &CurveView<'_>, frame: &Frame) -> Result<Vec<Part>> {
-    alloc::collect(curve.segments().map(|points| {
-        let mut controls = [DVec3::ZERO; MAX_DEGREE + 1];
-        controls.iter_mut().zip(points).for_each(|(to, &point)| *to = frame.point(point));
-        Part { controls, len: points.len(), from: 0.0, to: 1.0 }
-    }))
+/// The segments of a curve in the frame.
+struct Side {
+    parts: Vec<Part>,
+    closed: bool,
+}
+
+impl Side {
+    fn new(curve: &CurveView<'_>, frame: &Frame) -> Result<Side> {
+        let parts = alloc::collect(curve.segments().map(|points| in_frame(points, frame)))?;
+        Ok(Side { parts, closed: curve.is_closed() })
+    }
+
+    /// The direction in which the curve leaves segment k at one of its ends; `None` if it ends there.
+    fn beyond(&self, k: usize, at_end: bool) -> Option<DVec3> {
+        let (count, last) = (self.parts.len(), if at_end { self.parts.len() - 1 } else { 0 });
+        if k == last && !self.closed {
+            return None;
+        }
+        let next = &self.parts[if at_end { (k + 1) % count } else { (k + count - 1) % count }];
+        let controls = next.controls();
+        Some(if at_end { segment::first_leg(controls) } else { -segment::last_leg(controls) })
+    }
 }
 
 /// The search, in the frame.
@@ -127,8 +141,10 @@ struct Search {
 }
 
 impl Search {
-    /// Looks at two segments; `base`: their numbers, `counts`: of how many.
-    fn run(&mut self, a: &Part, b: &Part, base: DVec2, counts: [usize; 2]) -> Result<()> {
+    /// Looks at two segments, by their numbers.
+    fn run(&mut self, sides: &[Side; 2], numbers: [usize; 2]) -> Result<()> {
+        let [a, b] = [0, 1].map(|k| &sides[k].parts[numbers[k]]);
+        let base = DVec2::new(numbers[0] as f64, numbers[1] as f64);
         let mut waiting = Vec::new();
         alloc::push(&mut waiting, [*a, *b])?;
         let mut looked = 0;
@@ -137,9 +153,13 @@ impl Search {
             if apart(&p, &q, self.within) {
                 continue;
             }
-            if convex(&p, &q) {
-                self.add_least([a, b], [&p, &q], base, counts)?;
-                continue;
+            match judge(&p, &q) {
+                Verdict::None => continue,
+                Verdict::One => {
+                    self.add_least(sides, numbers, [&p, &q])?;
+                    continue;
+                }
+                Verdict::Open => {}
             }
             let sizes = [&p, &q].map(|part| Aabb::of(part.controls()).size());
             let short = [&p, &q].map(|part| part.to - part.from <= SHORT);
@@ -162,25 +182,29 @@ impl Search {
     }
 
     /// Adds the least distance of a pair that has only one, if it is one of the curves too and near enough.
-    fn add_least(&mut self, whole: [&Part; 2], pair: [&Part; 2], base: DVec2, counts: [usize; 2]) -> Result<()> {
+    fn add_least(&mut self, sides: &[Side; 2], numbers: [usize; 2], pair: [&Part; 2]) -> Result<()> {
+        let whole = [0, 1].map(|k| &sides[k].parts[numbers[k]]);
         let low = DVec2::new(pair[0].from, pair[1].from);
         let high = DVec2::new(pair[0].to, pair[1].to);
         let (at, gradient) = descend(whole, 0.5 * (low + high), low, high);
-        // At an inner end of a part from which it goes on down, the next part has it; at the end of a curve, it ends there.
+        let gap = point(whole[0], at.x) - point(whole[1], at.y);
         for k in 0..2 {
-            let play = 1e-9 * whole[k].size();
-            let goes_on = |end: f64, slope: f64| {
-                let last = if end == 0.0 { base[k] == 0.0 } else { base[k] as usize + 1 == counts[k] };
-                let of_segment = end == 0.0 || end == 1.0;
-                slope > play && !(of_segment && last)
-            };
-            if (at[k] <= low[k] && goes_on(low[k], gradient[k])) || (at[k] >= high[k] && goes_on(high[k], -gradient[k])) {
+            let (at_low, at_high) = (at[k] <= low[k], at[k] >= high[k]);
+            let falls = if at_low { gradient[k] } else { -gradient[k] };
+            if !(at_low || at_high) || falls <= 1e-12 * whole[k].size() * gap.length() {
+                continue;
+            }
+            // At an inner end of a part the next part has it; at a joint the next segment, if it goes down there.
+            let at_joint = at[k] == 0.0 || at[k] == 1.0;
+            let sign = if k == 0 { 1.0 } else { -1.0 };
+            let goes_on = |along: DVec3| sign * gap.dot(along) < 0.0;
+            if !at_joint || sides[k].beyond(numbers[k], at_high).is_some_and(goes_on) {
                 return Ok(());
             }
         }
-        let distance = point(whole[0], at.x).distance(point(whole[1], at.y));
-        if distance <= self.within {
-            alloc::push(&mut self.finds, Find { at: base + at, distance })?;
+        if gap.length() <= self.within {
+            let at = DVec2::new(numbers[0] as f64, numbers[1] as f64) + at;
+            alloc::push(&mut self.finds, Find { at, distance: gap.length() })?;
         }
         Ok(())
     }
@@ -347,23 +371,35 @@ fn apart(p: &Part, q: &Part, within: f64) -> bool {
         })
 }
 
-/// True if |A(s) - B(t)|^2 / 2 is convex all over the pair.
-fn convex(p: &Part, q: &Part) -> bool {
+/// What can be said of a pair.
+enum Verdict {
+    None,
+    One,
+    Open,
+}
+
+/// Bounds the slopes and the Hessian of |A(s) - B(t)|^2 / 2 all over the pair.
+fn judge(p: &Part, q: &Part) -> Verdict {
     let [(a, ra), (b, rb)] = [p.derivative(1), q.derivative(1)];
     let [(aa, raa), (bb, rbb)] = [p.derivative(2), q.derivative(2)];
-    let (mut gap, mut spread) = (DVec3::ZERO, 0.0);
-    for (part, sign) in [(p, 1.0), (q, -1.0)] {
-        let (mean, radius) = part.derivative(0);
-        gap += sign * mean;
-        spread += radius;
-    }
+    let [(here, r), (there, rr)] = [p.derivative(0), q.derivative(0)];
+    let (gap, spread) = (here - there, r + rr);
     // How far products are from those of the means.
     let play = |x: DVec3, rx: f64, y: DVec3, ry: f64| x.length() * ry + y.length() * rx + rx * ry;
-    let (x, y, z) = (a.length_squared() + gap.dot(aa), b.length_squared() - gap.dot(bb), -a.dot(b));
-    let x = x - play(a, ra, a, ra) - play(gap, spread, aa, raa);
-    let y = y - play(b, rb, b, rb) - play(gap, spread, bb, rbb);
-    let z = z.abs() + play(a, ra, b, rb);
-    x > 0.0 && y > 0.0 && x * y > z * z * (1.0 + 1e-9)
+    let sign = |slope: f64, play: f64| if slope > play { 1 } else { -i32::from(slope < -play) };
+    let signs = [sign(gap.dot(a), play(gap, spread, a, ra)), sign(-gap.dot(b), play(gap, spread, b, rb))];
+    // The function falls towards one end, which is an end of the segment.
+    let held = |k: usize, part: &Part| (signs[k] > 0 && part.from == 0.0) || (signs[k] < 0 && part.to == 1.0);
+    let held = [held(0, p), held(1, q)];
+    if (0..2).any(|k| signs[k] != 0 && !held[k]) {
+        return Verdict::None;
+    }
+    let x = a.length_squared() + gap.dot(aa) - play(a, ra, a, ra) - play(gap, spread, aa, raa);
+    let y = b.length_squared() - gap.dot(bb) - play(b, rb, b, rb) - play(gap, spread, bb, rbb);
+    let z = a.dot(b).abs() + play(a, ra, b, rb);
+    let convex = x > 0.0 && y > 0.0 && x * y > z * z * (1.0 + 1e-9);
+    let at_end = (held[0] && (y > 0.0 || held[1])) || (held[1] && x > 0.0);
+    if convex || at_end { Verdict::One } else { Verdict::Open }
 }
 
 /// Goes down |A - B|^2 / 2 within a box by Newton's and Gauss's steps; returns the place and the gradient there.
