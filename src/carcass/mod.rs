@@ -9,6 +9,7 @@
 mod axis;
 mod cells;
 mod closest;
+mod displacements;
 mod grid;
 mod index;
 pub mod line;
