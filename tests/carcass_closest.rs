@@ -3,8 +3,9 @@
 mod surfaces;
 
 use glam::DVec3;
-use gusset::Job;
-use gusset::carcass::{Carcass, Grid, Sheet};
+use gusset::{Error, Job, Progress};
+use gusset::carcass::{Carcass, Grid, Nodes, Scheme, Sheet};
+use std::ops::ControlFlow;
 use surfaces::{Random, SHAPES, grid};
 
 /// The smallest distance of many points of every cell, each improved by steps of alternating search: an upper bound, near the truth.
@@ -68,5 +69,138 @@ fn nearest_points_by_force() {
             assert!(found.bound >= found.distance - 1e-8, "{}: no proof: {query} {found:?}", shape.name);
             assert_eq!(carcass.jet(found.place).point.distance(query), found.distance);
         }
+    }
+}
+
+struct Silent;
+
+impl Progress for Silent {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+#[test]
+fn answers_depend_on_nothing_but_the_query() {
+    for shape in &SHAPES {
+        let carcass = Carcass::new(vec![Sheet::Grid(grid(shape))], None, &Job::default()).unwrap();
+        let mut random = Random(31);
+        let node = |random: &mut Random| carcass.sheet(0).corner((9.0 * random.next()) as usize, (9.0 * random.next()) as usize);
+        // Some as near to several cells: at nodes, above them, on the axis.
+        let queries: Vec<DVec3> = (0..3000)
+            .map(|k| match k % 5 {
+                0 => random.point(1.5),
+                1 => random.point(30.0),
+                2 => node(&mut random),
+                3 => node(&mut random) + 0.25 * DVec3::Z,
+                _ => DVec3::new(0.0, 0.0, random.next()),
+            })
+            .collect();
+        let alone: Vec<_> = queries.iter().map(|&query| carcass.closest(query, f64::INFINITY)).collect();
+        for threads in [1, 2, 5] {
+            let job = Job::new(threads, &Silent);
+            assert_eq!(carcass.closest_all(&queries, f64::INFINITY, &job).unwrap(), alone);
+        }
+        let turned: Vec<DVec3> = queries.iter().rev().copied().collect();
+        let mut found = carcass.closest_all(&turned, f64::INFINITY, &Job::default()).unwrap();
+        found.reverse();
+        assert_eq!(found, alone);
+        // What a limit leaves is as without, and what it leaves out is beyond.
+        let limited = carcass.closest_all(&queries, 0.3, &Job::default()).unwrap();
+        for (limited, alone) in limited.iter().zip(alone.iter().flatten()) {
+            match limited {
+                Some(found) => assert!(found.distance <= 0.3 && found.distance <= alone.distance + carcass.tolerance()),
+                None => assert!(alone.bound > 0.3 - 1e-12 || !alone.proven),
+            }
+        }
+    }
+}
+
+/// The unit sphere with poles, scaled and moved.
+fn sphere(cells: usize, size: f64, at: DVec3) -> Carcass<'static> {
+    let angle = |k: usize, n: usize| (k % n) as f64 / n as f64 * std::f64::consts::TAU;
+    let mut data = Vec::new();
+    for (i, j) in (0..=cells).flat_map(|i| (0..=2 * cells).map(move |j| (i, j))) {
+        let (polar, around) = (angle(i, 2 * cells), angle(j, 2 * cells));
+        let ring = if i % cells == 0 { 0.0 } else { polar.sin() };
+        let point = DVec3::new(ring * around.cos(), ring * around.sin(), polar.cos());
+        data.extend((at + size * point).to_array());
+    }
+    let nodes = Nodes::strided(data, cells + 1, 2 * cells + 1, 0, 0).unwrap();
+    let grid = Grid::new(nodes, [false, true], Scheme::SixTap).unwrap();
+    Carcass::new(vec![Sheet::Grid(grid)], None, &Job::default()).unwrap()
+}
+
+#[test]
+fn the_centre_of_a_sphere_ends_quickly() {
+    for cells in [8, 64, 256] {
+        let carcass = sphere(cells, 1.0, DVec3::ZERO);
+        let start = std::time::Instant::now();
+        let found = carcass.closest(DVec3::ZERO, f64::INFINITY).unwrap();
+        assert!(start.elapsed().as_secs_f64() < 2.0, "{cells}");
+        assert!((found.distance - 1.0).abs() < 0.01 && found.bound <= found.distance, "{found:?}");
+        // The surface through the nodes is no sphere: if one of its cells is nearest, that is proved; else it is said.
+        assert!(found.proven || found.bound < found.distance - carcass.tolerance());
+        let minima = carcass.local_minima(DVec3::ZERO, f64::INFINITY, 3, &Job::default()).unwrap();
+        assert!(minima.points.len() <= 3 && !minima.points.is_empty());
+    }
+}
+
+#[test]
+fn two_places_as_near_are_said_to_be_many() {
+    // Two plane sheets, the query between them.
+    let plane = |z: f64| {
+        let data: Vec<f64> = (0..25).flat_map(|k| [f64::from(k / 5), f64::from(k % 5), z]).collect();
+        Sheet::Grid(Grid::new(Nodes::strided(data, 5, 5, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap())
+    };
+    let carcass = Carcass::new(vec![plane(1.0), plane(-1.0)], None, &Job::default()).unwrap();
+    let found = carcass.closest(DVec3::new(1.3, 2.6, 0.0), f64::INFINITY).unwrap();
+    assert!(found.proven && found.many && found.place.sheet == 0, "{found:?}");
+    assert_eq!(found.normal.abs(), DVec3::Z);
+    let found = carcass.closest(DVec3::new(1.3, 2.6, -0.1), f64::INFINITY).unwrap();
+    assert!(found.proven && !found.many && found.place.sheet == 1, "{found:?}");
+    let minima = carcass.local_minima(DVec3::new(1.3, 2.6, -0.1), f64::INFINITY, 0, &Job::default()).unwrap();
+    assert_eq!(minima.points.len(), 2, "{minima:?}");
+    assert!((minima.points[1].distance - 1.1).abs() < 1e-12);
+}
+
+#[test]
+fn any_size_anywhere() {
+    let mut random = Random(3);
+    let directions: Vec<DVec3> = (0..200).map(|_| random.point(1.0).normalize()).collect();
+    for (size, at) in [(1e-9, 0.0), (1.0, 1e6), (1e9, 0.0), (1.0, 0.0), (1e-12, 0.0), (1e12, 1e12)] {
+        let at = DVec3::splat(at);
+        let carcass = sphere(40, size, at);
+        for &direction in &directions {
+            for far in [0.5, 1.5, 1e3] {
+                let query = at + far * size * direction;
+                let found = carcass.closest(query, f64::INFINITY).unwrap();
+                let rounding = 1e-14 * query.abs().max_element();
+                let error = (found.distance - (far - 1.0).abs() * size).abs();
+                assert!(error < 1e-4 * size + rounding, "{size} {at} {far}: {found:?}");
+                assert!(found.proven, "{size} {at} {far} {direction}: {found:?}");
+                assert!((found.normal.dot(direction).abs() - 1.0).abs() < 0.02, "{size} {at} {far}: {found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn questions_that_are_none() {
+    let carcass = Carcass::new(vec![Sheet::Grid(grid(&SHAPES[2]))], None, &Job::default()).unwrap();
+    let job = Job::default();
+    let queries = [DVec3::ZERO, DVec3::new(0.0, f64::NAN, 0.0)];
+    assert!(matches!(
+        carcass.closest_all(&queries, 1.0, &job),
+        Err(Error::QueryNotFinite { query: 1, value }) if value.is_nan()
+    ));
+    assert!(carcass.closest_all(&queries[..1], -1.0, &job).is_err());
+    assert!(carcass.closest_all(&queries[..1], f64::NAN, &job).is_err());
+    assert_eq!(carcass.closest(queries[1], 1.0), None);
+    assert!(carcass.closest_all(&[], 1.0, &job).unwrap().is_empty());
+    // As far as numbers go.
+    for query in [DVec3::splat(1e150), DVec3::splat(-1e20), DVec3::splat(f64::MAX)] {
+        let found = carcass.closest(query, f64::INFINITY);
+        assert!(found.is_none_or(|found| found.bound <= found.distance), "{found:?}");
     }
 }

@@ -2,7 +2,9 @@
 
 use super::Patch;
 use super::solve::Field;
+use super::index::Bounds;
 use glam::DVec3;
+use std::ops::Range;
 
 /// Cells in u and in v of a block, the unit of the index.
 pub(crate) const BLOCK: usize = 4;
@@ -14,6 +16,12 @@ pub(crate) trait Cells<const N: usize>: Sync {
 
     /// The corner of cells at (i, j), a point of the surface.
     fn corner(&self, i: usize, j: usize) -> DVec3;
+
+    /// The corners of a row of cells of a block, from (i, j) on: those of `count` cells, then the last one again.
+    #[inline(always)]
+    fn line(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; BLOCK + 1] {
+        std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array())
+    }
 
     /// The surface over the cell at (i, j).
     fn patch(&self, i: usize, j: usize) -> Patch<N>;
@@ -29,9 +37,9 @@ pub(crate) trait Cells<const N: usize>: Sync {
         false
     }
 
-    /// For each block in a row of blocks, a bound of the distance of the surface over any of its cells from the bilinear patch through
-    /// the cell's corners, at equal parameters.
-    fn deviations(&self, block_row: usize, bounds: &mut [f64]);
+    /// For each block in rows of blocks, row after row, a box that contains S - B over all its cells: S the surface, B the bilinear patch
+    /// through the cell's corners, at equal parameters.
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Bounds]);
 }
 
 impl<const N: usize> Patch<N> {
@@ -48,6 +56,18 @@ impl<const N: usize> Patch<N> {
             }
         }
         worst.sqrt()
+    }
+
+    /// A box of the differences from the bilinear patch through the corners, at equal parameters: those of the control nets.
+    pub(crate) fn displacements(&self) -> Bounds {
+        let at = |k: usize| k as f64 / (N - 1) as f64;
+        let [[p00, p01], [p10, p11]] = self.corners();
+        let mut bounds = Bounds::EMPTY;
+        for (a, row) in self.points.iter().enumerate() {
+            let (from, to) = (p00.lerp(p10, at(a)), p01.lerp(p11, at(a)));
+            row.iter().enumerate().for_each(|(b, &point)| bounds.add(point - from.lerp(to, at(b))));
+        }
+        bounds
     }
 
     /// The corners, by u and v.

@@ -3,10 +3,13 @@
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, Cells};
 use super::solve::Field;
+use super::displacements::Displacements;
+use super::index::Bounds;
 use super::{Patch, Scheme};
 use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The largest number of nodes of a surface.
@@ -113,6 +116,13 @@ impl<'a> Nodes<'a> {
             let at = i * self.row_stride + column * self.column_stride;
             node.copy_from_slice(&self.data[at..at + 3]);
         }
+    }
+
+    /// The coordinates of a row without gaps, if there are none between nodes.
+    #[inline]
+    pub(super) fn packed_row(&self, i: usize) -> Option<&[f64]> {
+        let at = i * self.row_stride;
+        (self.column_stride == 3).then(|| &self.data[at..at + 3 * self.columns])
     }
 
     /// [`Error::NodeNotFinite`] for the first node with a coordinate that is NaN or infinite.
@@ -275,6 +285,18 @@ impl Cells<4> for Grid<'_> {
         self.nodes.get(i, j)
     }
 
+    #[inline(always)]
+    fn line(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; BLOCK + 1] {
+        let mut line = [[0.0; 3]; BLOCK + 1];
+        let at = i * self.nodes.row_stride + 3 * j;
+        if self.nodes.column_stride == 3 && count == BLOCK {
+            line.as_flattened_mut().copy_from_slice(&self.nodes.data[at..at + 3 * (BLOCK + 1)]);
+        } else {
+            line = std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array());
+        }
+        line
+    }
+
     fn patch(&self, i: usize, j: usize) -> Patch<4> {
         Grid::patch(self, i, j)
     }
@@ -307,59 +329,7 @@ impl Cells<4> for Grid<'_> {
         self.u.is_smooth_around(i) && self.v.is_smooth_around(j)
     }
 
-    /// Over a cell S = sum w_k(u) C_k(v), C_k the cubics along six rows, sum |w_k| <= L; B = (1 - u) L_i(v) + u L_i+1(v), L_k the chord of
-    /// C_k. So S - B = sum w_k (C_k - L_k) + (sum w_k L_k - B): the first at most 3/4 L max |inner points of C_k from the thirds of the chord|, as
-    /// two Bernstein polynomials of degree 3 sum to 3/4 at most; the second, linear in v, 3/4 of the same of the cubics across the rows at
-    /// the cell's two columns.
-    fn deviations(&self, block_row: usize, bounds: &mut [f64]) {
-        let (first, last) = (block_row * BLOCK, self.u.cells().min((block_row + 1) * BLOCK));
-        let mut along = vec![0.0_f64; bounds.len()];
-        let mut across = vec![0.0_f64; bounds.len()];
-        for row in self.u.lines_of(first..last) {
-            self.row_deviations(row, &mut along);
-        }
-        for i in first..last {
-            self.column_deviations(i, &mut across);
-        }
-        for ((bound, along), across) in bounds.iter_mut().zip(along).zip(across) {
-            *bound = 0.75 * (self.u.lebesgue() * along.sqrt() + across.sqrt());
-        }
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Bounds]) {
+        Displacements { nodes: &self.nodes, u: &self.u, v: &self.v }.of_blocks(block_rows, boxes);
     }
-}
-
-impl Grid<'_> {
-    /// Raises the bounds, one a block, to the squares of how far the inner Bézier points of the cubics along a row are from the thirds of
-    /// their chords.
-    fn row_deviations(&self, row: usize, bounds: &mut [f64]) {
-        for (c, bound) in bounds.iter_mut().enumerate() {
-            for j in c * BLOCK..self.v.cells().min((c + 1) * BLOCK) {
-                let (columns, weights) = self.v.taps(j);
-                let nodes = columns.map(|column| self.nodes.get(row, column));
-                *bound = bound.max(inner_deviation(weights, &nodes));
-            }
-        }
-    }
-
-    /// The same for the cubics from row i to the next, at all columns of each block.
-    fn column_deviations(&self, i: usize, bounds: &mut [f64]) {
-        let (rows, weights) = self.u.taps(i);
-        for j in 0..self.nodes.columns() {
-            let nodes = rows.map(|row| self.nodes.get(row, j));
-            let deviation = inner_deviation(weights, &nodes);
-            // A column between blocks belongs to both.
-            let right = (j / BLOCK).min(bounds.len() - 1);
-            bounds[right] = bounds[right].max(deviation);
-            if j % BLOCK == 0 && j > 0 {
-                bounds[j / BLOCK - 1] = bounds[j / BLOCK - 1].max(deviation);
-            }
-        }
-    }
-}
-
-/// The square of how far the inner Bézier points are from the thirds of the chord.
-#[inline]
-fn inner_deviation(weights: &Weights, nodes: &[DVec3; TAPS]) -> f64 {
-    let [start, first, second, end] = [0, 1, 2, 3].map(|k| combined(&weights[k], nodes));
-    let third = (end - start) / 3.0;
-    (first - start - third).length_squared().max((second - end + third).length_squared())
 }

@@ -12,6 +12,7 @@ mod closest;
 mod estimate;
 mod evaluate;
 mod curve;
+mod displacements;
 mod grid;
 mod index;
 pub mod leus;

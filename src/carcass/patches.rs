@@ -2,9 +2,11 @@
 
 use super::Patch;
 use super::cells::{BLOCK, Cells};
+use super::index::Bounds;
 use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The greatest degree of a patch.
@@ -120,16 +122,19 @@ impl<const N: usize> Cells<N> for Patches<N> {
         *self.get(i, j)
     }
 
-    fn deviations(&self, block_row: usize, bounds: &mut [f64]) {
-        for (c, bound) in bounds.iter_mut().enumerate() {
-            for i in block_row * BLOCK..self.rows.min((block_row + 1) * BLOCK) {
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Bounds]) {
+        let across = self.columns.div_ceil(BLOCK);
+        for (k, bounds) in boxes.iter_mut().enumerate() {
+            let (r, c) = (block_rows.start + k / across, k % across);
+            for i in r * BLOCK..self.rows.min((r + 1) * BLOCK) {
                 for j in c * BLOCK..self.columns.min((c + 1) * BLOCK) {
                     let patch = self.get(i, j);
                     // From the bilinear patch through the corners that searches see, which are a neighbour's where sides differ.
                     let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner(i, j));
                     let [[a, b], [c, d]] = patch.corners();
-                    let gap = [a, b, c, d].into_iter().zip(seen).map(|(own, seen)| own.distance(seen));
-                    *bound = bound.max(patch.deviation() + gap.fold(0.0, f64::max));
+                    let mut gap = Bounds::EMPTY;
+                    [a, b, c, d].into_iter().zip(seen).for_each(|(own, seen)| gap.add(own - seen));
+                    *bounds = bounds.joined(patch.displacements().plus(gap));
                 }
             }
         }

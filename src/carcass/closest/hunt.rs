@@ -1,7 +1,7 @@
 //! What is known while the nearest point is looked for.
 
 use super::cell::Found;
-use super::search::Entry;
+use super::search::{Candidate, Entry};
 use crate::carcass::Place;
 use glam::DVec3;
 
@@ -52,6 +52,8 @@ pub(crate) struct Hunt {
     pub(super) leaves: usize,
     /// Blocks that wait.
     pub(super) stack: Vec<Entry>,
+    /// Cells that wait.
+    pub(super) candidates: Vec<Candidate>,
 }
 
 impl Hunt {
@@ -66,12 +68,13 @@ impl Hunt {
             work: 0,
             leaves: 0,
             stack: Vec::new(),
+            candidates: Vec::new(),
         }
     }
 
     /// Begins a new search.
     pub(crate) fn begin(&mut self, query: DVec3, limit: f64, tolerance: f64) {
-        self.near.clear();
+        (self.near.clear(), self.candidates.clear());
         self.direction = DVec3::ZERO;
         (self.query, self.reach, self.tolerance) = (query, limit, tolerance);
         (self.dropped, self.work, self.leaves) = (f64::INFINITY, 0, 0);
@@ -109,7 +112,7 @@ impl Hunt {
         self.direction
     }
 
-    /// There is a point at this distance.
+    /// There is a point at this distance, or nearer.
     #[inline(always)]
     pub(super) fn reaches(&mut self, distance: f64) {
         self.reach = self.reach.min(distance);
@@ -117,7 +120,7 @@ impl Hunt {
 
     /// The nearest point of a cell was found.
     pub(super) fn add(&mut self, answer: Answer) {
-        if answer.found.distance <= self.reach || self.direction == DVec3::ZERO {
+        if answer.found.distance <= self.reach + self.tolerance || self.direction == DVec3::ZERO {
             self.direction = (self.query - answer.found.point).normalize_or_zero();
         }
         self.reaches(answer.found.distance);

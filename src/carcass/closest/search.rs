@@ -3,7 +3,7 @@
 use super::cell::{Scratch, nearest};
 use super::hunt::{Answer, Hunt};
 use crate::carcass::cells::{BLOCK, Cells};
-use crate::carcass::index::{Oriented, Pyramid};
+use crate::carcass::index::{Bounds, Oriented, Pyramid};
 use glam::{DVec2, DVec3};
 
 /// A block to be looked at: a lower bound of the square of its distance, in single precision (see [`Sight`]), and where it is.
@@ -67,7 +67,12 @@ pub(super) fn search<const N: usize>(
         }
         let (row, column) = (entry.row as usize, entry.column as usize);
         if entry.level == 0 {
-            Leaf { cells, index, sheet, row, column }.search(hunt, scratch);
+            let extent = Leaf { cells, index, row, column }.search(hunt);
+            // From afar, what is known of the first ones, the direction above all, rules out most of the others.
+            let afar = hunt.direction() == DVec3::ZERO && hunt.limit() > 4.0 * extent;
+            if afar || hunt.candidates.len() >= KEPT {
+                decide(cells, sheet, hunt, scratch);
+            }
             continue;
         }
         let level = &levels[entry.level as usize - 1];
@@ -99,19 +104,20 @@ pub(super) fn search<const N: usize>(
         }
     }
     hunt.stack = stack;
+    decide(cells, sheet, hunt, scratch);
 }
 
 /// A block whose cells are looked at.
 struct Leaf<'a, C> {
     cells: &'a C,
     index: &'a Pyramid,
-    sheet: u32,
     row: usize,
     column: usize,
 }
 
 impl<C> Leaf<'_, C> {
-    fn search<const N: usize>(&self, hunt: &mut Hunt, scratch: &mut Scratch<N>)
+    /// Adds the cells that may have the nearest point to the candidates; how large the block is.
+    fn search<const N: usize>(&self, hunt: &mut Hunt) -> f64
     where
         C: Cells<N>,
     {
@@ -122,65 +128,120 @@ impl<C> Leaf<'_, C> {
         let corners = Corners::new(self.cells, [top, left], [rows, columns], hunt.query);
         // Corners are points of the surface: what is farther than the nearest of them is out.
         hunt.reaches(corners.least_square().sqrt());
-        let deviation = self.index.deviation(self.row, self.column);
-        let squares = corners.box_squares();
-        let far = square(hunt.limit() + deviation);
+        let shift = Shift::new(self.index.displacement(self.row, self.column));
+        let limit = hunt.limit();
+        // By the half-space through the nearest point found so far.
+        let direction = hunt.direction();
+        let mut bounds = [[0.0; BLOCK]; BLOCK];
+        if direction != DVec3::ZERO {
+            bounds = corners.half_spaces(direction, shift.along(direction));
+            let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, lesser);
+            if least > limit {
+                hunt.drop(|| least);
+                return corners.extent();
+            }
+        }
+        let squares = corners.box_squares(&shift);
         let middles = corners.middle_squares();
         // The cells that are left, the one whose middle is nearest first.
         let mut order = [0_u8; BLOCK * BLOCK];
         let mut count = 0;
-        for (cell, &boxed) in squares.as_flattened().iter().enumerate() {
-            if boxed > far {
-                hunt.drop(|| boxed.sqrt() - deviation);
-            } else if cell / BLOCK < rows && cell % BLOCK < columns {
-                let middle = middles.as_flattened()[cell];
+        for (r, bounds) in bounds[..rows].iter().enumerate() {
+            for (c, &bound) in bounds[..columns].iter().enumerate() {
+                if bound > limit || squares[r][c] > square(limit) {
+                    hunt.drop(|| bound.max(squares[r][c].sqrt()));
+                    continue;
+                }
                 let mut at = count;
-                while at > 0 && middles.as_flattened()[usize::from(order[at - 1])] > middle {
+                while at > 0 && middles.as_flattened()[usize::from(order[at - 1])] > middles[r][c] {
                     order[at] = order[at - 1];
                     at -= 1;
                 }
-                order[at] = cell as u8;
+                order[at] = (BLOCK * r + c) as u8;
                 count += 1;
             }
         }
         for &cell in &order[..count] {
-            let (limit, boxed) = (hunt.limit(), squares.as_flattened()[usize::from(cell)]);
-            if boxed > square(limit + deviation) {
-                hunt.drop(|| boxed.sqrt() - deviation);
-                continue;
-            }
             let (r, c) = (usize::from(cell) / BLOCK, usize::from(cell) % BLOCK);
+            if squares[r][c] > square(hunt.limit()) {
+                hunt.drop(|| squares[r][c].sqrt());
+                continue;
+            }
             let quad = corners.quad(r, c);
-            // The half-space through the nearest point found so far.
-            let half_space = quad.map(|corner| -corner.dot(hunt.direction())).into_iter().fold(f64::INFINITY, lesser);
-            if half_space - deviation > limit {
-                hunt.drop(|| half_space - deviation);
+            let Nearest { distance, play, direction, start } = bilinear(&quad);
+            // The surface is next to the point of the bilinear patch.
+            hunt.reaches(distance + play + shift.most);
+            let bound = distance - play - shift.along(direction);
+            if bound > hunt.limit() {
+                hunt.drop(|| bound);
                 continue;
             }
-            let (distance, start) = bilinear(&quad);
-            if distance - deviation > limit {
-                hunt.drop(|| distance - deviation);
-                continue;
-            }
-            self.cell(top + r, left + c, start, hunt, scratch);
+            hunt.candidates.push(Candidate { bound, direction, start, cell: [(top + r) as u32, (left + c) as u32] });
         }
+        corners.extent()
     }
+}
 
-    /// Looks for a nearer point in a cell.
-    fn cell<const N: usize>(&self, i: usize, j: usize, start: DVec2, hunt: &mut Hunt, scratch: &mut Scratch<N>)
-    where
-        C: Cells<N>,
-    {
+/// A cell that may have the nearest point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Candidate {
+    /// No point of the cell is nearer.
+    bound: f64,
+    /// The unit vector to the query from the nearest point of the cell's bilinear patch, and parameters near it.
+    direction: DVec3,
+    start: DVec2,
+    cell: [u32; 2],
+}
+
+/// Candidates that are kept before they are looked at.
+const KEPT: usize = 64;
+
+/// Looks for a nearer point in the cells that were found to be candidates: those first that may be nearest.
+fn decide<const N: usize>(cells: &impl Cells<N>, sheet: u32, hunt: &mut Hunt, scratch: &mut Scratch<N>) {
+    let mut candidates = std::mem::take(&mut hunt.candidates);
+    candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then_with(|| a.cell.cmp(&b.cell)));
+    for &Candidate { bound, direction, start, cell } in &candidates {
         let limit = hunt.limit();
-        let patch = self.cells.patch(i, j);
-        if patch.half_space(hunt.query, hunt.direction()) > limit {
+        if bound > limit {
+            hunt.drop(|| bound);
+            continue;
+        }
+        let patch = cells.patch(cell[0] as usize, cell[1] as usize);
+        let far = |direction: DVec3| patch.half_space(hunt.query, direction) > limit;
+        if far(direction) || far(hunt.direction()) {
             hunt.drop(|| limit);
-            return;
+            continue;
         }
         match nearest(&patch, hunt.query, start, limit, hunt.tolerance, scratch, &mut hunt.work) {
-            Some(found) => hunt.add(Answer { found, sheet: self.sheet, cell: [i as u32, j as u32] }),
+            Some(found) => hunt.add(Answer { found, sheet, cell }),
             None => hunt.drop(|| limit),
         }
+    }
+    candidates.clear();
+    hunt.candidates = candidates;
+}
+
+/// The box of the vectors from the bilinear patches of cells to the surface.
+struct Shift {
+    low: [f64; 3],
+    high: [f64; 3],
+    middle: DVec3,
+    half: DVec3,
+    /// The greatest length of a vector.
+    most: f64,
+}
+
+impl Shift {
+    fn new(bounds: Bounds) -> Shift {
+        let Bounds { low, high } = bounds;
+        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+        Shift { low: low.to_array(), high: high.to_array(), middle, half, most: bounds.farthest() }
+    }
+
+    /// How far the surface may be in a direction from the bilinear patches.
+    #[inline(always)]
+    fn along(&self, direction: DVec3) -> f64 {
+        self.middle.dot(direction) + self.half.dot(direction.abs())
     }
 }
 
@@ -216,9 +277,9 @@ impl Corners {
     ) -> Corners {
         let mut axes = [[[0.0; BLOCK + 1]; BLOCK + 1]; 3];
         for r in 0..=BLOCK {
-            for c in 0..=BLOCK {
-                let corner = cells.corner(top + r.min(rows), left + c.min(columns)) - query;
-                (axes[0][r][c], axes[1][r][c], axes[2][r][c]) = (corner.x, corner.y, corner.z);
+            let line: [[f64; 3]; BLOCK + 1] = cells.line(top + r.min(rows), left, columns);
+            for (c, [x, y, z]) in line.into_iter().enumerate() {
+                (axes[0][r][c], axes[1][r][c], axes[2][r][c]) = (x - query.x, y - query.y, z - query.z);
             }
         }
         Corners { axes }
@@ -229,6 +290,33 @@ impl Corners {
     fn quad(&self, r: usize, c: usize) -> [DVec3; 4] {
         let [x, y, z] = &self.axes;
         [(r, c), (r, c + 1), (r + 1, c), (r + 1, c + 1)].map(|(r, c)| DVec3::new(x[r][c], y[r][c], z[r][c]))
+    }
+
+    /// Across the block.
+    #[inline(always)]
+    fn extent(&self) -> f64 {
+        let [x, y, z] = self.axes.each_ref().map(|axis| axis[BLOCK][BLOCK] - axis[0][0]);
+        (x * x + y * y + z * z).sqrt()
+    }
+
+    /// How far the cells are at least from the query against a direction, if their surface is off by `play` along it.
+    #[inline(always)]
+    fn half_spaces(&self, direction: DVec3, play: f64) -> [[f64; BLOCK]; BLOCK] {
+        let [x, y, z] = &self.axes;
+        let mut along = [[0.0; BLOCK + 1]; BLOCK + 1];
+        for r in 0..=BLOCK {
+            for c in 0..=BLOCK {
+                along[r][c] = x[r][c] * direction.x + y[r][c] * direction.y + z[r][c] * direction.z;
+            }
+        }
+        let mut bounds = [[0.0; BLOCK]; BLOCK];
+        for r in 0..BLOCK {
+            for c in 0..BLOCK {
+                let most = greater(greater(along[r][c], along[r][c + 1]), greater(along[r + 1][c], along[r + 1][c + 1]));
+                bounds[r][c] = -most - play;
+            }
+        }
+        bounds
     }
 
     /// The least square of a distance of a corner.
@@ -259,11 +347,11 @@ impl Corners {
         squares
     }
 
-    /// The squares of the distances of the boxes of the cells' corners.
+    /// The squares of the distances of boxes round the cells: those of their corners, and what the surface may be off by.
     #[inline(always)]
-    fn box_squares(&self) -> [[f64; BLOCK]; BLOCK] {
+    fn box_squares(&self, shift: &Shift) -> [[f64; BLOCK]; BLOCK] {
         let mut squares = [[0.0; BLOCK]; BLOCK];
-        for axis in &self.axes {
+        for (k, axis) in self.axes.iter().enumerate() {
             let (mut low, mut high) = ([[0.0; BLOCK]; BLOCK + 1], [[0.0; BLOCK]; BLOCK + 1]);
             for r in 0..=BLOCK {
                 for c in 0..BLOCK {
@@ -274,7 +362,7 @@ impl Corners {
             for r in 0..BLOCK {
                 for c in 0..BLOCK {
                     let (low, high) = (lesser(low[r][c], low[r + 1][c]), greater(high[r][c], high[r + 1][c]));
-                    let outside = greater(greater(low, -high), 0.0);
+                    let outside = greater(greater(low + shift.low[k], -high - shift.high[k]), 0.0);
                     squares[r][c] += outside * outside;
                 }
             }
@@ -283,12 +371,21 @@ impl Corners {
     }
 }
 
-/// A lower bound of the distance of the origin from the bilinear patch through four corners (00, 01, 10, 11), and parameters near the
-/// nearest point.
+/// The nearest point of a bilinear patch, nearly.
+struct Nearest {
+    /// How far it is along the direction, a unit vector from there to the origin, but for the play.
+    distance: f64,
+    play: f64,
+    direction: DVec3,
+    /// Parameters near the nearest point.
+    start: DVec2,
+}
+
+/// The nearest point of the bilinear patch through four corners (00, 01, 10, 11) to the origin.
 ///
 /// With s and t from the middle, the patch is m + s u + t v + s t w: a quarter of |w| at most from the parallelogram without the twist w, whose
 /// nearest point is found.
-fn bilinear(corners: &[DVec3; 4]) -> (f64, DVec2) {
+fn bilinear(corners: &[DVec3; 4]) -> Nearest {
     let [p00, p01, p10, p11] = *corners;
     let (low, high) = (p00 + p01, p10 + p11);
     let (left, right) = (p00 + p10, p01 + p11);
@@ -322,7 +419,9 @@ fn bilinear(corners: &[DVec3; 4]) -> (f64, DVec2) {
         }
         best
     };
-    (square.sqrt() - 0.25 * twist.length(), DVec2::new(s + 0.5, t + 0.5))
+    let distance = square.sqrt();
+    let direction = if distance > 0.0 { (middle + s * u + t * v) / -distance } else { DVec3::ZERO };
+    Nearest { distance, play: 0.25 * twist.length(), direction, start: DVec2::new(s + 0.5, t + 0.5) }
 }
 
 /// A block of any level, with a lower bound of its distance.

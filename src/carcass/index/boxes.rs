@@ -46,6 +46,16 @@ impl Bounds {
         self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
 
+    /// All sums of a point of each.
+    pub(crate) fn plus(self, other: Bounds) -> Bounds {
+        Bounds { low: self.low + other.low, high: self.high + other.high }
+    }
+
+    /// The greatest length of a vector of the box, or more.
+    pub(crate) fn farthest(self) -> f64 {
+        self.low.abs().max(self.high.abs()).length()
+    }
+
     /// The square of the distance of a point.
     pub(crate) fn distance_squared(&self, point: DVec3) -> f64 {
         (self.low - point).max(point - self.high).max(DVec3::ZERO).length_squared()
@@ -139,8 +149,8 @@ impl Group {
 }
 
 impl Oriented {
-    /// A box round points, whose axes follow two directions of the surface; each point may be off by `by`.
-    pub(crate) fn round(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: f64) -> Oriented {
+    /// A box round points, whose axes follow two directions of the surface; each point may be off by a vector of `by`.
+    pub(crate) fn round(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: Bounds) -> Oriented {
         let single = |v: DVec3| v.to_array().map(|x| x as f32);
         // Of nearly parallel directions, as round a block that closes, the product is rounding and not at right angles to them.
         let first = along_u.try_normalize().unwrap_or(DVec3::X);
@@ -152,12 +162,17 @@ impl Oriented {
         let axes = found.frame();
         let mut bounds = Bounds::EMPTY;
         points.iter().for_each(|&point| bounds.add(axes * point));
+        // What the displacements reach along the axes.
+        let (middle, half) = (0.5 * (by.low + by.high), 0.5 * (by.high - by.low));
+        let [x, y, z] = [axes.row(0), axes.row(1), axes.row(2)].map(|axis| axis.abs().dot(half));
+        let reach = DVec3::new(x, y, z);
+        bounds = bounds.plus(Bounds { low: axes * middle - reach, high: axes * middle + reach });
         let middle = axes.transpose() * (0.5 * (bounds.low + bounds.high));
         found.centre = single(middle);
         let centre = axes * found.centre();
         let reach = (bounds.high - centre).abs().max((centre - bounds.low).abs());
         // The axes are orthonormal to 1e-7, so that lengths along them are.
-        found.half = (reach + by).to_array().map(|half| above(half * (1.0 + 1e-6)));
+        found.half = reach.to_array().map(|half| above(half * (1.0 + 1e-6)));
         found
     }
 

@@ -1,7 +1,7 @@
 //! The index: a pyramid of boxes over blocks of cells. There are no pointers: the children of block (r, c) are the four blocks
 //! (2r, 2c), (2r, 2c + 1), (2r + 1, 2c), (2r + 1, 2c + 1) of the level below.
 //!
-//! It is built from the nodes alone, without building patches: a cell lies within its deviation from the hull of its corners
+//! It is built from the nodes alone, without building patches: a cell lies within its displacements from the hull of its corners
 //! (the theorem of hierarchies: a block may be dropped by any set that contains it).
 
 mod boxes;
@@ -20,14 +20,43 @@ use glam::DVec3;
 /// Levels that have boxes in any direction, from the lowest on.
 const ORIENTED_LEVELS: usize = 4;
 
+/// Pairs of rows of blocks that one thread takes at once.
+const PAIRS: usize = 4;
+
 /// The pyramid of one sheet.
 #[derive(Debug)]
 pub(crate) struct Pyramid {
     origin: DVec3,
     /// From the blocks up to the root's four children.
     levels: Vec<Level>,
-    /// By block: how far the surface may be from the bilinear patches of its cells.
-    deviations: Vec<f32>,
+    /// By block: how far the surface may be from the bilinear patches of its cells, and to which side.
+    displacements: Vec<Displacement>,
+}
+
+/// A box of vectors: low x, y, z and high x, y, z in 127ths of the greatest length of one.
+#[derive(Debug, Clone, Copy, Default)]
+struct Displacement {
+    most: f32,
+    box_of: [i8; 6],
+}
+
+impl Displacement {
+    /// Rounded outwards.
+    fn new(bounds: Bounds) -> Displacement {
+        let most = (bounds.farthest() as f32).next_up();
+        let unit = f64::from(most) / 127.0;
+        // No vector is longer than `most`: what is rounded stays within the numbers.
+        let low = bounds.low.to_array().map(|x| (x / unit - 1e-9).floor() as i8);
+        let high = bounds.high.to_array().map(|x| (x / unit + 1e-9).ceil() as i8);
+        Displacement { most, box_of: [low[0], low[1], low[2], high[0], high[1], high[2]] }
+    }
+
+    #[inline(always)]
+    fn bounds(&self) -> Bounds {
+        let unit = f64::from(self.most) / 127.0;
+        let [a, b, c, d, e, f] = self.box_of.map(|x| f64::from(x) * unit);
+        Bounds { low: DVec3::new(a, b, c), high: DVec3::new(d, e, f) }
+    }
 }
 
 /// The boxes of one level.
@@ -74,15 +103,19 @@ impl Pyramid {
         let [rows, columns] = cells.counts().map(|count| count.div_ceil(BLOCK));
         let origin = middle(cells);
         let mut base = Level::new(rows, columns, true)?;
-        let mut deviations = alloc::filled(0.0_f32, rows * columns)?;
-        let across = columns.div_ceil(2);
-        let parts = base.groups.chunks_mut(across).zip(base.oriented.chunks_mut(2 * columns));
-        let parts: Vec<_> = parts.zip(deviations.chunks_mut(2 * columns)).enumerate().collect();
-        par::map(job.threads(), parts.into_iter(), |(pair, ((groups, oriented), deviations))| {
-            for (half, (oriented, bounds)) in
-                oriented.chunks_mut(columns).zip(deviations.chunks_mut(columns)).enumerate()
-            {
-                blocks(cells, origin, 2 * pair + half, groups, oriented, bounds);
+        let mut displacements = alloc::filled(Displacement::default(), rows * columns)?;
+        let (across, together) = (columns.div_ceil(2), 2 * PAIRS * columns);
+        let parts = base.groups.chunks_mut(PAIRS * across).zip(base.oriented.chunks_mut(together));
+        let parts: Vec<_> = parts.zip(displacements.chunks_mut(together)).enumerate().collect();
+        par::map(job.threads(), parts.into_iter(), |(k, ((groups, oriented), displacements))| {
+            let first = 2 * PAIRS * k;
+            let mut bounds = vec![Bounds::EMPTY; displacements.len()];
+            cells.displacements(first..first + displacements.len() / columns, &mut bounds);
+            let parts = oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
+            for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
+                let groups = &mut groups[r / 2 * across..][..across];
+                let row = Row { row: first + r, displacements: bounds };
+                row.blocks(cells, origin, groups, oriented, displacements);
             }
         });
         job.step(0.8, "index")?;
@@ -91,7 +124,7 @@ impl Pyramid {
             let next = above(last, levels.len() < ORIENTED_LEVELS)?;
             levels.push(next);
         }
-        Ok(Pyramid { origin, levels, deviations })
+        Ok(Pyramid { origin, levels, displacements })
     }
 
     /// What coordinates of boxes are relative to.
@@ -107,7 +140,13 @@ impl Pyramid {
     /// How far the surface may be from the bilinear patches of the cells of block (r, c).
     #[inline(always)]
     pub(crate) fn deviation(&self, r: usize, c: usize) -> f64 {
-        self.deviations[r * self.levels[0].columns + c].into()
+        self.displacements[r * self.levels[0].columns + c].most.into()
+    }
+
+    /// A box of the vectors from the bilinear patches of the cells of block (r, c) to the surface, at equal parameters.
+    #[inline(always)]
+    pub(crate) fn displacement(&self, r: usize, c: usize) -> Bounds {
+        self.displacements[r * self.levels[0].columns + c].bounds()
     }
 
     /// A box round everything.
@@ -119,7 +158,7 @@ impl Pyramid {
     /// Bytes of memory.
     pub(crate) fn bytes(&self) -> usize {
         let level = |level: &Level| size_of_val(&level.groups[..]) + size_of_val(&level.oriented[..]);
-        self.levels.iter().map(level).sum::<usize>() + size_of_val(&self.deviations[..])
+        self.levels.iter().map(level).sum::<usize>() + size_of_val(&self.displacements[..])
     }
 }
 
@@ -133,40 +172,46 @@ fn middle<const N: usize>(cells: &impl Cells<N>) -> DVec3 {
     0.5 * (bounds.low + bounds.high)
 }
 
-/// The boxes of one row of blocks.
-fn blocks<const N: usize>(
-    cells: &impl Cells<N>,
-    origin: DVec3,
+/// One row of blocks, and the boxes of displacements of its blocks.
+struct Row<'a> {
     row: usize,
-    groups: &mut [Group],
-    oriented: &mut [Oriented],
-    deviations: &mut [f32],
-) {
-    let [rows, columns] = cells.counts();
-    let mut bounds = vec![0.0; oriented.len()];
-    cells.deviations(row, &mut bounds);
-    let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
-    let mut points = [DVec3::ZERO; (BLOCK + 1) * (BLOCK + 1)];
-    for (c, deviation) in bounds.into_iter().enumerate() {
-        let (left, right) = (c * BLOCK, columns.min((c + 1) * BLOCK));
-        let mut count = 0;
-        let mut hull = Bounds::EMPTY;
-        for i in first..=last {
-            for j in left..=right {
-                points[count] = cells.corner(i, j) - origin;
-                hull.add(points[count]);
-                count += 1;
+    displacements: &'a [Bounds],
+}
+
+impl Row<'_> {
+    /// Their boxes.
+    fn blocks<const N: usize>(
+        &self,
+        cells: &impl Cells<N>,
+        origin: DVec3,
+        groups: &mut [Group],
+        oriented: &mut [Oriented],
+        displacements: &mut [Displacement],
+    ) {
+        let [rows, columns] = cells.counts();
+        let (first, last) = (self.row * BLOCK, rows.min((self.row + 1) * BLOCK));
+        let mut points = [DVec3::ZERO; (BLOCK + 1) * (BLOCK + 1)];
+        for (c, &displacement) in self.displacements.iter().enumerate() {
+            let (left, right) = (c * BLOCK, columns.min((c + 1) * BLOCK));
+            let mut count = 0;
+            let mut hull = Bounds::EMPTY;
+            for i in first..=last {
+                for j in left..=right {
+                    points[count] = cells.corner(i, j) - origin;
+                    hull.add(points[count]);
+                    count += 1;
+                }
             }
+            // What the coordinates were rounded by on the way.
+            let size = hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
+            let displacement = displacement.grown(16.0 * f64::EPSILON * size);
+            displacements[c] = Displacement::new(displacement);
+            groups[c / 2].set(2 * (self.row % 2) + c % 2, hull.plus(displacement));
+            let width = right - left + 1;
+            let (a, b) = (points[0], points[width - 1]);
+            let (d, e) = (points[count - width], points[count - 1]);
+            oriented[c] = Oriented::round(&points[..count], d + e - a - b, b + e - a - d, displacement);
         }
-        // What the coordinates were rounded by on the way.
-        let rounding = 8.0 * f64::EPSILON * hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
-        let deviation = deviation + rounding;
-        deviations[c] = (deviation as f32).next_up();
-        groups[c / 2].set(2 * (row % 2) + c % 2, hull.grown(deviation));
-        let width = right - left + 1;
-        let (a, b) = (points[0], points[width - 1]);
-        let (d, e) = (points[count - width], points[count - 1]);
-        oriented[c] = Oriented::round(&points[..count], d + e - a - b, b + e - a - d, deviation);
     }
 }
 
@@ -208,5 +253,6 @@ fn around(below: &Level, r: usize, c: usize) -> Oriented {
     };
     let along_u = span([(0, 2), (1, 3)], points[1] - points[0]);
     let along_v = span([(0, 1), (2, 3)], points[2] - points[0]);
-    Oriented::round(&points[..count], along_u, along_v, 0.0)
+    let exactly = Bounds { low: DVec3::ZERO, high: DVec3::ZERO };
+    Oriented::round(&points[..count], along_u, along_v, exactly)
 }
