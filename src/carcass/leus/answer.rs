@@ -1,5 +1,5 @@
-//! Answers of the paper's search: the scale, and then every cell that it leaves. What the index of [`crate::carcass::Carcass`] must agree with: they
-//! have nothing in common but the patches.
+//! Answers of the paper's search: the scale, and then every cell that it leaves. What the index of [`crate::carcass::Carcass`] must
+//! agree with: they have nothing in common but the patches.
 
 use super::diameter::Diameters;
 use super::object::{Object, Target, incidence};
@@ -17,8 +17,8 @@ const DEPTH: u32 = 40;
 /// Parts of a cell that are looked at: at the centre of a sphere all parts are as near as any other.
 const PARTS: usize = 1 << 16;
 
-/// The nearest point of a sheet, task a): its distance, which no point undercuts by more than the tolerance, and its place. The scale of the nodes leaves
-/// few cells; each is halved as long as it may be nearer.
+/// The nearest point of a sheet, task a): its distance, which no point undercuts by more than the tolerance, and its place. The
+/// scale of the nodes leaves few cells; each is halved as long as it may be nearer.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is no positive number; those of [`incidence`].
@@ -81,11 +81,11 @@ fn approach<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], to
     }
 }
 
-/// The cells that have a point within a distance of an object: those of the scale of which not all parts can be shown to be farther. None is missing; all
-/// points of one that is there too many are farther by no more than the tolerance.
+/// The cells that have a point within a distance of an object: those of the scale of which not all parts can be shown to be
+/// farther. None is missing; all points of one that is there too many are farther by no more than the tolerance.
 ///
-/// With a distance of 0 these are the cells that a plane crosses or a line meets, tasks c) and d). Loops inside a cell count, and sides that are
-/// crossed twice: signs at nodes show neither (erratum E7).
+/// With a distance of 0 these are the cells that a plane crosses or a line meets, tasks c) and d). Loops inside a cell count, and
+/// sides that are crossed twice: signs at nodes show neither (erratum E7).
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is no positive number; those of [`incidence`].

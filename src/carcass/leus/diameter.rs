@@ -1,10 +1,10 @@
 //! Diameters of cells, from control nets.
 //!
-//! The paper supposes d to be known. From a bare net it cannot be: any bump may hide in a cell, and half the perimeter bounds nothing but the
-//! edge (erratum E6). Of patches it can:
+//! The paper supposes d to be known. From a bare net it cannot be: any bump may hide in a cell, and half the perimeter bounds
+//! nothing but the edge (erratum E6). Of patches it can:
 //! * *Euclidean*: a patch lies in the hull of its control points, whose diameter is that of the points.
-//! * *intrinsic* (1): a straight path in the parameters has the speed |a S_u + b S_v|, |a|, |b| <= 1, which is convex in a and b: no more
-//!   than the greater of |S_u + S_v| and |S_u - S_v|, or than |S_u| + |S_v|, each bounded by its Bézier points.
+//! * *intrinsic* (1): a straight path in the parameters has the speed |a S_u + b S_v|, |a|, |b| <= 1, which is convex in a and b:
+//!   no more than the greater of |S_u + S_v| and |S_u - S_v|, or than |S_u| + |S_v|, each bounded by its Bézier points.
 //!
 //! For distances in space the Euclidean one suffices (erratum E8); turns of normals by curvature need the intrinsic one.
 
