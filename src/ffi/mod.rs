@@ -21,6 +21,7 @@
 //! | [`sheet_make`], [`sheet_ask`], [`sheet_mesh`], [`carcass_evaluate`] | other kinds of sheets, what they are, meshes of them, points on them |
 //! | [`sheet`], [`carcass`] | pieces of smooth surface; the handle of a surface with its index, places and curves on it |
 //! | [`carcass_leus`] | the paper's search, the documented reference |
+//! | [`carcass_level`] | sections, contours and isophotes of surfaces |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -35,8 +36,9 @@
 pub mod assembly;
 pub mod boundary;
 pub mod carcass;
-pub mod carcass_leus;
 pub mod carcass_evaluate;
+pub mod carcass_leus;
+pub mod carcass_level;
 pub mod check;
 pub mod context;
 pub mod curve;

@@ -3,5 +3,5 @@
 mod field;
 mod roots;
 
-pub(crate) use field::Field;
+pub(crate) use field::{Field, polynomial};
 pub(crate) use roots::{Roots, roots};
