@@ -1939,130 +1939,6 @@ typedef struct gusset_surface_paths_parts {
 } gusset_surface_paths_parts;
 
 /**
- * What a cell region is like.
- */
-typedef struct gusset_region_report {
-    /**
-     * sizeof(gusset_region_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many cells it has.
-     */
-    uint64_t cells;
-    /**
-     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region is
-     * in several parts.
-     */
-    uint64_t integer_diameter;
-    /**
-     * Vertices less edges plus cells: 1 for a region in one part without holes.
-     */
-    int64_t euler;
-    /**
-     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells; infinite if
-     * the region is in several parts.
-     */
-    double diameter;
-} gusset_region_report;
-
-/**
- * What distances are measured from, or angles.
- */
-typedef uint32_t gusset_mask_object;
-
-/**
- * What the paper's search looks for, and how.
- */
-typedef struct gusset_mask_task {
-    /**
-     * sizeof(gusset_mask_task), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_MASK_...
-     */
-    gusset_mask_object object;
-    /**
-     * 0: cells that may have something within `within`. 1: cells that may have the nearest.
-     */
-    uint32_t least;
-    /**
-     * A point of the object; not read for angles.
-     */
-    double point[3];
-    /**
-     * Its direction, of any length but 0; not read for points.
-     */
-    double direction[3];
-    /**
-     * A distance, 0 or more, in the unit of the nodes, for angles in radians; not read for the nearest.
-     */
-    double within;
-    /**
-     * Of GUSSET_MASK_ANGLE: the angle, 0 to pi.
-     */
-    double angle;
-    /**
-     * Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see gusset_sheet_curvature_bound;
-     * 0: cones of normals instead, which are tighter.
-     */
-    double curvature;
-    /**
-     * Of GUSSET_MASK_ANGLE: 1 if normals of the other side will do as well.
-     */
-    uint32_t unsigned_normals;
-    /**
-     * 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
-     */
-    uint32_t by_rings;
-    /**
-     * 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
-     */
-    uint32_t by_rows;
-    /**
-     * 1: lines of nodes that a block covers from side to side are not left out at once.
-     */
-    uint32_t keep_lines;
-} gusset_mask_task;
-
-/**
- * What the search did.
- */
-typedef struct gusset_mask_report {
-    /**
-     * sizeof(gusset_mask_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many cells are left.
-     */
-    uint64_t cells;
-    /**
-     * How many nodes were looked at.
-     */
-    uint64_t evaluations;
-    /**
-     * How many blocks of cells were excluded.
-     */
-    uint64_t blocks;
-    /**
-     * How many lines of cells were left out at once.
-     */
-    uint64_t dropped;
-    /**
-     * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
-     */
-    double least;
-    /**
-     * The row of that node.
-     */
-    uint32_t row;
-    /**
-     * Its column.
-     */
-    uint32_t column;
-} gusset_mask_report;
  * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
  */
 typedef struct gusset_surface_point {
@@ -2124,6 +2000,201 @@ typedef struct gusset_surface_point {
      */
     uint32_t is_curved;
 } gusset_surface_point;
+
+/**
+ * What a cell region is like.
+ */
+typedef struct gusset_region_report {
+    /**
+     * sizeof(gusset_region_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells it has.
+     */
+    uint64_t cells;
+    /**
+     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
+     * is in several parts.
+     */
+    uint64_t integer_diameter;
+    /**
+     * Vertices less edges plus cells: 1 for a region in one part without holes.
+     */
+    int64_t euler;
+    /**
+     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
+     * infinite if the region is in several parts.
+     */
+    double diameter;
+} gusset_region_report;
+
+/**
+ * What distances are measured from, or angles.
+ */
+typedef uint32_t gusset_mask_object;
+
+/**
+ * What the paper's search looks for, and how.
+ */
+typedef struct gusset_mask_task {
+    /**
+     * sizeof(gusset_mask_task), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MASK_...
+     */
+    gusset_mask_object object;
+    /**
+     * 0: cells that may have something within `within`. 1: cells that may have the nearest.
+     */
+    uint32_t least;
+    /**
+     * A point of the object; not read for angles.
+     */
+    double point[3];
+    /**
+     * Its direction, of any length but 0; not read for points.
+     */
+    double direction[3];
+    /**
+     * A distance, 0 or more, in the unit of the nodes, for angles in radians; not read for the nearest.
+     */
+    double within;
+    /**
+     * Of GUSSET_MASK_ANGLE: the angle, 0 to pi.
+     */
+    double angle;
+    /**
+     * Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
+     * gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
+     */
+    double curvature;
+    /**
+     * Of GUSSET_MASK_ANGLE: 1 if normals of the other side will do as well.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
+     */
+    uint32_t by_rings;
+    /**
+     * 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
+     */
+    uint32_t by_rows;
+    /**
+     * 1: lines of nodes that a block covers from side to side are not left out at once.
+     */
+    uint32_t keep_lines;
+} gusset_mask_task;
+
+/**
+ * What the search did.
+ */
+typedef struct gusset_mask_report {
+    /**
+     * sizeof(gusset_mask_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells are left.
+     */
+    uint64_t cells;
+    /**
+     * How many nodes were looked at.
+     */
+    uint64_t evaluations;
+    /**
+     * How many blocks of cells were excluded.
+     */
+    uint64_t blocks;
+    /**
+     * How many lines of cells were left out at once.
+     */
+    uint64_t dropped;
+    /**
+     * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
+     */
+    double least;
+    /**
+     * The row of that node.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+} gusset_mask_report;
+
+/**
+ * What is between the points where a curve crosses the lines of the carcass.
+ */
+typedef uint32_t gusset_between;
+
+/**
+ * How curves of a surface are given.
+ */
+typedef struct gusset_level_options {
+    /**
+     * sizeof(gusset_level_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * With GUSSET_BETWEEN_CHORD: a length above 0; no smaller one counts than the tolerance of the carcass. Otherwise not read.
+     */
+    double chord;
+    /**
+     * GUSSET_BETWEEN_...
+     */
+    gusset_between between;
+    /**
+     * With GUSSET_BETWEEN_LEUS: how many, at most 1000. Otherwise not read.
+     */
+    uint32_t points;
+    /**
+     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_level_options;
+
+/**
+ * Where the angle of a normal is nearest to the one asked for.
+ */
+typedef struct gusset_nearest_angle {
+    /**
+     * sizeof(gusset_nearest_angle), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Where it is.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal.
+     */
+    double normal[3];
+    /**
+     * Its angle with the direction, in radians.
+     */
+    double angle;
+    /**
+     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+     */
+    double deviation;
+    /**
+     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+     */
+    double bound;
+} gusset_nearest_angle;
 
 /**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
@@ -4781,6 +4852,27 @@ typedef struct gusset_winged_view {
 #define GUSSET_MASK_ANGLE 4
 
 /**
+ * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+ */
+#define GUSSET_BETWEEN_AUTO 0
+
+/**
+ * As many points of the surface as keep the chords within `chord`.
+ */
+#define GUSSET_BETWEEN_CHORD 1
+
+/**
+ * Nothing.
+ */
+#define GUSSET_BETWEEN_NOTHING 2
+
+/**
+ * `points` points of the paper's approximation: on the cubic through four crossings. They are near the surface, not on it, and have the
+ * place of the crossing before them. Order four where crossings are evenly spaced.
+ */
+#define GUSSET_BETWEEN_LEUS 3
+
+/**
  * Along rows, from column to column.
  */
 #define GUSSET_DIRECTION_RIGHT 0
@@ -5641,111 +5733,6 @@ gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
 
 /**
- * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
- *
- * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the length of the shortest
- * curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0; either may be NULL alone. written: receives
- * the number of cells. greatest: receives the greatest of the first and of the second kind, the paper's d; may be NULL.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
- * for any number of them. Source: Leus, eqs. (1) and (7); the bounds are ours.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_diameters(const struct gusset_context *context,
-                                     const struct gusset_sheet *sheet,
-                                     double *euclidean,
-                                     double *intrinsic,
-                                     size_t capacity,
-                                     size_t *written,
-                                     double (*greatest)[2]);
-
-/**
- * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
- *
- * bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * OUT_OF_MEMORY, CANCELLED. O(cells); threads.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
-                                           const struct gusset_sheet *sheet,
-                                           double *bound);
-
-/**
- * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
- *
- * words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells; NULL with
- * count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the region, two numbers
- * each. cells: receives row and column of each cell of the chain, from and to included; NULL with capacity 0 to ask for the size. capacity: how many cells
- * it has room for. written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the distance
- * between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the
- * cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_chain(const struct gusset_context *context,
-                                 const struct gusset_sheet *sheet,
-                                 const uint64_t *words,
-                                 size_t count,
-                                 const uint32_t (*from)[2],
-                                 const uint32_t (*to)[2],
-                                 uint32_t (*cells)[2],
-                                 size_t capacity,
-                                 size_t *written);
-
-/**
- * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
- *
- * words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for the worst O(cells^2),
- * which can be cancelled. Source: Leus, eqs. (4) to (6).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_region(const struct gusset_context *context,
-                                  const struct gusset_sheet *sheet,
-                                  const uint64_t *words,
-                                  size_t count,
-                                  struct gusset_region_report *report);
-
-/**
- * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or the nearest one, or
- * a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a carcass (gusset_carcass_create)
- * answers the same and more from its index, much faster.
- *
- * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the size and the report alone.
- * capacity: how many words it has room for. written: receives the number of words. report: what was done; its struct_size set by the
- * caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (object, flags), OUT_OF_RANGE (what is not
- * finite, no direction, a negative distance, an angle outside 0 to pi), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds
- * of cells, with threads; O(cells / 64) and the nodes looked at for the search. From any thread. Source: Leus; its errata are listed with the
- * Rust module carcass::leus.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_mask(const struct gusset_context *context,
-                                const struct gusset_sheet *sheet,
-                                const struct gusset_mask_task *task,
-                                uint64_t *words,
-                                size_t capacity,
-                                size_t *written,
-                                struct gusset_mask_report *report);
-
-/**
- * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners, cut the lines of
- * the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the size of cells; the exact normals of the
- * surface are had from a carcass.
- *
- * places: count places of the sheet, whose own number is not read; u and v 0 to 1. normals: receives x, y, z of each; 0 where there is
- * none. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the cell, OUT_OF_RANGE (u, v), CANCELLED. Bounded work for each. From
- * any thread. Source: Leus, fig. 1.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *context,
-                                               const struct gusset_sheet *sheet,
-                                               const struct gusset_surface_place *places,
-                                               size_t count,
-                                               double *normals);
  * Points, derivatives, normals and curvatures at places.
  *
  * places: count of them. results: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
@@ -5775,6 +5762,192 @@ gusset_status gusset_carcass_locate(const struct gusset_context *context,
                                     const double *parameters,
                                     size_t count,
                                     struct gusset_surface_place *places);
+
+/**
+ * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
+ *
+ * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the
+ * length of the shortest curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0;
+ * either may be NULL alone. written: receives the number of cells. greatest: receives two numbers, the greatest of the first and
+ * of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
+ * CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. Source: Leus, eqs. (1) and (7); the bounds
+ * are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_diameters(const struct gusset_context *context,
+                                     const struct gusset_sheet *sheet,
+                                     double *euclidean,
+                                     double *intrinsic,
+                                     size_t capacity,
+                                     size_t *written,
+                                     double *greatest);
+
+/**
+ * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
+ *
+ * bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * OUT_OF_MEMORY, CANCELLED. O(cells); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
+                                           const struct gusset_sheet *sheet,
+                                           double *bound);
+
+/**
+ * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
+ *
+ * words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells;
+ * NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the
+ * region, two numbers each. cells: receives row and column of each cell of the chain, from and to included, two numbers each; NULL
+ * with capacity 0 to ask for the size. capacity: how many cells it has room for. written: receives the number of cells, the
+ * integer length; 0 if there is no chain. The sum of their diameters bounds the distance between points of from and of to. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL,
+ * OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_chain(const struct gusset_context *context,
+                                 const struct gusset_sheet *sheet,
+                                 const uint64_t *words,
+                                 size_t count,
+                                 const uint32_t *from,
+                                 const uint32_t *to,
+                                 uint32_t *cells,
+                                 size_t capacity,
+                                 size_t *written);
+
+/**
+ * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
+ *
+ * words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for
+ * the worst O(cells^2), which can be cancelled. Source: Leus, eqs. (4) to (6).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_region(const struct gusset_context *context,
+                                  const struct gusset_sheet *sheet,
+                                  const uint64_t *words,
+                                  size_t count,
+                                  struct gusset_region_report *report);
+
+/**
+ * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
+ * the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
+ * carcass (gusset_carcass_create) answers the same and more from its index, much faster.
+ *
+ * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the
+ * size and the report alone. capacity: how many words it has room for. written: receives the number of words. report: what was
+ * done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
+ * (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
+ * BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
+ * at for the search. From any thread. Source: Leus; its errata are listed with the Rust module carcass::leus.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask(const struct gusset_context *context,
+                                const struct gusset_sheet *sheet,
+                                const struct gusset_mask_task *task,
+                                uint64_t *words,
+                                size_t capacity,
+                                size_t *written,
+                                struct gusset_mask_report *report);
+
+/**
+ * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
+ * cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
+ * size of cells; the exact normals of the surface are had from a carcass.
+ *
+ * places: count places of the sheet, whose own number is not read; u and v 0 to 1. normals: receives x, y, z of each; 0 where
+ * there is none. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the cell, OUT_OF_RANGE (u, v), CANCELLED.
+ * Bounded work for each. From any thread. Source: Leus, fig. 1.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *context,
+                                               const struct gusset_sheet *sheet,
+                                               const struct gusset_surface_place *places,
+                                               size_t count,
+                                               double *normals);
+
+/**
+ * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
+ * normal and the surface's.
+ *
+ * point: x, y, z of a point of the plane of offset 0. normal: x, y, z, not 0, of any length. offsets: count of them, rising, distances of the
+ * planes from the point along the normal. options: NULL for the defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL
+ * on failure. Every curve is found, also one within a cell, and on a closed surface all are closed; a corner on a plane counts as above it.
+ * Cells where a plane touches or contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no
+ * larger than the tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not
+ * finite, a normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About
+ * O(count + cells that are cut); threads. Source: Leus, "Carcasses on smooth surfaces", task d.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_section(const struct gusset_context *context,
+                                     const struct gusset_carcass *carcass,
+                                     const double *point,
+                                     const double *normal,
+                                     const double *offsets,
+                                     size_t count,
+                                     const struct gusset_level_options *options,
+                                     struct gusset_surface_paths **paths);
+
+/**
+ * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
+ * surface is; greater values are to the left, seen from where the normals point to.
+ *
+ * values: value_count of them, finite: of all sheets, one after the other, each row after row, one more row and column than there are cells;
+ * the last line of a closed direction repeats the first and is not used. levels: level_count of them, rising. Otherwise as
+ * gusset_carcass_section. Errors: as there; SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number of the
+ * value. O(values + cells that are crossed); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_contours(const struct gusset_context *context,
+                                      const struct gusset_carcass *carcass,
+                                      const double *values,
+                                      size_t value_count,
+                                      const double *levels,
+                                      size_t level_count,
+                                      const struct gusset_level_options *options,
+                                      struct gusset_surface_paths **paths);
+
+/**
+ * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
+ * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
+ *
+ * direction: x, y, z, not 0. angles: count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are unsigned. Otherwise as
+ * gusset_carcass_section. Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side between them;
+ * poles that may have the angle are listed as unresolved. Errors: as there. O(cells); threads. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_isophotes(const struct gusset_context *context,
+                                       const struct gusset_carcass *carcass,
+                                       const double *direction,
+                                       const double *angles,
+                                       size_t count,
+                                       const struct gusset_level_options *options,
+                                       struct gusset_surface_paths **paths);
+
+/**
+ * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
+ *
+ * direction: x, y, z, not 0. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL for the defaults; what is between
+ * crossings is not used. nearest: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells); threads. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_nearest_angle(const struct gusset_context *context,
+                                           const struct gusset_carcass *carcass,
+                                           const double *direction,
+                                           double angle,
+                                           const struct gusset_level_options *options,
+                                           struct gusset_nearest_angle *nearest);
 
 /**
  * Checks a mesh. What it finds is no error.

@@ -6,6 +6,7 @@ mod surfaces;
 use glam::DVec3;
 use gusset::Job;
 use gusset::carcass::leus::{Diameters, Lattice, Object, Scale, cells_within, closest};
+use gusset::carcass::level::{Between, Planes};
 use gusset::carcass::line::{Line, Which};
 use gusset::carcass::{Carcass, Grid, Patches, Place, Scheme, Sheet};
 use std::path::{Path, PathBuf};
@@ -113,17 +114,29 @@ fn teapot() -> Vec<Case> {
 /// Task a): the same distance, and a point that has it.
 #[test]
 fn nearest_points() {
+    compare_nearest(40, 21);
+}
+
+/// The same, many times.
+#[test]
+#[ignore = "takes long"]
+fn exhaustive_nearest_points() {
+    compare_nearest(3000, 121);
+}
+
+fn compare_nearest(queries: usize, seed: u64) {
     for case in cases() {
         let (centre, size) = case.centre();
-        let mut random = Random(21);
-        for k in 0..40 {
+        let mut random = Random(seed);
+        for k in 0..queries {
             let query = centre + random.point(size * [0.7, 10.0][k % 2]);
-            let (distance, place) =
-                closest(&case.sheet, &case.diameters, query, case.tolerance, &Job::default()).unwrap();
+            let near = closest(&case.sheet, &case.diameters, query, case.tolerance, &Job::default()).unwrap();
+            let distance = near.distance;
+            assert!(near.bound <= distance && near.bound >= distance - 2.0 * case.tolerance, "{}: {near:?}", case.name);
             let found = case.carcass.closest(query, f64::INFINITY).unwrap();
             assert!((distance - found.distance).abs() <= 2.0 * case.tolerance, "{}: {distance} {found:?}", case.name);
-            let there = case.carcass.jet(place).point.distance(query);
-            assert!((there - distance).abs() <= 1e-12 * (distance + size), "{}: {place:?}", case.name);
+            let there = case.carcass.jet(near.place).point.distance(query);
+            assert!((there - distance).abs() <= 1e-12 * (distance + size), "{}: {near:?}", case.name);
         }
     }
 }
@@ -155,10 +168,22 @@ fn compare(case: &Case, scale: &Scale, places: &[Place], what: &dyn std::fmt::De
 /// Task c): the cells that a line meets.
 #[test]
 fn cells_of_lines() {
+    assert!(compare_lines(60, 22) > 500);
+}
+
+/// The same, many times.
+#[test]
+#[ignore = "takes long"]
+fn exhaustive_cells_of_lines() {
+    compare_lines(3000, 122);
+}
+
+fn compare_lines(lines: usize, seed: u64) -> usize {
+    let mut count = 0;
     for case in cases() {
         let (centre, size) = case.centre();
-        let (mut random, mut count) = (Random(22), 0);
-        for _ in 0..60 {
+        let mut random = Random(seed);
+        for _ in 0..lines {
             let line = Line::new(centre + random.point(0.5 * size), random.point(1.0));
             let hits = case.carcass.line(&line, Which::All).unwrap();
             let object = Object::Line(line);
@@ -167,8 +192,30 @@ fn cells_of_lines() {
             let places: Vec<Place> = hits.iter().map(|hit| hit.place).collect();
             count += compare(&case, &scale, &places, &line);
         }
-        assert!(count > 10, "{}: {count}", case.name);
     }
+    count
+}
+
+/// Task d): the cells that a plane crosses, against the sections that the index finds: each has a piece of a curve, or is listed as
+/// unresolved.
+#[test]
+fn cells_of_sections() {
+    let mut count = 0;
+    for case in cases() {
+        let (centre, size) = case.centre();
+        let mut random = Random(24);
+        for _ in 0..10 {
+            let (point, normal) = (centre + random.point(0.4 * size), random.point(1.0).normalize());
+            let planes = Planes { point, normal, offsets: &[0.0] };
+            let paths = case.carcass.section(&planes, Between::Chord(1e-3 * size), &Job::default()).unwrap();
+            let object = Object::Plane { point, normal };
+            let scale =
+                cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance, &Job::default()).unwrap();
+            let places: Vec<Place> = paths.places.iter().chain(&paths.unresolved).copied().collect();
+            count += compare(&case, &scale, &places, &planes);
+        }
+    }
+    assert!(count > 500, "{count}");
 }
 
 /// Task d): the cells that a plane crosses, against all of them one by one.

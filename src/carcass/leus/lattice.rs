@@ -58,11 +58,7 @@ impl Span {
 impl Lattice {
     /// Of a sheet.
     pub fn of(sheet: &Sheet<'_>) -> Self {
-        let closed = match sheet {
-            Sheet::Grid(grid) => grid.is_closed(),
-            Sheet::Cubic(_) | Sheet::High(_) => [false; 2],
-        };
-        Lattice { cells: sheet.cells(), closed }
+        Lattice { cells: sheet.cells(), closed: sheet.is_closed() }
     }
 
     /// The number of cells.

@@ -55,7 +55,7 @@ pub fn literal(
             continue;
         }
         left.evaluations += 1;
-        let steps = (measure(node) / d).floor() as usize;
+        let steps = ((measure(node) / d).floor() as usize).min(m + n);
         if steps == 0 {
             continue;
         }

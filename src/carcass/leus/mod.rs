@@ -52,7 +52,7 @@ mod search;
 mod sizes;
 mod swing;
 
-pub use answer::{cells_within, closest};
+pub use answer::{Nearest, cells_within, closest};
 pub use approximate::normal_by_sections;
 pub use curvature::curvature_bound;
 pub use diameter::Diameters;

@@ -59,8 +59,12 @@ pub fn chain(region: &Scale, from: [usize; 2], to: [usize; 2], job: &Job<'_>) ->
 pub fn integer_diameter(region: &Scale, job: &Job<'_>) -> Result<Option<usize>> {
     let lattice = region.lattice();
     let Some(first) = region.cells().next() else { return Ok(Some(0)) };
-    let mut walk = Walk::new(lattice)?;
     let count = region.count();
+    if count == lattice.len() {
+        let longest = |k: usize| if lattice.closed[k] { lattice.cells[k] / 2 + 1 } else { lattice.cells[k] };
+        return Ok(Some(longest(0).max(longest(1))));
+    }
+    let mut walk = Walk::new(lattice)?;
     // Amid the region: half way along a long shortest chain.
     walk.go(region, first, job, 0.0)?;
     if walk.order.len() != count {
