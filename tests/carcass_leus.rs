@@ -347,6 +347,7 @@ fn chains_and_integer_diameters() {
         let whole = Scale::full(lattice).unwrap();
         let expected = [0, 1].map(|k| if closed[k] { cells[k] / 2 + 1 } else { cells[k] });
         assert_eq!(integer_diameter(&whole, &job), Ok(Some(expected[0].max(expected[1]))));
+        assert_eq!(by_relaxation(&whole), Some(expected[0].max(expected[1])));
         for share in [0.2, 0.45, 0.6, 0.8] {
             let mut region = Scale::empty(lattice).unwrap();
             (0..lattice.len()).for_each(|k| region.set(lattice.cell(k), random.next() < share));

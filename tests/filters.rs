@@ -6,18 +6,64 @@ use common::{Soup, cap};
 use gusset::filters::data::{Curves, Input, InputKind, Output};
 use gusset::filters::param::ParamKind;
 use gusset::filters::{FILTERS, Filter};
+use gusset::mesh::PositionBuffer;
 use gusset::{Error, Job};
 use std::collections::HashSet;
 
 /// Ids are stable for ever: an entry may be added here, none changed or taken away.
-const IDS: &[&str] =
-    &["boundary_loops", "stitch", "weld", "orient", "fill_holes", "assemble", "outline", "net_shape", "deform"];
+const IDS: &[&str] = &[
+    "boundary_loops",
+    "stitch",
+    "weld",
+    "orient",
+    "fill_holes",
+    "assemble",
+    "outline",
+    "net_shape",
+    "deform",
+    "smooth_surface",
+    "smooth_sections",
+    "smooth_silhouette",
+    "smooth_distance",
+];
 
 /// Two caps that face each other askew: the inputs of any filter that takes meshes.
 fn pieces() -> [Soup; 2] {
     let mut second = cap(9, 4, 0.3, -1.0);
     second.points.iter_mut().for_each(|p| p[0] += 0.6);
     [cap(12, 3, 0.2, 1.0), second]
+}
+
+/// Two grids of quads: spheres, whose rows of faces end in fans of triangles at the poles.
+fn grids() -> [Soup; 2] {
+    [(8, 12), (16, 24)].map(|(rows, columns)| sphere(rows, columns))
+}
+
+/// A unit sphere of quads, closed round and seen from outside; `rows` cells from pole to pole.
+fn sphere(rows: u32, columns: u32) -> Soup {
+    use std::f64::consts::{PI, TAU};
+    let mut points = vec![[0.0, 0.0, 1.0]];
+    for i in 1..rows {
+        let (sin, cos) = (PI * f64::from(i) / f64::from(rows)).sin_cos();
+        points.extend((0..columns).map(|j| {
+            let (y, x) = (TAU * f64::from(j) / f64::from(columns)).sin_cos();
+            [sin * x, sin * y, cos]
+        }));
+    }
+    points.push([0.0, 0.0, -1.0]);
+    let south = points.len() as u32 - 1;
+    let node = |i: u32, j: u32| 1 + (i - 1) * columns + j % columns;
+    let mut soup = Soup::new(points, &[]);
+    for j in 0..columns {
+        soup.face(&[0, node(1, j), node(1, j + 1)]);
+    }
+    for (i, j) in (1..rows - 1).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+        soup.face(&[node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)]);
+    }
+    for j in 0..columns {
+        soup.face(&[south, node(rows - 1, j + 1), node(rows - 1, j)]);
+    }
+    soup
 }
 
 fn inputs(soups: &[Soup]) -> Vec<Input<'_>> {
@@ -34,7 +80,8 @@ fn curves() -> Curves {
 }
 
 /// What a filter takes, as many as two.
-fn inputs_of<'a>(filter: &Filter, soups: &'a [Soup], curves: &'a Curves) -> Vec<Input<'a>> {
+fn inputs_of<'a>(filter: &Filter, [soups, grids]: &'a [[Soup; 2]; 2], curves: &'a Curves) -> Vec<Input<'a>> {
+    let soups = if filter.id.starts_with("smooth_") { grids } else { soups };
     match filter.inputs.first() {
         None => Vec::new(),
         Some(InputKind::Mesh) => inputs(&soups[..filter.max_inputs.min(2)]),
@@ -85,7 +132,7 @@ fn parameters_have_defaults_in_range() {
 
 #[test]
 fn every_filter_runs_with_its_defaults_and_with_every_choice() {
-    let (soups, curves) = (pieces(), curves());
+    let (soups, curves) = ([pieces(), grids()], curves());
     for filter in FILTERS {
         let inputs = inputs_of(filter, &soups, &curves);
         let defaults = filter.defaults(&inputs);
@@ -107,7 +154,7 @@ fn every_filter_runs_with_its_defaults_and_with_every_choice() {
 
 #[test]
 fn values_and_inputs_out_of_range_are_refused() {
-    let (soups, curves) = (pieces(), curves());
+    let (soups, curves) = ([pieces(), grids()], curves());
     for filter in FILTERS {
         let inputs = inputs_of(filter, &soups, &curves);
         let defaults = filter.defaults(&inputs);
@@ -135,7 +182,7 @@ fn values_and_inputs_out_of_range_are_refused() {
         let refused = |inputs: &[Input<'_>]| {
             matches!(filter.run(inputs, &[], &Job::default()), Err(Error::OptionOutOfRange { option: "inputs", .. }))
         };
-        let any = Input::Mesh(soups[0].view());
+        let any = Input::Mesh(soups[0][0].view());
         let too_many = vec![*inputs.first().unwrap_or(&any); filter.max_inputs + 1];
         assert!((filter.min_inputs == 0 || refused(&[])) && refused(&too_many), "{}", filter.id);
     }
@@ -213,4 +260,81 @@ fn outline_draws_through_the_points() {
     assert!(matches!(filter.run(&[Input::Curves(&wrong)], &[], &Job::default()), Err(Error::BadOffsets { .. })));
     let soups = pieces();
     assert!(filter.run(&inputs(&soups[..1]), &[], &Job::default()).is_err());
+}
+
+/// What a filter gives for a mesh.
+fn run_on(id: &str, soups: &[Soup], values: &[f64]) -> Vec<Output> {
+    Filter::find(id).unwrap().run(&inputs(soups), values, &Job::default()).unwrap()
+}
+
+fn radius(p: &[f64; 3]) -> f64 {
+    p[0].hypot(p[1]).hypot(p[2])
+}
+
+#[test]
+fn smooth_surfaces_are_nearer_to_the_truth_than_quads() {
+    let given = sphere(16, 24);
+    let outputs = run_on("smooth_surface", std::slice::from_ref(&given), &[0.0, 1e-4, 4.0, 1.0]);
+    let [Output::Mesh(mesh), Output::Text(_)] = outputs.as_slice() else { panic!("of other kinds") };
+    let PositionBuffer::F64(points) = &mesh.positions else { panic!("of another type") };
+    assert!(points.len() > 16 * 24 * 10);
+    // The quads' middles are off by a per cent.
+    assert!(points.iter().all(|p| (radius(p) - 1.0).abs() < 1e-3));
+    assert!(given.points.iter().all(|p| points.iter().any(|q| (0..3).all(|k| (p[k] - q[k]).abs() < 1e-12))));
+    let faces = || mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize]);
+    assert_eq!(common::euler(faces()), 2);
+    // Seen from outside, as the quads are.
+    for face in faces() {
+        let [a, b, c] = [0, 1, 2].map(|k| glam::DVec3::from_array(points[face[k] as usize]));
+        assert!((b - a).cross(c - a).dot(a + b + c) > 0.0);
+    }
+}
+
+#[test]
+fn smooth_sections_are_circles() {
+    let given = [sphere(32, 48)];
+    let outputs = run_on("smooth_sections", &given, &[0.0, 0.0, 0.0, 1.0, 0.0, 5.0]);
+    let [Output::Curves(curves), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
+    assert!(text.starts_with("5 curves, 5 of them closed"), "{text}");
+    for (k, ends) in curves.offsets.windows(2).enumerate() {
+        // The box of the surface is a little larger than the sphere's.
+        let points = &curves.points[ends[0] as usize..ends[1] as usize];
+        let height = points[0][2];
+        assert!((height + 0.8 - 0.4 * k as f64).abs() < 0.01, "{height}");
+        for p in points {
+            assert!((p[2] - height).abs() < 1e-6 && (radius(p) - 1.0).abs() < 1e-4, "{p:?}");
+        }
+    }
+    // At given places: one cuts, two pass above.
+    let outputs = run_on("smooth_sections", &given, &[0.0, 1.0, 0.0, 0.0, 1.0, 3.0, 0.5, 0.75]);
+    let [Output::Curves(curves), _] = outputs.as_slice() else { panic!("{outputs:?}") };
+    assert_eq!(curves.closed, [true]);
+    assert!(curves.points.iter().all(|p| (p[0] - 0.5).abs() < 1e-9));
+}
+
+#[test]
+fn smooth_silhouettes_are_great_circles() {
+    let outputs = run_on("smooth_silhouette", &[sphere(32, 48)], &[0.0, 1.0, 2.0, 3.0]);
+    let [Output::Curves(curves), Output::Text(_)] = outputs.as_slice() else { panic!("{outputs:?}") };
+    assert!(curves.points.len() > 30);
+    for p in &curves.points {
+        assert!((p[0] + 2.0 * p[1] + 3.0 * p[2]).abs() < 1e-2 && (radius(p) - 1.0).abs() < 1e-4, "{p:?}");
+    }
+}
+
+#[test]
+fn distances_from_smooth_surfaces() {
+    let (mut shifted, grid) = (sphere(8, 12), sphere(32, 48));
+    shifted.points.iter_mut().flatten().for_each(|x| *x *= 1.1);
+    let outputs = run_on("smooth_distance", &[shifted, grid], &[]);
+    let [Output::Mesh(mesh), Output::Text(text)] = outputs.as_slice() else { panic!("of other kinds") };
+    let PositionBuffer::F64(points) = &mesh.positions else { panic!("of another type") };
+    assert!(points.iter().all(|p| (radius(p) - 1.0).abs() < 1e-4));
+    let largest: f64 = text.split("largest distance ").nth(1).unwrap().split(',').next().unwrap().parse().unwrap();
+    assert!((largest - 0.1).abs() < 1e-4, "{text}");
+    // Two grids are none.
+    let [first, second] = pieces();
+    let both = [first.and(&second)];
+    let refused = Filter::find("smooth_surface").unwrap().run(&inputs(&both), &[], &Job::default());
+    assert!(matches!(refused, Err(Error::NoGrid { .. })));
 }

@@ -32,12 +32,12 @@ static void diameters(gusset_sheet *sheet) {
 
     EXPECT(GUSSET_OK, gusset_sheet_diameters(context, sheet, NULL, NULL, 0, &written, NULL));
     CHECK(written == CELLS);
-    EXPECT(GUSSET_OK, gusset_sheet_diameters(context, sheet, euclidean, intrinsic, CELLS, &written, &greatest));
+    EXPECT(GUSSET_OK, gusset_sheet_diameters(context, sheet, euclidean, intrinsic, CELLS, &written, greatest));
     CHECK(fabs(euclidean[7] - sqrt(2.0)) < 1e-12 && fabs(intrinsic[CELLS - 1] - sqrt(2.0)) < 1e-12);
     CHECK(greatest[0] >= euclidean[3] && greatest[1] >= intrinsic[3]);
     EXPECT(GUSSET_OK, gusset_sheet_diameters(context, sheet, NULL, intrinsic, CELLS, &written, NULL));
     EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL,
-           gusset_sheet_diameters(context, sheet, euclidean, NULL, CELLS - 1, &written, &greatest));
+           gusset_sheet_diameters(context, sheet, euclidean, NULL, CELLS - 1, &written, greatest));
     CHECK(written == CELLS && greatest[0] == 0.0);
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
            gusset_sheet_diameters(context, sheet, (double *)misaligned(), NULL, CELLS, &written, NULL));
@@ -55,24 +55,24 @@ static void diameters(gusset_sheet *sheet) {
 
 static void regions(gusset_sheet *sheet) {
     const uint32_t from[2] = {0, 0}, to[2] = {4, 7}, beside[2] = {0, 2}, outside[2] = {5, 0};
-    uint32_t cells[CELLS][2];
+    uint32_t cells[2 * CELLS];
     uint64_t words[1] = {0};
     size_t written = 99;
     gusset_region_report report;
 
     memset(&report, 0, sizeof report);
     report.struct_size = sizeof report;
-    EXPECT(GUSSET_OK, gusset_sheet_chain(context, sheet, NULL, 0, &from, &to, NULL, 0, &written));
+    EXPECT(GUSSET_OK, gusset_sheet_chain(context, sheet, NULL, 0, from, to, NULL, 0, &written));
     CHECK(written == 8);
-    EXPECT(GUSSET_OK, gusset_sheet_chain(context, sheet, NULL, 0, &from, &to, cells, CELLS, &written));
-    CHECK(written == 8 && cells[0][0] == 0 && cells[7][0] == 4 && cells[7][1] == 7);
-    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_chain(context, sheet, NULL, 0, &from, &to, cells, 7, &written));
+    EXPECT(GUSSET_OK, gusset_sheet_chain(context, sheet, NULL, 0, from, to, cells, CELLS, &written));
+    CHECK(written == 8 && cells[0] == 0 && cells[14] == 4 && cells[15] == 7);
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_sheet_chain(context, sheet, NULL, 0, from, to, cells, 7, &written));
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT,
-           gusset_sheet_chain(context, sheet, NULL, 0, &from, &outside, cells, CELLS, &written));
+           gusset_sheet_chain(context, sheet, NULL, 0, from, outside, cells, CELLS, &written));
     CHECK(written == 0);
     /* Cells (0, 0), (1, 1) and, apart, (0, 3). */
     words[0] = UINT64_C(1) | UINT64_C(1) << 9 | UINT64_C(1) << 3;
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_sheet_chain(context, sheet, words, 1, &from, &beside, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_sheet_chain(context, sheet, words, 1, from, beside, cells, CELLS, &written));
     EXPECT(GUSSET_OK, gusset_sheet_region(context, sheet, words, 1, &report));
     CHECK(report.cells == 3 && report.integer_diameter == UINT64_MAX && report.euler == 2 && isinf(report.diameter));
     words[0] = UINT64_C(1) | UINT64_C(1) << 9;
@@ -81,12 +81,12 @@ static void regions(gusset_sheet *sheet) {
     CHECK(fabs(report.diameter - 2.0 * sqrt(2.0)) < 1e-12);
     EXPECT(GUSSET_OK, gusset_sheet_region(context, sheet, NULL, 0, &report));
     CHECK(report.cells == CELLS && report.integer_diameter == 8 && report.euler == 1);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, sheet, NULL, 0, NULL, &to, cells, CELLS, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, sheet, NULL, 0, &from, NULL, cells, CELLS, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, sheet, NULL, 1, &from, &to, cells, CELLS, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, NULL, NULL, 0, &from, &to, cells, CELLS, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, sheet, NULL, 0, &from, &to, cells, CELLS, NULL));
-    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_chain(context, sheet, words, SIZE_MAX, &from, &to, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, sheet, NULL, 0, NULL, to, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, sheet, NULL, 0, from, NULL, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, sheet, NULL, 1, from, to, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, NULL, NULL, 0, from, to, cells, CELLS, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_chain(context, sheet, NULL, 0, from, to, cells, CELLS, NULL));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_chain(context, sheet, words, SIZE_MAX, from, to, cells, CELLS, &written));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_region(context, NULL, NULL, 0, &report));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_region(context, sheet, NULL, 0, NULL));
     EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_region(context, sheet, words, 0, &report));

@@ -1,5 +1,5 @@
-//! The paper's search as C sees it: diameters of cells, cell regions, the logical scale, the normal by two sections. It is the documented
-//! reference; to ask questions, use the index of a carcass.
+//! The paper's search as C sees it: diameters of cells, cell regions, the logical scale, the normal by two sections. It is the
+//! documented reference; to ask questions, use the index of a carcass.
 
 use super::carcass::gusset_surface_place;
 use super::context::gusset_context;
@@ -49,8 +49,8 @@ pub struct gusset_mask_task {
     pub within: f64,
     /// Of GUSSET_MASK_ANGLE: the angle, 0 to pi.
     pub angle: f64,
-    /// Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see gusset_sheet_curvature_bound;
-    /// 0: cones of normals instead, which are tighter.
+    /// Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
+    /// gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
     pub curvature: f64,
     /// Of GUSSET_MASK_ANGLE: 1 if normals of the other side will do as well.
     pub unsigned_normals: u32,
@@ -92,13 +92,13 @@ pub struct gusset_region_report {
     pub struct_size: usize,
     /// How many cells it has.
     pub cells: u64,
-    /// The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region is
-    /// in several parts.
+    /// The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
+    /// is in several parts.
     pub integer_diameter: u64,
     /// Vertices less edges plus cells: 1 for a region in one part without holes.
     pub euler: i64,
-    /// No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells; infinite if
-    /// the region is in several parts.
+    /// No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
+    /// infinite if the region is in several parts.
     pub diameter: f64,
 }
 
@@ -194,11 +194,12 @@ impl From<&Found> for gusset_mask_report {
 
 /// Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
 ///
-/// euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the length of the shortest
-/// curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0; either may be NULL alone. written: receives
-/// the number of cells. greatest: receives the greatest of the first and of the second kind, the paper's d; may be NULL.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
-/// for any number of them. Source: Leus, eqs. (1) and (7); the bounds are ours.
+/// euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the
+/// length of the shortest curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0;
+/// either may be NULL alone. written: receives the number of cells. greatest: receives two numbers, the greatest of the first and
+/// of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
+/// CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. Source: Leus, eqs. (1) and (7); the bounds
+/// are ours.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_diameters(
@@ -208,10 +209,12 @@ pub unsafe extern "C" fn gusset_sheet_diameters(
     intrinsic: *mut f64,
     capacity: usize,
     written: *mut usize,
-    greatest: *mut [f64; 2],
+    greatest: *mut f64,
 ) -> gusset_status {
-    let (written, greatest) =
-        (input::output(written, 0, "written"), input::optional_output(greatest, [0.0; 2], "greatest"));
+    let (written, greatest) = (
+        input::output(written, 0, "written"),
+        input::optional_output(greatest.cast::<[f64; 2]>(), [0.0; 2], "greatest"),
+    );
     guard(context, |job| {
         let (written, greatest) = (written?, greatest?);
         let found = Diameters::new(read(sheet)?, job)?;
@@ -256,14 +259,21 @@ pub unsafe extern "C" fn gusset_sheet_curvature_bound(
     })
 }
 
+/// Row and column of a cell.
+fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> {
+    let bytes = input::bytes(pointer.cast(), 2, 4, name)?;
+    Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(bytes).map(|k| k as usize))
+}
+
 /// A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
 ///
-/// words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells; NULL with
-/// count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the region, two numbers
-/// each. cells: receives row and column of each cell of the chain, from and to included; NULL with capacity 0 to ask for the size. capacity: how many cells
-/// it has room for. written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the distance
-/// between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the
-/// cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
+/// words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells;
+/// NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the
+/// region, two numbers each. cells: receives row and column of each cell of the chain, from and to included, two numbers each; NULL
+/// with capacity 0 to ask for the size. capacity: how many cells it has room for. written: receives the number of cells, the
+/// integer length; 0 if there is no chain. The sum of their diameters bounds the distance between points of from and of to. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL,
+/// OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_chain(
@@ -271,19 +281,18 @@ pub unsafe extern "C" fn gusset_sheet_chain(
     sheet: *const gusset_sheet,
     words: *const u64,
     count: usize,
-    from: *const [u32; 2],
-    to: *const [u32; 2],
-    cells: *mut [u32; 2],
+    from: *const u32,
+    to: *const u32,
+    cells: *mut u32,
     capacity: usize,
     written: *mut usize,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
     guard(context, |job| {
         let (written, region) = (written?, region(read(sheet)?, words, count)?);
-        let [from, to] =
-            [input::reference(from, "from")?, input::reference(to, "to")?].map(|end| end.map(|k| k as usize));
+        let [from, to] = [cell(from, "from")?, cell(to, "to")?];
         let found = chain(&region, from, to, job)?.unwrap_or_default();
-        fill(cells, capacity, found.len(), written, "cells", |out| {
+        fill(cells.cast::<[u32; 2]>(), capacity, found.len(), written, "cells", |out| {
             out.iter_mut().zip(&found).for_each(|(out, cell)| *out = cell.map(|k| k as u32));
             Ok(())
         })
@@ -292,9 +301,9 @@ pub unsafe extern "C" fn gusset_sheet_chain(
 
 /// Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
 ///
-/// words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for the worst O(cells^2),
-/// which can be cancelled. Source: Leus, eqs. (4) to (6).
+/// words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for
+/// the worst O(cells^2), which can be cancelled. Source: Leus, eqs. (4) to (6).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_region(
@@ -322,16 +331,16 @@ pub unsafe extern "C" fn gusset_sheet_region(
     })
 }
 
-/// The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or the nearest one, or
-/// a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a carcass (gusset_carcass_create)
-/// answers the same and more from its index, much faster.
+/// The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
+/// the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
+/// carcass (gusset_carcass_create) answers the same and more from its index, much faster.
 ///
-/// task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the size and the report alone.
-/// capacity: how many words it has room for. written: receives the number of words. report: what was done; its struct_size set by the
-/// caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (object, flags), OUT_OF_RANGE (what is not
-/// finite, no direction, a negative distance, an angle outside 0 to pi), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds
-/// of cells, with threads; O(cells / 64) and the nodes looked at for the search. From any thread. Source: Leus; its errata are listed with the
-/// Rust module carcass::leus.
+/// task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the
+/// size and the report alone. capacity: how many words it has room for. written: receives the number of words. report: what was
+/// done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
+/// (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
+/// BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
+/// at for the search. From any thread. Source: Leus; its errata are listed with the Rust module carcass::leus.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mask(
@@ -361,13 +370,13 @@ fn give_words(words: *mut u64, capacity: usize, found: &Found, written: &mut usi
     })
 }
 
-/// The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners, cut the lines of
-/// the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the size of cells; the exact normals of the
-/// surface are had from a carcass.
+/// The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
+/// cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
+/// size of cells; the exact normals of the surface are had from a carcass.
 ///
-/// places: count places of the sheet, whose own number is not read; u and v 0 to 1. normals: receives x, y, z of each; 0 where there is
-/// none. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the cell, OUT_OF_RANGE (u, v), CANCELLED. Bounded work for each. From
-/// any thread. Source: Leus, fig. 1.
+/// places: count places of the sheet, whose own number is not read; u and v 0 to 1. normals: receives x, y, z of each; 0 where
+/// there is none. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the cell, OUT_OF_RANGE (u, v), CANCELLED.
+/// Bounded work for each. From any thread. Source: Leus, fig. 1.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_normals_by_sections(

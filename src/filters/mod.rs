@@ -19,6 +19,11 @@ mod fill_holes;
 mod net_shape;
 mod orient;
 mod outline;
+mod smooth;
+mod smooth_distance;
+mod smooth_sections;
+mod smooth_silhouette;
+mod smooth_surface;
 mod stitch;
 mod weld;
 
@@ -70,6 +75,10 @@ pub static FILTERS: &[Filter] = &[
     outline::FILTER,
     net_shape::FILTER,
     deform::FILTER,
+    smooth_surface::FILTER,
+    smooth_sections::FILTER,
+    smooth_silhouette::FILTER,
+    smooth_distance::FILTER,
 ];
 
 impl Filter {

@@ -1,6 +1,7 @@
 //! Parameters: kinds, ranges, defaults, and the check of values against them.
 
 use crate::error::{Error, Result};
+use glam::DVec3;
 
 /// What a parameter's values mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -127,6 +128,11 @@ impl<'a> Values<'a> {
     /// The value of a parameter of one component.
     pub(super) fn number(&self, id: &str) -> f64 {
         self.of(id)[0]
+    }
+
+    /// The value of a parameter of three components.
+    pub(super) fn vector(&self, id: &str) -> DVec3 {
+        DVec3::from_slice(&self.of(id)[..3])
     }
 
     /// The place of a choice.

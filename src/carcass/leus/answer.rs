@@ -1,5 +1,5 @@
-//! Answers of the paper's search: the scale, and then every cell that it leaves. What the index of [`crate::carcass::Carcass`] must agree with: they
-//! have nothing in common but the patches.
+//! Answers of the paper's search: the scale, and then every cell that it leaves. What the index of [`crate::carcass::Carcass`] must
+//! agree with: they have nothing in common but the patches.
 
 use super::diameter::Diameters;
 use super::object::{Object, Target, incidence};
@@ -17,8 +17,18 @@ const DEPTH: u32 = 40;
 /// Parts of a cell that are looked at: at the centre of a sphere all parts are as near as any other.
 const PARTS: usize = 1 << 16;
 
-/// The nearest point of a sheet, task a): its distance, which no point undercuts by more than the tolerance, and its place. The scale of the nodes leaves
-/// few cells; each is halved as long as it may be nearer.
+/// The nearest point of a sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
+    /// Its distance.
+    pub distance: f64,
+    /// Where it is; the sheet is 0.
+    pub place: Place,
+    /// No point of the sheet is nearer than this: the distance less the tolerance, or less where there is no proof.
+    pub bound: f64,
+}
+
+/// The nearest point of a sheet, task a). The scale of the nodes leaves few cells; each is halved as long as it may be nearer.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is no positive number; those of [`incidence`].
@@ -28,7 +38,7 @@ pub fn closest(
     query: DVec3,
     tolerance: f64,
     job: &Job<'_>,
-) -> Result<(f64, Place)> {
+) -> Result<Nearest> {
     check(tolerance)?;
     let found = incidence(sheet, diameters, Object::Point(query), &Options::new(Goal::Least), job)?;
     let (node, distance) = found.least;
@@ -36,38 +46,40 @@ pub fn closest(
         let last = sheet.cells()[k] - 1;
         if node[k] <= last { (node[k] as u32, 0.0) } else { (last as u32, 1.0) }
     });
-    let mut best = (distance, Place { sheet: 0, cell: [row, column], u, v });
+    let mut best = Nearest { distance, place: Place { sheet: 0, cell: [row, column], u, v }, bound: distance };
     for (k, [i, j]) in found.scale.cells().enumerate() {
         if k % 256 == 0 {
             job.step(0.5, "cells")?;
         }
         each_sheet!(sheet, cells => {
             let near = Cells::corner(cells, i, j).distance(query) - diameters.euclidean.get([i, j]);
-            if near <= best.0 * (1.0 + 1e-12) {
+            if near <= best.distance * (1.0 + 1e-12) {
                 approach(&Cells::patch(cells, i, j), query, [i, j], tolerance, &mut best);
             }
         });
     }
-    Ok(best)
+    Ok(Nearest { bound: best.bound.min(best.distance), ..best })
 }
 
 /// Looks for a nearer point in a patch.
-fn approach<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], tolerance: f64, best: &mut (f64, Place)) {
+fn approach<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], tolerance: f64, best: &mut Nearest) {
     let mut parts = vec![(*patch, DVec2::ZERO, 1.0)];
     let mut looked_at = 0;
     while let Some((part, from, size)) = parts.pop() {
         looked_at += 1;
         let middle = part.point(0.5, 0.5);
         let distance = middle.distance(query);
-        if distance < best.0 {
+        if distance < best.distance {
             let at = from + 0.5 * size;
-            *best = (distance, Place { sheet: 0, cell: cell.map(|k| k as u32), u: at.x, v: at.y });
+            best.distance = distance;
+            best.place = Place { sheet: 0, cell: cell.map(|k| k as u32), u: at.x, v: at.y };
         }
         // All of the part is on the far side of a plane across the direction of its middle.
         let direction = (query - middle).normalize_or_zero();
         let along = part.points.as_flattened().iter().map(|&point| (query - point).dot(direction));
-        let bound = along.fold(f64::INFINITY, f64::min);
-        if bound > best.0 - tolerance || size < 0.5_f64.powi(DEPTH as i32) || looked_at > PARTS {
+        let bound = along.fold(f64::INFINITY, f64::min).max(0.0);
+        if bound > best.distance - tolerance || size < 0.5_f64.powi(DEPTH as i32) || looked_at > PARTS {
+            best.bound = best.bound.min(bound);
             continue;
         }
         let half = 0.5 * size;
@@ -81,11 +93,12 @@ fn approach<const N: usize>(patch: &Patch<N>, query: DVec3, cell: [usize; 2], to
     }
 }
 
-/// The cells that have a point within a distance of an object: those of the scale of which not all parts can be shown to be farther. None is missing; all
-/// points of one that is there too many are farther by no more than the tolerance.
+/// The cells that have a point within a distance of an object: those of the scale of which not all parts can be shown to be
+/// farther. None is missing; one that is there too many comes within the tolerance of the distance, unless it was
+/// given up undecided.
 ///
-/// With a distance of 0 these are the cells that a plane crosses or a line meets, tasks c) and d). Loops inside a cell count, and sides that are
-/// crossed twice: signs at nodes show neither (erratum E7).
+/// With a distance of 0 these are the cells that a plane crosses or a line meets, tasks c) and d). Loops inside a cell count, and
+/// sides that are crossed twice: signs at nodes show neither (erratum E7).
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is no positive number; those of [`incidence`].

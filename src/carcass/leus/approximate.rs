@@ -1,8 +1,9 @@
 //! The paper's approximate normal: from two plane sections through the lines of the carcass.
 //!
-//! Both planes pass through the point and are parallel to b, the mean of the four normals at the cell's corners; they are orthogonal to each other.
-//! Each crosses the coordinate curves near the cell. A cubic through four crossings approximates the section, and the tangents of the two span
-//! the tangent plane. Third order in the size of cells, as the derivative of a cubic through four points is.
+//! Both planes pass through the point and are parallel to b, the mean of the four normals at the cell's corners; they are
+//! orthogonal to each other. Each crosses the coordinate curves near the cell. A cubic through four crossings approximates the
+//! section, and the tangents of the two span the tangent plane. Third order in the size of cells, as the derivative of a cubic
+//! through four points is.
 
 use super::lattice::Lattice;
 use crate::carcass::cells::Cells;
@@ -14,11 +15,13 @@ use glam::DVec3;
 const LINES: usize = 4;
 /// How many cells to either side a crossing with a line is looked for.
 const REACH: usize = 8;
+/// How far lines go on beyond an open edge, in cells.
+const BEYOND: f64 = 0.5;
 /// Halvings of an edge before a crossing is taken as it is: to the last bit.
 const DEPTH: u32 = 60;
 
-/// The approximate unit normal at parameters (u, v) of a cell, from two orthogonal plane sections; on the side of S_u x S_v. 0 if there is none: a plane
-/// crosses fewer than two lines near the cell, or normals at its corners cancel out.
+/// The approximate unit normal at parameters (u, v) of a cell, from two orthogonal plane sections; on the side of S_u x S_v. 0 if
+/// there is none: a plane crosses fewer than two lines near the cell, or normals at its corners cancel out.
 ///
 /// It uses the lines of the carcass only; [`Sheet::normal`] is of third order as well, with a smaller constant, and faster.
 ///
@@ -96,26 +99,31 @@ impl Section {
         at: usize,
     ) -> Option<DVec3> {
         let (count, closed) = (lattice.cells[1 - direction], lattice.closed[1 - direction]);
+        let within = |place: usize, range: [f64; 2]| {
+            let edge = edge(cells, lattice, direction, line, place);
+            let field = edge.map(|control| (control - self.point).dot(self.across));
+            let root = first_root(over(field, range), DEPTH)?;
+            Some(blend(&edge, range[0] + root * (range[1] - range[0])))
+        };
         for offset in 0..=REACH {
-            let places = [at.checked_add(offset), at.checked_sub(offset)];
-            let wrapped = places.map(|place| match place {
+            let wrapped = |place: Option<usize>| match place {
                 Some(place) if place < count => Some(place),
                 _ if !closed || offset >= count => None,
                 Some(place) => Some(place - count),
                 None => Some(at + count - offset),
-            });
-            let crossings = wrapped.into_iter().flatten().filter_map(|place| {
-                let edge = edge(cells, lattice, direction, line, place);
-                let field = edge.map(|control| (control - self.point).dot(self.across));
-                Some(blend(&edge, first_root(field, DEPTH)?))
-            });
+            };
+            let places = [at.checked_add(offset), at.checked_sub(offset)].into_iter().filter_map(wrapped);
+            let crossings = places.filter_map(|place| within(place, [0.0, 1.0]));
             let nearest =
                 crossings.min_by(|a, b| a.distance_squared(self.point).total_cmp(&b.distance_squared(self.point)));
             if nearest.is_some() {
                 return nearest;
             }
         }
-        None
+        // Next to an open edge the crossing may be beyond it, where the line's last cubic goes on.
+        let ends = [(0, [-BEYOND, 0.0]), (count - 1, [1.0, 1.0 + BEYOND])];
+        let near = |&(place, _): &(usize, [f64; 2])| !closed && place.abs_diff(at) <= REACH;
+        ends.into_iter().filter(near).find_map(|(place, range)| within(place, range))
     }
 }
 
@@ -144,6 +152,18 @@ fn blend<const N: usize>(points: &[DVec3; N], t: f64) -> DVec3 {
         (0..count).for_each(|k| work[k] = work[k].lerp(work[k + 1], t));
     }
     work[0]
+}
+
+/// A polynomial in Bernstein form over another interval: its blossom at as many of the one end and of the other.
+fn over<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
+    std::array::from_fn(|ends| {
+        let mut work = field;
+        for (step, count) in (1..N).rev().enumerate() {
+            let t = if step < ends { to } else { from };
+            (0..count).for_each(|k| work[k] += t * (work[k + 1] - work[k]));
+        }
+        work[0]
+    })
 }
 
 /// The first root of a polynomial in Bernstein form: halves whose coefficients have one sign have none.

@@ -1,10 +1,10 @@
 //! Diameters of cells, from control nets.
 //!
-//! The paper supposes d to be known. From a bare net it cannot be: any bump may hide in a cell, and half the perimeter bounds nothing but the
-//! edge (erratum E6). Of patches it can:
+//! The paper supposes d to be known. From a bare net it cannot be: any bump may hide in a cell, and half the perimeter bounds
+//! nothing but the edge (erratum E6). Of patches it can:
 //! * *Euclidean*: a patch lies in the hull of its control points, whose diameter is that of the points.
-//! * *intrinsic* (1): a straight path in the parameters has the speed |a S_u + b S_v|, |a|, |b| <= 1, which is convex in a and b: no more
-//!   than the greater of |S_u + S_v| and |S_u - S_v|, or than |S_u| + |S_v|, each bounded by its Bézier points.
+//! * *intrinsic* (1): a straight path in the parameters has the speed |a S_u + b S_v|, |a|, |b| <= 1, which is convex in a and b:
+//!   no more than the greater of |S_u + S_v| and |S_u - S_v|, or than |S_u| + |S_v|, each bounded by its Bézier points.
 //!
 //! For distances in space the Euclidean one suffices (erratum E8); turns of normals by curvature need the intrinsic one.
 
@@ -40,7 +40,7 @@ impl Diameters {
     /// [`crate::Error::OutOfMemory`], [`crate::Error::Cancelled`].
     pub fn new(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Self> {
         let lattice = Lattice::of(sheet);
-        let both = by_cell(lattice, job, |cell| each_sheet!(sheet, cells => of_cell(cells, cell)))?;
+        let both = by_cell(lattice, job, |cell| each_sheet!(sheet, cells => of_cell(cells, lattice, cell)))?;
         let part = |k: usize| alloc::collect(both.iter().map(|pair: &[f64; 2]| pair[k]));
         Ok(Diameters { euclidean: Sizes::new(lattice, part(0)?), intrinsic: Sizes::new(lattice, part(1)?) })
     }
@@ -67,9 +67,9 @@ pub(super) fn by_cell<T: Send + Clone + Default>(
 }
 
 /// The Euclidean and the intrinsic diameter of a cell.
-fn of_cell<const N: usize>(cells: &impl Cells<N>, [i, j]: [usize; 2]) -> [f64; 2] {
+fn of_cell<const N: usize>(cells: &impl Cells<N>, lattice: Lattice, [i, j]: [usize; 2]) -> [f64; 2] {
     let patch = cells.patch(i, j);
-    let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| cells.corner(i, j));
+    let seen = lattice.corners([i, j]).map(|[i, j]| cells.corner(i, j));
     let [[a, b], [c, d]] = patch.corners();
     let gap = [a, b, c, d].into_iter().zip(seen).map(|(own, seen)| own.distance(seen)).fold(0.0, f64::max);
     let intrinsic = patch.intrinsic_diameter();

@@ -5,8 +5,8 @@ use crate::error::{Error, Result};
 
 /// Rows and columns of cells, and which directions are closed.
 ///
-/// Node (i, j) is a corner of the cells (i - 1, j - 1) to (i, j), as far as they exist. Cells that have a node in common are neighbours,
-/// across corners too: chains of cells take the moves of the king on a chessboard.
+/// Node (i, j) is a corner of the cells (i - 1, j - 1) to (i, j), as far as they exist. Cells that have a node in common are
+/// neighbours, across corners too: chains of cells take the moves of the king on a chessboard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Lattice {
     /// The numbers of cells in u and in v.
@@ -58,11 +58,7 @@ impl Span {
 impl Lattice {
     /// Of a sheet.
     pub fn of(sheet: &Sheet<'_>) -> Self {
-        let closed = match sheet {
-            Sheet::Grid(grid) => grid.is_closed(),
-            Sheet::Cubic(_) | Sheet::High(_) => [false; 2],
-        };
-        Lattice { cells: sheet.cells(), closed }
+        Lattice { cells: sheet.cells(), closed: sheet.is_closed() }
     }
 
     /// The number of cells.

@@ -1,9 +1,9 @@
 //! The paper's search to the letter, with a bit for each NODE. It loses answers: it is here to show that it does.
 //!
-//! At a node with r > d: J = floor(r / d), and all nodes of the block of 2 J x 2 J cells are zeroed. But a node on the rim of the block is a corner
-//! of cells outside it as well (erratum E1), the block may touch what is looked for (E2), the nearest node is excluded by itself if it is farther
-//! than d (E3), and lines dropped in the middle leave two carcasses taken for one (E5). Use [`super::search`], or the index of
-//! [`crate::carcass::Carcass`].
+//! At a node with r > d: J = floor(r / d), and all nodes of the block of 2 J x 2 J cells are zeroed. But a node on the rim of the
+//! block is a corner of cells outside it as well (erratum E1), the block may touch what is looked for (E2), the nearest node is
+//! excluded by itself if it is farther than d (E3), and lines dropped in the middle leave two carcasses taken for one (E5). Use
+//! [`super::search`], or the index of [`crate::carcass::Carcass`].
 
 use super::lattice::Lattice;
 use crate::alloc;
@@ -30,8 +30,9 @@ impl Literal {
     }
 }
 
-/// The rule to the letter, node after node. `d`: the greatest diameter of a cell. `drop_lines`: "if 2 J exceeds a dimension, the lines within the ball
-/// are left out altogether, as the rest is a carcass too, only smaller". Lines of a closed direction are taken as those of an open one.
+/// The rule to the letter, node after node. `d`: the greatest diameter of a cell. `drop_lines`: "if 2 J exceeds a dimension, the
+/// lines within the ball are left out altogether, as the rest is a carcass too, only smaller". Lines of a closed direction are
+/// taken as those of an open one.
 ///
 /// # Errors
 /// [`crate::Error::OutOfMemory`].
@@ -54,7 +55,7 @@ pub fn literal(
             continue;
         }
         left.evaluations += 1;
-        let steps = (measure(node) / d).floor() as usize;
+        let steps = ((measure(node) / d).floor() as usize).min(m + n);
         if steps == 0 {
             continue;
         }

@@ -24,7 +24,8 @@ pub enum Object {
     Line(Line),
 }
 
-/// An object as a box, perhaps infinite, in orthonormal axes: it is where all the coordinates along them are within their intervals.
+/// An object as a box, perhaps infinite, in orthonormal axes: it is where all the coordinates along them are within their
+/// intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
     pub(super) origin: DVec3,

@@ -1,4 +1,5 @@
-//! The paper's search, corrected: nodes are looked at, and each excludes the block of cells round it that cannot hold what is looked for.
+//! The paper's search, corrected: nodes are looked at, and each excludes the block of cells round it that cannot hold what is
+//! looked for.
 
 use super::lattice::{Lattice, Span};
 use super::scale::Scale;
@@ -11,7 +12,8 @@ use crate::job::Job;
 pub enum Goal {
     /// All that is no farther than this (theorem T2).
     Within(f64),
-    /// The least: farther than the nearest node so far is out (theorem T3; by the paper's rule the answer itself would be, erratum E3).
+    /// The least: farther than the nearest node so far is out (theorem T3; by the paper's rule the answer itself would be, erratum
+    /// E3).
     Least,
 }
 
@@ -22,10 +24,11 @@ pub struct Options {
     pub goal: Goal,
     /// How sizes of cells are summed.
     pub sum: Sum,
-    /// True: every node in the order of rows, as in the paper. False: first a few nodes far apart, then those between: fewer in all.
+    /// True: every node in the order of rows, as in the paper. False: first a few nodes far apart, then those between: fewer in
+    /// all.
     pub by_rows: bool,
-    /// Whether lines at the edge are left out when a block covers them from side to side: the rest is a smaller carcass. Blocks that do not reach
-    /// an edge, or not from side to side, leave none (erratum E5).
+    /// Whether lines at the edge are left out when a block covers them from side to side: the rest is a smaller carcass. Blocks
+    /// that do not reach an edge, or not from side to side, leave none (erratum E5).
     pub drop_lines: bool,
 }
 
@@ -51,8 +54,8 @@ pub struct Found {
     pub least: ([usize; 2], f64),
 }
 
-/// Looks for cells. `measure`: the distance of a node from the object, which must not rise faster than `sizes` allow: the distance in space
-/// with Euclidean diameters, the deviation of the normal from an angle with swings.
+/// Looks for cells. `measure`: the distance of a node from the object, which must not rise faster than `sizes` allow: the distance
+/// in space with Euclidean diameters, the deviation of the normal from an angle with swings.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a goal that is no number or negative, [`Error::OutOfMemory`], [`Error::Cancelled`].

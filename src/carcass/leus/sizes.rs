@@ -6,9 +6,10 @@ use crate::error::{Error, Result};
 
 /// A bound for each cell, of its diameter or of the angle between its normals, and the greatest of them: the paper's d.
 ///
-/// A cell's set holds its corners as its neighbours see them too, so that consecutive cells of a chain have an element in common even
-/// where patches meet only nearly. Then (theorem T1) an element x of a cell that a chain of J cells joins to node A is no farther from A than the
-/// sum of the J bounds: J d, or R_J(A), the sum over k of the greatest bound in the k-th ring of cells round A.
+/// A cell's set holds its corners as its neighbours see them too, so that consecutive cells of a chain have an element in common
+/// even where patches meet only nearly. Then (theorem T1) an element x of a cell that a chain of J cells joins to node A is no
+/// farther from A than the sum of the J bounds: J d, or R_J(A), the sum over k of the greatest bound in the k-th ring of cells
+/// round A.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sizes {
     lattice: Lattice,
@@ -56,8 +57,8 @@ impl Sizes {
         self.greatest
     }
 
-    /// The largest J such that the block of 2 J x 2 J cells round a node stays nearer to the node than `limit`, and the bound of how far it reaches.
-    /// J is at most the greater number of rows or columns: no chain need be longer (6).
+    /// The largest J such that the block of 2 J x 2 J cells round a node stays nearer to the node than `limit`, and the bound of
+    /// how far it reaches. J is at most the greater number of rows or columns: no chain need be longer (6).
     pub fn steps(&self, node: [usize; 2], limit: f64, sum: Sum) -> (usize, f64) {
         let [rows, columns] = self.lattice.cells;
         let most = rows.max(columns);

@@ -1,7 +1,8 @@
 //! Task b) of the paper: where the normal makes a given angle with a direction.
 //!
-//! The normal plays the part of the point, angles that of distances: the deviation psi = |angle(N, direction) - alpha| does not rise faster than N
-//! turns (theorem T4; the paper has alpha = 0 only, erratum E4). How far normals of a cell may turn against each other, its *swing*, comes
+//! The normal plays the part of the point, angles that of distances: the deviation psi = |angle(N, direction) - alpha| does not
+//! rise faster than N turns (theorem T4; the paper has alpha = 0 only, erratum E4). How far normals of a cell may turn against each
+//! other, its *swing*, comes
 //! * from curvature, the paper's way: K times the intrinsic diameter, K a bound of both principal curvatures on the whole surface,
 //! * or from the cell's normal cone, which is tighter and needs no K.
 
@@ -24,8 +25,8 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
 /// What rounding adds to angles.
 const PLAY: f64 = 1e-13;
 
-/// Swings from normal cones: how far two normals of a cell may be apart; pi where there is no cone of less than a quarter turn, as where the surface is
-/// not regular.
+/// Swings from normal cones: how far two normals of a cell may be apart; pi where there is no cone of less than a quarter turn, as
+/// where the surface is not regular.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -41,8 +42,8 @@ pub fn swings_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
     Ok(Sizes::new(lattice, by_cell(lattice, job, |cell| cone(cell).map_or(PI, |swing| swing.min(PI)))?))
 }
 
-/// Swings from curvature: K d, and what the normals of neighbours jump at corners. `curvature`: K, no principal curvature of the surface is greater
-/// in absolute terms. That is the caller's promise; [`curvature_bound`] proves one.
+/// Swings from curvature: K d, and what the normals of neighbours jump at corners. `curvature`: K, no principal curvature of the
+/// surface is greater in absolute terms. That is the caller's promise; [`curvature_bound`] proves one.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a curvature that is no number or negative, [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -114,8 +115,8 @@ pub fn slanted(sheet: &Sheet<'_>, swings: &Sizes, slant: Slant, options: &Option
     search(swings, |node| slant.deviation(normal(sheet, node)), options, job)
 }
 
-/// The axis and the half-angle of a cone that has all normals of a cell, as it has the Bézier points of S_u x S_v. `None` for a quarter turn or more.
-/// Where a side is one point, the cone has the limits of the normals there.
+/// The axis and the half-angle of a cone that has all normals of a cell, as it has the Bézier points of S_u x S_v. `None` for a
+/// quarter turn or more. Where a side is one point, the cone has the limits of the normals there.
 fn cone<const N: usize>(cells: &impl Cells<N>, [i, j]: [usize; 2]) -> Option<(DVec3, f64)> {
     let normals = cells.patch(i, j).normal_points();
     // What rounding leaves where the normal is 0 is no direction.

@@ -1,0 +1,99 @@
+//! The filter `smooth_distance`.
+
+use super::Filter;
+use super::data::{Input, InputKind, Output, OutputKind};
+use super::param::{Param, ParamKind, Values};
+use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
+use crate::alloc;
+use crate::carcass::Carcass;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::mesh::{Mesh, MeshView, PositionBuffer};
+use crate::par;
+use glam::DVec3;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "smooth_distance",
+    name: "Distance from a smooth surface",
+    script_name: "smooth_distance",
+    category: CATEGORY,
+    help: "Measures how far the vertices of a mesh are from the smooth surface through the vertices of a grid of quads, the second \
+           mesh, and moves them towards their nearest points on it.",
+    reference: REFERENCE,
+    inputs: &[InputKind::Mesh, InputKind::Mesh],
+    min_inputs: 2,
+    max_inputs: 2,
+    outputs: &[OutputKind::Mesh, OutputKind::Text],
+    params: &[
+        SCHEME,
+        Param {
+            id: "strength",
+            label: "Strength",
+            help: "How much of the way vertices are moved: 0 leaves them, 1 puts them on the surface.",
+            kind: ParamKind::Real,
+            min: 0.0,
+            max: 1.0,
+            default: &[1.0],
+            step: 0.0,
+            choices: &[],
+        },
+    ],
+    suggest: None,
+    run,
+};
+
+/// Vertices that are looked at between two chances to cancel, and by a thread at a time.
+const ROUND: usize = 1 << 14;
+const TAKEN: usize = 1 << 9;
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let mesh = inputs[0].mesh()?;
+    let surface = smooth::surface(inputs[1].mesh()?, values, &job.part(0.0, 0.3))?;
+    let nearest = nearest(mesh, &surface, &job.part(0.3, 1.0))?;
+    let strength = values.number("strength");
+    let positions = mesh.positions();
+    let from = |v: usize| positions.get(v as u32);
+    let mut moved = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
+    moved.extend(nearest.iter().enumerate().map(|(v, &to)| from(v).lerp(to, strength)))?;
+    let distances = || nearest.iter().enumerate().map(|(v, &to)| from(v).distance(to));
+    let count = nearest.len().max(1) as f64;
+    let (sum, squares) = distances().fold((0.0, 0.0), |(sum, squares), d| (sum + d, squares + d * d));
+    let text = format!(
+        "{} vertices: largest distance {:.6e}, mean {:.6e}, root mean square {:.6e}\n",
+        nearest.len(),
+        distances().fold(0.0, f64::max),
+        sum / count,
+        (squares / count).sqrt()
+    );
+    let faces = mesh.faces();
+    let offsets = (0..faces.len() + 1).map(|f| if f == 0 { 0 } else { faces.range(f - 1).end as u32 });
+    let mesh = Mesh {
+        positions: moved,
+        face_offsets: alloc::collect(offsets)?,
+        face_corners: alloc::collect(faces.corners(0..faces.half_edge_count()))?,
+    };
+    Ok(vec![Output::Mesh(mesh), Output::Text(text)])
+}
+
+/// The nearest points of all vertices.
+fn nearest(mesh: &MeshView<'_>, surface: &Carcass<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
+    let positions = mesh.positions();
+    let mut nearest = alloc::with_capacity(positions.len())?;
+    while nearest.len() < positions.len() {
+        let first = nearest.len();
+        job.step(first as f64 / positions.len() as f64, "nearest points")?;
+        let parts = par::chunks(job.threads(), ROUND.min(positions.len() - first), TAKEN, |range| {
+            let closest = |v: usize| {
+                let query = positions.get((first + v) as u32);
+                let bad = Error::NotFinite { vertex: (first + v) as u32, value: query.element_sum() };
+                let found = if query.is_finite() { surface.closest(query, f64::INFINITY) } else { None };
+                found.map(|found| found.point).ok_or(bad)
+            };
+            range.map(closest).collect::<Result<Vec<_>>>()
+        });
+        for part in parts {
+            nearest.extend(part?);
+        }
+    }
+    Ok(nearest)
+}
