@@ -1078,6 +1078,11 @@ typedef struct gusset_boundary gusset_boundary;
 typedef struct gusset_carcass gusset_carcass;
 
 /**
+ * Pairs of cells. Opaque and immutable.
+ */
+typedef struct gusset_cell_pairs gusset_cell_pairs;
+
+/**
  * What a check found. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_check gusset_check;
@@ -1899,6 +1904,74 @@ typedef struct gusset_surface_paths_parts {
      */
     size_t unresolved_count;
 } gusset_surface_paths_parts;
+
+/**
+ * How intersections are wanted.
+ */
+typedef struct gusset_intersect_options {
+    /**
+     * sizeof(gusset_intersect_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
+     * INFINITY: points are only where it crosses sides of cells of either surface.
+     */
+    double chord;
+    /**
+     * A length: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0: the
+     * smaller one of the tolerances of the two carcasses.
+     */
+    double tolerance;
+} gusset_intersect_options;
+
+/**
+ * A cell of one surface and a cell of another.
+ */
+typedef struct gusset_cell_pair {
+    /**
+     * The sheet of the first surface.
+     */
+    uint32_t sheet_a;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_a;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_a;
+    /**
+     * The sheet of the second surface.
+     */
+    uint32_t sheet_b;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_b;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_b;
+} gusset_cell_pair;
+
+/**
+ * The pairs. The pointer is valid until the handle is destroyed.
+ */
+typedef struct gusset_cell_pairs_parts {
+    /**
+     * sizeof(gusset_cell_pairs_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The pairs, by sheets, then by the first surface's cells.
+     */
+    const struct gusset_cell_pair *pairs;
+    /**
+     * How many.
+     */
+    size_t count;
+} gusset_cell_pairs_parts;
 
 /**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
@@ -5122,6 +5195,57 @@ gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths
  * Frees curves; NULL is allowed.
  */
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
+
+/**
+ * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
+ *
+ * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths: receives the
+ * curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at `others` are the same
+ * but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of a where the two
+ * touch, coincide, or meet in a single point are listed as unresolved, and curves may end there. Intersections of one surface with itself
+ * are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_RANGE (chord, tolerance), TOO_LARGE
+ * above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of cells that may meet, with a limit for each; threads; the
+ * same bits for any number of them. The carcasses may be in use by other threads. Source: Leus, "Carcasses on smooth surfaces", task e; the
+ * proofs are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_intersect(const struct gusset_context *context,
+                                       const struct gusset_carcass *a,
+                                       const struct gusset_carcass *b,
+                                       const struct gusset_intersect_options *options,
+                                       struct gusset_surface_paths **paths);
+
+/**
+ * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
+ *
+ * within: a length; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs, and
+ * some for each level of the indices; 24 bytes a pair. The carcasses may be in use by other threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_candidates(const struct gusset_context *context,
+                                        const struct gusset_carcass *a,
+                                        const struct gusset_carcass *b,
+                                        double within,
+                                        struct gusset_cell_pairs **pairs);
+
+/**
+ * The pairs, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_cell_pairs_view(const struct gusset_cell_pairs *pairs,
+                                     struct gusset_cell_pairs_parts *parts);
+
+/**
+ * Frees pairs of cells; NULL is allowed.
+ */
+GUSSET_API void gusset_cell_pairs_destroy(struct gusset_cell_pairs *pairs);
 
 /**
  * Checks a mesh. What it finds is no error.

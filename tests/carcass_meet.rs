@@ -1,65 +1,546 @@
-//! Intersections of two surfaces against analytic truth, sampling, and each other.
+//! Intersections of two surfaces: against equations, against dense sampling, against each other; and where there is no proper answer.
 
 mod surfaces;
 
 use glam::{DMat3, DVec3};
-use gusset::Job;
 use gusset::carcass::meet::Options;
-use gusset::carcass::{Carcass, Grid, Nodes, Paths, Scheme, Sheet};
+use gusset::carcass::{Carcass, Grid, Nodes, Patches, Paths, Place, Scheme, Sheet};
+use gusset::job::Progress;
+use gusset::{Error, Job};
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 use surfaces::{Random, Shape, torus};
 
-fn place(shape: &Shape, turn: DMat3, shift: DVec3) -> Grid<'static> {
+struct Quiet;
+
+impl Progress for Quiet {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// A shape's grid, moved.
+fn grid(shape: &Shape, scheme: Scheme, motion: impl Fn(DVec3) -> DVec3) -> Grid<'static> {
     let [h, w] = shape.cells;
     let at = |k: usize, n: usize, closed: bool| (if closed { k % n } else { k }) as f64 / n as f64;
     let mut data = Vec::new();
     for (i, j) in (0..=h).flat_map(|i| (0..=w).map(move |j| (i, j))) {
         let point = (shape.point)(at(i, h, shape.closed[0]), at(j, w, shape.closed[1]));
-        data.extend((turn * point + shift).to_array());
+        data.extend(motion(point).to_array());
     }
-    Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), shape.closed, Scheme::SixTap).unwrap()
+    Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), shape.closed, scheme).unwrap()
 }
 
-fn carcass(shape: &Shape, turn: DMat3, shift: DVec3) -> Carcass<'static> {
-    Carcass::new(vec![Sheet::Grid(place(shape, turn, shift))], None, &Job::default()).unwrap()
+fn one(sheet: Sheet<'static>) -> Carcass<'static> {
+    Carcass::new(vec![sheet], None, &Job::default()).unwrap()
+}
+
+fn carcass(shape: &Shape, motion: impl Fn(DVec3) -> DVec3) -> Carcass<'static> {
+    one(Sheet::Grid(grid(shape, Scheme::SixTap, motion)))
 }
 
 fn ring(h: usize, w: usize) -> Shape {
     Shape { name: "torus", cells: [h, w], closed: [true, true], point: |u, v| torus(u, v, 0.0) }
 }
 
-fn describe(paths: &Paths) -> String {
-    let lengths: Vec<_> = (0..paths.len()).map(|k| (paths.points_of(k).len(), paths.closed[k])).collect();
-    format!("{} paths {lengths:?}, {} unresolved", paths.len(), paths.unresolved.len())
+fn ball(h: usize, w: usize) -> Shape {
+    let point = |u: f64, v: f64| {
+        // The poles are points to the bit.
+        let ring = if u == 0.0 || u == 1.0 { 0.0 } else { (0.5 * TAU * u).sin() };
+        DVec3::new(ring * (TAU * v).cos(), ring * (TAU * v).sin(), (0.5 * TAU * u).cos())
+    };
+    Shape { name: "ball", cells: [h, w], closed: [false, true], point }
 }
 
-#[test]
-fn explore() {
-    let turn = DMat3::from_rotation_x(1.1) * DMat3::from_rotation_z(0.3);
-    for (h, w) in [(16, 32), (32, 64), (64, 128), (128, 256)] {
-        let shape = ring(h, w);
-        for (name, turn, shift) in [
-            ("shift x", DMat3::IDENTITY, DVec3::new(0.5, 0.0, 0.0)),
-            ("shift xyz", DMat3::IDENTITY, DVec3::new(0.5, 0.13, 0.07)),
-            ("turned", turn, DVec3::new(0.5, 0.13, 0.07)),
-        ] {
-            let (a, b) = (carcass(&shape, DMat3::IDENTITY, DVec3::ZERO), carcass(&shape, turn, shift));
-            let job = Job::new(1, &Quiet);
-            let start = std::time::Instant::now();
-            let pairs = a.candidates(&b, 0.0, &job).unwrap();
-            let first = start.elapsed();
-            let start = std::time::Instant::now();
-            let paths = a.meet(&b, &Options::default(), &job).unwrap();
-            let second = start.elapsed();
-            println!("{h} {name}: {} pairs {first:?}, {second:?}: {}", pairs.len(), describe(&paths));
-            let worst = paths.points.iter().zip(&paths.others).map(|(p, &o)| p.distance(b.jet(o).point)).fold(0.0, f64::max);
-            println!("   apart {worst:e}");
+fn flat(h: usize, w: usize) -> Shape {
+    Shape {
+        name: "plane",
+        cells: [h, w],
+        closed: [false, false],
+        point: |u, v| DVec3::new(4.0 * u - 2.0, 4.0 * v - 2.0, 0.0),
+    }
+}
+
+/// The equation of the torus: the distance from it.
+fn from_torus(p: DVec3) -> f64 {
+    (p.x.hypot(p.y) - 1.0).hypot(p.z) - 0.4
+}
+
+fn meet(a: &Carcass<'_>, b: &Carcass<'_>) -> Paths {
+    let paths = a.meet(b, &Options::default(), &Job::new(1, &Quiet)).unwrap();
+    check(&paths, a, b);
+    paths
+}
+
+/// What holds for all results: arrays of equal lengths, points on both surfaces, the direction.
+fn check(paths: &Paths, a: &Carcass<'_>, b: &Carcass<'_>) {
+    let count = paths.points.len();
+    assert!(paths.places.len() == count && paths.others.len() == count && paths.normals.len() == count);
+    assert!(paths.ends.len() == paths.len() + 1 && paths.levels.len() == paths.len());
+    assert_eq!((paths.ends[0], *paths.ends.last().unwrap() as usize), (0, count));
+    let size = a.bounds()[0].abs().max(a.bounds()[1].abs()).max_element();
+    for (k, &point) in paths.points.iter().enumerate() {
+        assert_eq!(a.jet(paths.places[k]).point, point);
+        let other = b.jet(paths.others[k]).point;
+        assert!(point.distance(other) <= 1e-11 * size, "{k}: {point} {other}");
+        let parameters = [paths.places[k].u, paths.places[k].v, paths.others[k].u, paths.others[k].v];
+        assert!(parameters.iter().all(|x| (0.0..=1.0).contains(x)));
+    }
+    for k in 0..paths.len() {
+        let (points, first) = (paths.points_of(k), paths.ends[k] as usize);
+        assert!(points.len() >= 2, "path {k}: {points:?}");
+        for n in 1..points.len() {
+            let normal = |at: usize| (a.normal(paths.places[at]), b.normal(paths.others[at]));
+            let directions = [first + n - 1, first + n].map(|at| {
+                let (own, other) = normal(at);
+                own.cross(other)
+            });
+            let chord = points[n] - points[n - 1];
+            // Where the surfaces nearly touch, the direction is not known.
+            let known = directions.iter().all(|d| d.length() > 1e-3);
+            assert!(!known || directions.iter().any(|d| d.dot(chord) > 0.0), "path {k}, point {n}: {chord}");
         }
     }
 }
 
-struct Quiet;
-impl gusset::job::Progress for Quiet {
-    fn step(&self, _: f64, _: &'static str) -> std::ops::ControlFlow<()> {
-        std::ops::ControlFlow::Continue(())
+/// The distance of a point from the paths.
+fn distance(paths: &Paths, point: DVec3) -> f64 {
+    let mut best = f64::INFINITY;
+    for k in 0..paths.len() {
+        let points = paths.points_of(k);
+        let segments = if paths.closed[k] { points.len() } else { points.len() - 1 };
+        for n in 0..segments {
+            let (a, b) = (points[n], points[(n + 1) % points.len()]);
+            let t = ((point - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+            best = best.min(point.distance(a.lerp(b, t)));
+        }
+    }
+    best
+}
+
+fn length(paths: &Paths) -> f64 {
+    let of = |k: usize| {
+        let points = paths.points_of(k);
+        let closing = if paths.closed[k] { points[0].distance(points[points.len() - 1]) } else { 0.0 };
+        points.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>() + closing
+    };
+    (0..paths.len()).map(of).sum()
+}
+
+fn summary(paths: &Paths) -> String {
+    let sizes: Vec<_> = (0..paths.len()).map(|k| (paths.points_of(k).len(), paths.closed[k])).collect();
+    format!("{} paths {sizes:?}, {} unresolved", paths.len(), paths.unresolved.len())
+}
+
+/// Places where a function of the points of A changes its sign along rows and columns of a dense sampling.
+fn changes(a: &Grid<'_>, dense: usize, f: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
+    let [h, w] = a.cells();
+    let mut found = Vec::new();
+    for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
+        let patch = a.patch(i, j);
+        let point = |r: usize, c: usize| patch.point(r as f64 / dense as f64, c as f64 / dense as f64);
+        let mut add = |p: DVec3, q: DVec3| {
+            let (f, g) = (f(p), f(q));
+            if (f > 0.0) != (g > 0.0) {
+                found.push(p.lerp(q, f / (f - g)));
+            }
+        };
+        for (r, c) in (0..=dense).flat_map(|r| (0..=dense).map(move |c| (r, c))) {
+            if c < dense {
+                add(point(r, c), point(r, c + 1));
+            }
+            if r < dense {
+                add(point(r, c), point(r + 1, c));
+            }
+        }
+    }
+    found
+}
+
+fn turn(random: &mut Random) -> DMat3 {
+    DMat3::from_axis_angle(random.point(1.0).normalize(), TAU * random.next())
+}
+
+#[test]
+fn tori_by_equations_and_sampling() {
+    let shape = ring(24, 48);
+    let a = carcass(&shape, |p| p);
+    let own = grid(&shape, Scheme::SixTap, |p| p);
+    let mut random = Random(5);
+    for k in 0..24 {
+        let (turn, shift) = (turn(&mut random), random.point(0.9));
+        let b = carcass(&shape, |p| turn * p + shift);
+        let paths = meet(&a, &b);
+        assert!(paths.closed.iter().all(|&closed| closed), "{k}: {}", summary(&paths));
+        assert!(paths.unresolved.is_empty(), "{k}: {}", summary(&paths));
+        let back = turn.transpose();
+        for &point in &paths.points {
+            let miss = from_torus(point).abs().max(from_torus(back * (point - shift)).abs());
+            assert!(miss < 1e-5, "{k}: {point} {miss}");
+        }
+        // Near tangency the tori differ from their interpolants by more: there the place of the curve does too.
+        let truth = changes(&own, 8, |point| from_torus(back * (point - shift)));
+        let far = truth.iter().map(|&point| distance(&paths, point)).fold(0.0, f64::max);
+        assert!(far < 5e-3, "{k}: {far} {}", summary(&paths));
+        assert_eq!(truth.is_empty(), paths.is_empty());
+    }
+}
+
+#[test]
+fn fourth_order_on_tori() {
+    let turn = DMat3::from_rotation_x(1.1) * DMat3::from_rotation_z(0.3);
+    let shift = DVec3::new(0.5, 0.13, 0.07);
+    let errors = [16, 32, 64].map(|h| {
+        let shape = ring(h, 2 * h);
+        let (a, b) = (carcass(&shape, |p| p), carcass(&shape, |p| turn * p + shift));
+        let options = Options { chord: Some(1e-5), tolerance: None };
+        let paths = a.meet(&b, &options, &Job::default()).unwrap();
+        check(&paths, &a, &b);
+        let miss = |&p: &DVec3| from_torus(p).abs().max(from_torus(turn.transpose() * (p - shift)).abs());
+        paths.points.iter().map(miss).fold(0.0, f64::max)
+    });
+    assert!((errors[0] / errors[1]).log2() >= 3.8 && (errors[1] / errors[2]).log2() >= 3.8, "{errors:?}");
+}
+
+#[test]
+fn equal_tori_that_are_shifted_touch_where_their_curves_cross() {
+    // In the mirror plane lies one curve, and others cross it where the surfaces touch.
+    let shape = ring(24, 48);
+    let a = carcass(&shape, |p| p);
+    for shift in [0.5, 1.0, 1.5] {
+        let b = carcass(&shape, |p| p + DVec3::new(shift, 0.0, 0.0));
+        let paths = meet(&a, &b);
+        assert!(paths.closed.iter().all(|&closed| closed), "{shift}: {}", summary(&paths));
+        let mirrored = paths.points.iter().filter(|p| (p.x - 0.5 * shift).abs() < 1e-9).count();
+        assert!(mirrored > 10, "{shift}: {}", summary(&paths));
+        let own = grid(&shape, Scheme::SixTap, |p| p);
+        let truth = changes(&own, 6, |point| from_torus(point - DVec3::new(shift, 0.0, 0.0)));
+        let far = truth.iter().map(|&point| distance(&paths, point)).fold(0.0, f64::max);
+        assert!(far < 1e-2, "{shift}: {far}");
+    }
+}
+
+#[test]
+fn planes_cut_tori_in_known_curves() {
+    let shape = ring(24, 48);
+    let a = carcass(&shape, |p| p);
+    // Through lines of nodes: two circles, of radius 0.6 and 1.4. Through the axis: two of radius 0.4. Villarceau's: two of radius 1.
+    let villarceau = (0.4_f64).asin();
+    let cases = [
+        (DMat3::IDENTITY, [0.6, 1.4], 1e-3),
+        (DMat3::from_rotation_x(0.25 * TAU), [0.4, 0.4], 1e-3),
+        (DMat3::from_rotation_x(villarceau), [1.0, 1.0], 1e-2),
+    ];
+    for (k, (turn, radii, exact)) in cases.into_iter().enumerate() {
+        for plane in [flat(1, 1), flat(7, 5), flat(16, 16), flat(33, 20)] {
+            let b = carcass(&plane, |p| turn * p);
+            for (paths, way) in [(meet(&a, &b), "a b"), (meet(&b, &a), "b a")] {
+                let expected = TAU * (radii[0] + radii[1]);
+                let found = length(&paths);
+                assert!((found / expected - 1.0).abs() < exact, "{k} {way} {:?}: {found}: {}", plane.cells, summary(&paths));
+                assert!(paths.closed.iter().all(|&closed| closed), "{k} {way}: {}", summary(&paths));
+                assert!(k == 2 || paths.len() == 2 && paths.unresolved.is_empty(), "{k} {way}: {}", summary(&paths));
+                let normal = turn * DVec3::Z;
+                assert!(paths.points.iter().all(|p| p.dot(normal).abs() < 1e-9 && from_torus(*p).abs() < 1e-5));
+            }
+        }
+    }
+}
+
+#[test]
+fn planes_cut_balls_through_poles() {
+    let a = carcass(&ball(12, 24), |p| p);
+    let mut random = Random(11);
+    for k in 0..12 {
+        // Through both poles, along columns of nodes and between them; through one; anywhere.
+        let (turn, height) = match k {
+            0..4 => (DMat3::from_rotation_z(0.21 * f64::from(k)) * DMat3::from_rotation_x(0.25 * TAU), 0.0),
+            4..6 => (DMat3::from_rotation_z(0.4) * DMat3::from_rotation_x(0.3 + 0.5 * f64::from(k - 4)), f64::NAN),
+            _ => (turn(&mut random), random.next() - 0.5),
+        };
+        let normal = turn * DVec3::Z;
+        let height = if height.is_nan() { normal.z } else { height };
+        let b = carcass(&flat(6, 6), |p| turn * p + height * normal);
+        let paths = meet(&a, &b);
+        let expected = TAU * (1.0 - height * height).sqrt();
+        assert!(paths.len() == 1 && paths.closed[0], "{k}: {} {}", summary(&paths), length(&paths));
+        assert!((length(&paths) / expected - 1.0).abs() < 1e-3, "{k}: {} {expected}", length(&paths));
+        assert!(paths.unresolved.is_empty(), "{k}: {}", summary(&paths));
+    }
+}
+
+#[test]
+fn wavy_sheets_by_sampling() {
+    let wave = |u: f64, v: f64| DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.2 * (9.0 * u).sin() * (7.0 * v + 1.0).cos());
+    let ripple = |u: f64, v: f64| DVec3::new(2.0 * u - 1.0, 2.0 * v - 1.0, 0.1 * (11.0 * u + 5.0 * v).sin() + 0.02);
+    let first = Shape { name: "wave", cells: [20, 26], closed: [false, false], point: wave };
+    for cells in [[20, 26], [13, 37], [5, 5]] {
+        let second = Shape { name: "ripple", cells, closed: [false, false], point: ripple };
+        let (a, b) = (carcass(&first, |p| p), carcass(&second, |p| p));
+        let other = grid(&second, Scheme::SixTap, |p| p);
+        // x and y of the interpolant are linear in its parameters: its height at (x, y) is known.
+        let height = |x: f64, y: f64| {
+            let at = |x: f64, n: usize| {
+                let t = 0.5 * (x + 1.0) * n as f64;
+                let cell = (t.floor().max(0.0) as usize).min(n - 1);
+                (cell, t - cell as f64)
+            };
+            let ((i, u), (j, v)) = (at(x, cells[0]), at(y, cells[1]));
+            other.patch(i, j).point(u, v).z
+        };
+        let paths = meet(&a, &b);
+        let truth = changes(&grid(&first, Scheme::SixTap, |p| p), 8, |p| p.z - height(p.x, p.y));
+        assert!(truth.len() > 1000 && paths.unresolved.is_empty());
+        let far = truth.iter().map(|&point| distance(&paths, point)).fold(0.0, f64::max);
+        assert!(far < 2e-3, "{cells:?}: {far} {}", summary(&paths));
+        // Open ends are on the edges of the sheets.
+        for k in (0..paths.len()).filter(|&k| !paths.closed[k]) {
+            let points = paths.points_of(k);
+            for end in [points[0], points[points.len() - 1]] {
+                assert!(end.x.abs().max(end.y.abs()) > 1.0 - 1e-9, "{cells:?}: {end}");
+            }
+        }
+        // The other way round: the same curves.
+        let back = meet(&b, &a);
+        assert_eq!((back.len(), back.closed.iter().filter(|&&c| c).count()), (paths.len(), paths.closed.iter().filter(|&&c| c).count()));
+        assert!((length(&back) / length(&paths) - 1.0).abs() < 1e-3);
+        let far = back.points.iter().map(|&point| distance(&paths, point)).fold(0.0, f64::max);
+        assert!(far < 3e-4, "{cells:?}: {far}");
+    }
+}
+
+#[test]
+fn loops_within_one_pair_of_cells() {
+    // A paraboloid that pierces the middle of a flat cell by less and less.
+    for depth in [1e-2, 1e-4, 1e-6, 1e-7] {
+        let bump = Shape {
+            name: "bump",
+            cells: [3, 3],
+            closed: [false, false],
+            point: |u, v| {
+                let (x, y) = (2.0 * u - 1.03, 2.0 * v - 0.98);
+                DVec3::new(x, y, 0.5 * (x * x + y * y))
+            },
+        };
+        let a = carcass(&flat(3, 3), |p| p);
+        let b = carcass(&bump, |p| p - DVec3::new(0.0, 0.0, depth));
+        for paths in [meet(&a, &b), meet(&b, &a)] {
+            assert!(paths.len() == 1 && paths.closed[0], "{depth}: {}", summary(&paths));
+            let radius = (2.0 * depth).sqrt();
+            assert!(paths.points.iter().all(|p| (p.truncate().length() / radius - 1.0).abs() < 1e-6), "{depth}");
+            assert!(paths.unresolved.is_empty(), "{depth}: {}", summary(&paths));
+        }
+    }
+}
+
+#[test]
+fn what_touches_is_reported() {
+    // A paraboloid on a plane, in the middle of cells and at corners.
+    let bowl = Shape {
+        name: "bowl",
+        cells: [4, 4],
+        closed: [false, false],
+        point: |u, v| {
+            let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+            DVec3::new(x, y, 0.5 * (x * x + 2.0 * y * y))
+        },
+    };
+    for shift in [DVec3::ZERO, DVec3::new(0.23, 0.11, 0.0)] {
+        let a = carcass(&bowl, |p| p + shift);
+        for plane in [flat(4, 4), flat(5, 7)] {
+            let paths = meet(&a, &carcass(&plane, |p| p));
+            assert!(!paths.unresolved.is_empty() && paths.is_empty(), "{}", summary(&paths));
+            for &place in &paths.unresolved {
+                assert!(a.jet(place).point.distance(shift) < 1e-3, "{place:?}");
+            }
+        }
+    }
+    // A torus under its top circle.
+    let a = carcass(&ring(24, 48), |p| p);
+    let paths = meet(&a, &carcass(&flat(5, 5), |p| p + DVec3::new(0.0, 0.0, 0.4)));
+    let rows: std::collections::HashSet<u32> = paths.unresolved.iter().map(|place| place.cell[1]).collect();
+    assert_eq!(rows.len(), 48, "{}", summary(&paths));
+    assert!(paths.unresolved.iter().all(|place| [5, 6].contains(&place.cell[0])));
+}
+
+#[test]
+fn what_coincides_is_reported() {
+    let shape = ring(16, 32);
+    let a = carcass(&shape, |p| p);
+    let start = std::time::Instant::now();
+    let paths = meet(&a, &a);
+    println!("coincident: {:?}", start.elapsed());
+    let cells: std::collections::HashSet<[u32; 2]> = paths.unresolved.iter().map(|place| place.cell).collect();
+    assert!(cells.len() == 16 * 32 && paths.is_empty(), "{}", summary(&paths));
+    // Planes in each other, of different cells.
+    let (one, other) = (carcass(&flat(5, 5), |p| p), carcass(&flat(7, 6), |p| p + DVec3::new(0.1, 0.2, 0.0)));
+    let paths = meet(&one, &other);
+    assert!(paths.is_empty() && paths.unresolved.len() == 25, "{}", summary(&paths));
+}
+
+#[test]
+fn the_same_for_any_number_of_threads_and_any_scale() {
+    let shape = ring(24, 48);
+    let turn = DMat3::from_rotation_y(0.7);
+    let shift = DVec3::new(0.4, 0.3, 0.2);
+    let (a, b) = (carcass(&shape, |p| p), carcass(&shape, |p| turn * p + shift));
+    let paths = [1, 2, 5].map(|threads| a.meet(&b, &Options::default(), &Job::new(threads, &Quiet)).unwrap());
+    assert!(paths[0] == paths[1] && paths[0] == paths[2] && !paths[0].is_empty());
+    for scale in [1e-9, 1e9] {
+        let (a, b) = (carcass(&shape, |p| scale * p), carcass(&shape, |p| scale * (turn * p + shift)));
+        let scaled = meet(&a, &b);
+        assert_eq!(scaled.closed, paths[0].closed);
+        assert!((length(&scaled) / length(&paths[0]) / scale - 1.0).abs() < 1e-6);
+    }
+    let far = DVec3::new(1e6, -2e6, 1e6);
+    let (a, b) = (carcass(&shape, |p| p + far), carcass(&shape, |p| turn * p + shift + far));
+    let moved = meet(&a, &b);
+    assert_eq!(moved.closed, paths[0].closed);
+    assert!((length(&moved) / length(&paths[0]) - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn rotations_change_nothing() {
+    let shape = ring(16, 32);
+    let (first, second) = (DMat3::from_rotation_x(1.3), DVec3::new(0.3, 0.2, 0.1));
+    let mut random = Random(8);
+    let mut lengths = Vec::new();
+    for _ in 0..6 {
+        let turn = turn(&mut random);
+        let (a, b) = (carcass(&shape, |p| turn * p), carcass(&shape, |p| turn * (first * p + second)));
+        let paths = meet(&a, &b);
+        assert!(paths.closed.iter().all(|&closed| closed));
+        lengths.push((paths.len(), length(&paths)));
+    }
+    assert!(lengths.iter().all(|l| l.0 == lengths[0].0 && (l.1 / lengths[0].1 - 1.0).abs() < 1e-3), "{lengths:?}");
+}
+
+#[test]
+fn patches_of_any_degree_and_several_sheets() {
+    // A quarter of the plane z = x y as one bilinear patch, raised, against four flat sheets that share sides.
+    let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
+    let saddle: Vec<DVec3> = corners.map(|[x, y]: [f64; 2]| DVec3::new(x, y, x * y)).to_vec();
+    let (cubic, high) = (Patches::<4>::new(&saddle, [1, 1], 1, 1), Patches::<8>::new(&saddle, [1, 1], 1, 1));
+    let quarters = |z: f64| {
+        let quarter = |k: usize| {
+            let (x, y) = ((k / 2) as f64, (k % 2) as f64);
+            let at = |a: f64, b: f64| DVec3::new(2.0 * (x + a) - 2.0, 2.0 * (y + b) - 2.0, z);
+            let points = [at(0.0, 0.0), at(0.0, 1.0), at(1.0, 0.0), at(1.0, 1.0)];
+            Sheet::Cubic(Patches::new(&points, [1, 1], 1, 1).unwrap())
+        };
+        Carcass::new((0..4).map(quarter).collect(), None, &Job::default()).unwrap()
+    };
+    for a in [one(Sheet::Cubic(cubic.unwrap())), one(Sheet::High(high.unwrap()))] {
+        let paths = meet(&a, &quarters(0.25));
+        assert!(paths.len() == 2 && paths.unresolved.is_empty(), "{}", summary(&paths));
+        assert!(paths.points.iter().all(|p| (p.x * p.y - 0.25).abs() < 1e-12));
+        let spots = [0.25, 1.0].map(|x: f64| DVec3::new(x, 0.25 / x, 0.25));
+        assert!(spots.iter().all(|&p| distance(&paths, p) < 1e-3 && distance(&paths, -p.with_z(-0.25)) < 1e-3));
+        // Two lines, on the common sides of the sheets: each is found once, though two sheets have it; they cross where the surfaces touch.
+        let paths = meet(&a, &quarters(0.0));
+        assert!((length(&paths) - 4.0).abs() < 1e-3, "{} {}", summary(&paths), length(&paths));
+        assert!(!paths.unresolved.is_empty());
+    }
+}
+
+#[test]
+fn four_point_sheets_meet_too() {
+    let shape = ring(24, 48);
+    let a = one(Sheet::Grid(grid(&shape, Scheme::FourPoint, |p| p)));
+    let b = one(Sheet::Grid(grid(&shape, Scheme::FourPoint, |p| DMat3::from_rotation_x(1.0) * p + 0.3)));
+    let paths = meet(&a, &b);
+    assert!(!paths.is_empty() && paths.closed.iter().all(|&closed| closed), "{}", summary(&paths));
+    let plane = carcass(&flat(4, 4), |p| p);
+    let paths = meet(&a, &plane);
+    assert!(paths.len() == 2 && paths.closed.iter().all(|&closed| closed), "{}", summary(&paths));
+}
+
+#[test]
+fn candidates_hold_all_that_meets() {
+    let shape = ring(16, 32);
+    let (a, b) = (carcass(&shape, |p| p), carcass(&shape, |p| DMat3::from_rotation_x(0.9) * p + 0.2));
+    let job = Job::default();
+    let pairs = a.candidates(&b, 0.0, &job).unwrap();
+    assert!(pairs.is_sorted() && pairs.windows(2).all(|pair| pair[0] != pair[1]));
+    let near: Vec<DVec3> = meet(&a, &b).points;
+    assert!(pairs.len() < 4 * near.len());
+    let paths = meet(&a, &b);
+    for (place, other) in paths.places.iter().zip(&paths.others) {
+        assert!(pairs.iter().any(|pair| pair.cells == [place.cell, other.cell]));
+    }
+    // By distance: all pairs of cells with samples as near as that.
+    let within = 0.1;
+    let wide: std::collections::HashSet<_> =
+        a.candidates(&b, within, &job).unwrap().into_iter().map(|pair| pair.cells).collect();
+    let cells = |k: u32| [k / 32, k % 32];
+    let samples = |of: &Carcass<'_>, cell: [u32; 2]| {
+        [0.0, 0.5, 1.0].map(|u| [0.0, 0.5, 1.0].map(|v| of.jet(Place { sheet: 0, cell, u, v }).point)).as_flattened().to_vec()
+    };
+    let of_b: Vec<_> = (0..512).map(|k| samples(&b, cells(k))).collect();
+    for k in 0..512 {
+        let own = samples(&a, cells(k));
+        for (n, other) in of_b.iter().enumerate() {
+            let meets = own.iter().any(|p| other.iter().any(|q| p.distance(*q) <= within));
+            assert!(!meets || wide.contains(&[cells(k), cells(n as u32)]));
+        }
+    }
+    assert!(wide.len() < 512 * 512 / 8);
+}
+
+#[test]
+fn bad_options_and_cancel() {
+    let shape = ring(16, 32);
+    let (a, b) = (carcass(&shape, |p| p), carcass(&shape, |p| p + 0.3));
+    let job = Job::default();
+    for bad in [0.0, -1.0, f64::NAN] {
+        let chord = a.meet(&b, &Options { chord: Some(bad), ..Options::default() }, &job);
+        assert!(matches!(chord, Err(Error::OptionOutOfRange { option: "chord", .. })));
+        let tolerance = a.meet(&b, &Options { tolerance: Some(bad), ..Options::default() }, &job);
+        assert!(matches!(tolerance, Err(Error::OptionOutOfRange { option: "tolerance", .. })));
+    }
+    for bad in [-1.0, f64::NAN, f64::INFINITY] {
+        let found = a.candidates(&b, bad, &job);
+        assert!(matches!(found, Err(Error::OptionOutOfRange { option: "within", .. })));
+    }
+    struct Stop;
+    impl Progress for Stop {
+        fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+            ControlFlow::Break(())
+        }
+    }
+    assert_eq!(a.meet(&b, &Options::default(), &Job::new(1, &Stop)), Err(Error::Cancelled));
+    // Apart: nothing.
+    let far = carcass(&shape, |p| p + 10.0);
+    assert!(meet(&a, &far).is_empty());
+}
+
+/// Times by turns, of the sizes of the study.
+#[test]
+#[ignore = "a measurement"]
+fn exhaustive_times() {
+    let turn = DMat3::from_rotation_x(1.1) * DMat3::from_rotation_z(0.3);
+    for (h, w) in [(32, 64), (64, 128), (128, 256), (512, 1024)] {
+        let shape = ring(h, w);
+        for (name, turn, shift) in [
+            ("shifted", DMat3::IDENTITY, DVec3::new(0.5, 0.13, 0.07)),
+            ("turned", turn, DVec3::new(0.5, 0.13, 0.07)),
+        ] {
+            let (a, b) = (carcass(&shape, |p| p), carcass(&shape, |p| turn * p + shift));
+            let job = Job::new(1, &Quiet);
+            let options = Options { chord: Some(f64::INFINITY), tolerance: None };
+            let mut best = [f64::INFINITY; 2];
+            let mut found = Paths::default();
+            for _ in 0..15 {
+                let start = std::time::Instant::now();
+                a.candidates(&b, 0.0, &job).unwrap();
+                best[0] = best[0].min(1e3 * start.elapsed().as_secs_f64());
+                let start = std::time::Instant::now();
+                found = a.meet(&b, &options, &job).unwrap();
+                best[1] = best[1].min(1e3 * start.elapsed().as_secs_f64());
+            }
+            let miss = |&p: &DVec3| from_torus(p).abs().max(from_torus(turn.transpose() * (p - shift)).abs());
+            let error = found.points.iter().map(miss).fold(0.0, f64::max);
+            println!("{h} x {w} {name}: pairs {:.2} ms, in all {:.2} ms, error {error:.1e}, {}", best[0], best[1], summary(&found));
+        }
     }
 }

@@ -73,8 +73,11 @@ pub(super) fn chains(arcs: &[Arc], spots: &[Spot], tolerance: f64) -> Result<(Ve
         };
         spot.radius <= tolerance && joints.iter().any(joined)
     }))?;
-    bridge(arcs, spots, &dropped, tolerance, &mut links);
-    Ok((links.chains(&dropped)?, explained))
+    let balls = balls(spots)?;
+    bridge(arcs, &balls, &dropped, tolerance, &mut links);
+    let mut chains = links.chains(&dropped)?;
+    chains.retain(|chain| !is_lost(chain, arcs, &balls));
+    Ok((chains, explained))
 }
 
 /// Arcs that are others once more, found from both sides of a side between sheets.
@@ -91,22 +94,53 @@ fn repeated(arcs: &[Arc], tolerance: f64) -> Result<Vec<bool>> {
     Ok(dropped)
 }
 
+/// Balls round spots; those of different cells that touch are one.
+fn balls(spots: &[Spot]) -> Result<Vec<(DVec3, f64)>> {
+    let centres = alloc::collect(spots.iter().map(|spot| spot.centre))?;
+    let widest = spots.iter().map(|spot| spot.radius).fold(0.0, f64::max);
+    let mut of = alloc::collect(0..spots.len())?;
+    let root = |of: &[usize], mut k: usize| {
+        while of[k] != k {
+            k = of[k];
+        }
+        k
+    };
+    for (distance, k, n) in Sorted::new(&centres)?.pairs(2.0 * widest) {
+        let (k, n) = (k as usize, n as usize);
+        if distance <= spots[k].radius + spots[n].radius {
+            let (one, other) = (root(&of, k), root(&of, n));
+            of[one.max(other)] = one.min(other);
+        }
+    }
+    let mut balls = alloc::collect(spots.iter().map(|spot| (spot.centre, spot.radius)))?;
+    for (k, spot) in spots.iter().enumerate() {
+        let (centre, radius) = balls[root(&of, k)];
+        balls[root(&of, k)].1 = radius.max(centre.distance(spot.centre) + spot.radius);
+    }
+    let mut k = 0;
+    balls.retain(|_| {
+        k += 1;
+        of[k - 1] == k - 1
+    });
+    Ok(balls)
+}
+
 /// Joins loose ends across spots that could not be resolved: as straight as can be.
-fn bridge(arcs: &[Arc], spots: &[Spot], dropped: &[bool], tolerance: f64, links: &mut Links) {
+fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64, links: &mut Links) {
     let loose = |link: &[u32]| -> Vec<u32> {
         (0..arcs.len() as u32).filter(|&k| link[k as usize] == NONE && !dropped[k as usize]).collect()
     };
     let (ends, starts) = (loose(&links.after), loose(&links.before));
-    if ends.is_empty() || (ends.len() + starts.len()).saturating_mul(spots.len()) > 1 << 24 {
+    if ends.is_empty() || (ends.len() + starts.len()).saturating_mul(balls.len()) > 1 << 24 {
         return;
     }
-    for spot in spots {
-        let near = |point: DVec3| point.distance(spot.centre) <= 2.0 * spot.radius + 4.0 * tolerance;
+    for &(centre, radius) in balls {
+        let near = |point: DVec3| point.distance(centre) <= 2.0 * radius + 4.0 * tolerance;
         let mut pairs: Vec<(f64, u32, u32)> = Vec::new();
         for &end in ends.iter().filter(|&&end| near(arcs[end as usize].ends[1])) {
             for &start in starts.iter().filter(|&&start| near(arcs[start as usize].ends[0])) {
                 let turn = arcs[end as usize].directions[1].dot(arcs[start as usize].directions[0]);
-                if turn > 0.0 && pairs.len() < 1 << 12 {
+                if turn > 0.0 && end != start && pairs.len() < 1 << 12 {
                     pairs.push((-turn, end, start));
                 }
             }
@@ -114,6 +148,13 @@ fn bridge(arcs: &[Arc], spots: &[Spot], dropped: &[bool], tolerance: f64, links:
         pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         pairs.into_iter().for_each(|(_, end, start)| links.join(end, start));
     }
+}
+
+/// True for a scrap within a ball that is reported as a whole.
+fn is_lost(chain: &Chain, arcs: &[Arc], balls: &[(DVec3, f64)]) -> bool {
+    let ends = || chain.arcs.iter().flat_map(|&k| arcs[k as usize].ends);
+    let within = |&(centre, radius): &(DVec3, f64)| ends().all(|end| end.distance(centre) <= radius);
+    !chain.closed && chain.arcs.len() < 8 && balls.len() < 1 << 10 && balls.iter().any(within)
 }
 
 impl Links {

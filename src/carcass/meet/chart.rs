@@ -125,12 +125,14 @@ impl<const N: usize, const M: usize> Part<N, M> {
         low > noise || high < -noise
     }
 
-    /// True if both pieces lie between two parallel planes that are `tolerance` apart, so that it does not matter how they meet.
+    /// True if both pieces lie between two planes that are `tolerance` apart, along the one's normal and along the other's: how they meet is
+    /// below the tolerance.
     pub(super) fn is_within(&self, frame: &Frame, tolerance: f64) -> bool {
-        frame.normals().into_iter().filter_map(DVec3::try_normalize).any(|normal| {
+        let thin = |normal: DVec3| {
             let (a, b) = (along(&self.a, normal).range(), along(&self.b, normal).range());
             a[1].max(b[1]) - a[0].min(b[0]) <= tolerance
-        })
+        };
+        frame.normals().into_iter().all(|normal| normal.try_normalize().is_some_and(thin))
     }
 
     /// How long the pieces may be in the four directions, nearly: by the longest legs of the control nets.
