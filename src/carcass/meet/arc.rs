@@ -8,10 +8,10 @@ use super::chart::{Chart, MARGIN, Part};
 use super::equation::{Equation, Frame};
 use glam::DVec4;
 
-/// As much of a cell is rounding where a curve runs along a side.
-const CLOSE: f64 = 1e-10;
-/// As much of a cell is rounding where it crosses one.
-const ROUNDING: f64 = 1e-12;
+/// As much of a cell is rounding where a curve crosses a side.
+const ROUNDING: f64 = 1e-13;
+/// How much nearer than [`Search::close`] to a side a curve is that runs along it.
+const ALONG: f64 = 1.0 / 32.0;
 
 /// An end of an arc.
 #[derive(Debug, Clone, Copy)]
@@ -38,22 +38,27 @@ pub(super) struct Search<'a, const N: usize, const M: usize> {
     high: DVec4,
     margin: DVec4,
     tolerance: f64,
+    /// A length: where curves are as near to a side, points of them tell whether they run along it.
+    close: f64,
     /// By parameter: whether another box follows above this one.
     followed: [bool; 4],
 }
 
 impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
-    /// `followed`: by parameter, whether there is a cell above the whole cell.
+    /// `noise`: lengths up to that may be rounding; `followed`: by parameter, whether there is a cell above the whole cell.
     pub(super) fn new(
         equation: &'a Equation<N, M>,
         part: &Part<N, M>,
         chart: &'a Chart,
         tolerance: f64,
+        noise: f64,
         followed: [bool; 4],
     ) -> Self {
         let (low, high) = (part.low, part.low + part.size);
         let followed = std::array::from_fn(|k| followed[k] || high[k] < 1.0);
-        Search { equation, chart, low, high, margin: MARGIN * part.size, tolerance, followed }
+        // Directions across a side are hardly ever as flat to the curve as 1 to 16: what runs along a side is nearer than 16 times the noise.
+        let close = (1e-3 * tolerance).max(512.0 * noise);
+        Search { equation, chart, low, high, margin: MARGIN * part.size, tolerance, close, followed }
     }
 
     /// The arc.
@@ -67,7 +72,7 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
         };
         match self.stays(&first, &last) {
             Stay::Inside => Found::Arc([first, last]),
-            Stay::Next => Found::Nothing,
+            Stay::Outside => Found::Nothing,
             Stay::Unknown => Found::Open,
         }
     }
@@ -76,6 +81,11 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
     fn is_monotone(&self, k: usize) -> bool {
         let [low, high] = self.chart.slopes[k];
         low > 0.0 || high < 0.0
+    }
+
+    /// The parameter of [`Search::close`].
+    fn close(&self, frame: &Frame, k: usize) -> f64 {
+        (self.close / frame.columns[k].length()).min(1e-3)
     }
 
     /// A solution inside the box.
@@ -87,7 +97,7 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
             if x.cmplt(self.low - self.margin).any() || x.cmpgt(self.high + self.margin).any() {
                 return Err(Found::Open);
             }
-            let play = |k: usize| if self.is_monotone(k) { ROUNDING } else { 4.0 * CLOSE };
+            let play = |k: usize| if self.is_monotone(k) { ROUNDING } else { self.close(&frame, k) };
             if (0..4).all(|k| x[k] >= self.low[k] - play(k) && x[k] <= self.high[k] + play(k)) {
                 return Ok(End { x, frame });
             }
@@ -204,16 +214,34 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
             }
             let samples = *samples.get_or_insert_with(|| self.samples(first, last));
             let Some(samples) = samples else { return Stay::Unknown };
-            let along = |side: f64, play: f64| samples.iter().all(|x| (x[k] - side).abs() <= play);
-            if self.followed[k] && along(self.high[k], CLOSE) {
-                return Stay::Next;
-            }
-            let at_top = !self.followed[k] && along(self.high[k], 4.0 * CLOSE);
-            if !(at_top || along(self.low[k], 4.0 * CLOSE)) {
-                return Stay::Unknown;
+            match self.beside(k, &samples, self.close(&first.frame, k).max(self.close(&last.frame, k))) {
+                Stay::Inside => {}
+                other => return other,
             }
         }
         Stay::Inside
+    }
+
+    /// What a curve does next to a side across parameter k: if it runs along it, to rounding, it belongs to the box above; if it touches it, to
+    /// the box that it comes from.
+    fn beside(&self, k: usize, samples: &[DVec4; 5], close: f64) -> Stay {
+        let values = samples.map(|x| x[k]);
+        let (least, most) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
+        let near = |side: f64| least >= side - close && most <= side + close;
+        let is_high = near(self.high[k]);
+        if !is_high && !near(self.low[k]) {
+            return Stay::Unknown;
+        }
+        let side = if is_high { self.high[k] } else { self.low[k] };
+        let (below, above) = (most <= side + ALONG * close, least >= side - ALONG * close);
+        match (below, above) {
+            (true, true) if is_high && self.followed[k] => Stay::Outside,
+            (true, true) => Stay::Inside,
+            (true, false) if is_high => Stay::Inside,
+            (false, true) if !is_high => Stay::Inside,
+            (false, false) => Stay::Unknown,
+            _ => Stay::Outside,
+        }
     }
 
     /// Both ends and three points between them.
@@ -230,8 +258,8 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
 enum Stay {
     /// They stay in the box.
     Inside,
-    /// The curve runs along a side, and belongs to the next box.
-    Next,
+    /// The curve runs along a side or touches it, and belongs to another box.
+    Outside,
     /// It cannot be told.
     Unknown,
 }

@@ -125,7 +125,8 @@ fn balls(spots: &[Spot]) -> Result<Vec<(DVec3, f64)>> {
     Ok(balls)
 }
 
-/// Joins loose ends across spots that could not be resolved: as straight as can be.
+/// Joins loose ends across spots that could not be resolved: as straight as can be. Where two branches cross, N_A x N_B points to the crossing
+/// on the one and away from it on the other, so that a path turns from the one into the other.
 fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64, links: &mut Links) {
     let loose = |link: &[u32]| -> Vec<u32> {
         (0..arcs.len() as u32).filter(|&k| link[k as usize] == NONE && !dropped[k as usize]).collect()
@@ -140,7 +141,7 @@ fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64
         for &end in ends.iter().filter(|&&end| near(arcs[end as usize].ends[1])) {
             for &start in starts.iter().filter(|&&start| near(arcs[start as usize].ends[0])) {
                 let turn = arcs[end as usize].directions[1].dot(arcs[start as usize].directions[0]);
-                if turn > 0.0 && end != start && pairs.len() < 1 << 12 {
+                if end != start && pairs.len() < 1 << 12 {
                     pairs.push((-turn, end, start));
                 }
             }

@@ -116,7 +116,7 @@ impl Task {
                 Proof::Empty => continue,
                 Proof::Open => {}
                 Proof::Graph(chart) => {
-                    match Search::new(equation, &part, &chart, self.tolerance, self.followed).arc() {
+                    match Search::new(equation, &part, &chart, self.tolerance, self.noise, self.followed).arc() {
                         Found::Nothing => continue,
                         Found::Open => {}
                         Found::Arc(ends) => {
