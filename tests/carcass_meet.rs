@@ -265,7 +265,6 @@ fn planes_cut_balls_through_poles() {
         let expected = TAU * (1.0 - height * height).sqrt();
         assert!(paths.len() == 1 && paths.closed[0], "{k}: {} {}", summary(&paths), length(&paths));
         assert!((length(&paths) / expected - 1.0).abs() < 1e-3, "{k}: {} {expected}", length(&paths));
-        for &p in &paths.unresolved { println!("{k} {p:?} {}", a.jet(p).point); }
         assert!(paths.unresolved.is_empty(), "{k}: {}", summary(&paths));
     }
 }

@@ -67,16 +67,11 @@ pub(super) fn chains(arcs: &[Arc], spots: &[Spot], tolerance: f64) -> Result<(Ve
     // The nearest first.
     joints.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     joints.iter().for_each(|&(_, end, start)| links.join(end, start));
-    let explained = alloc::collect(spots.iter().map(|spot| {
-        let joined = |&(_, end, _): &(f64, u32, u32)| {
-            arcs[end as usize].ends[1].distance(spot.centre) <= 4.0 * tolerance
-        };
-        spot.radius <= tolerance && joints.iter().any(joined)
-    }))?;
     let balls = balls(spots)?;
     bridge(arcs, &balls, &dropped, tolerance, &mut links);
     let mut chains = links.chains(&dropped)?;
     chains.retain(|chain| !is_lost(chain, arcs, &balls));
+    let explained = alloc::collect(spots.iter().map(|spot| is_passed(spot, arcs, &links, tolerance)))?;
     Ok((chains, explained))
 }
 
@@ -149,6 +144,12 @@ fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64
         pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         pairs.into_iter().for_each(|(_, end, start)| links.join(end, start));
     }
+}
+
+/// True for a spot no larger than the tolerance that a chain passes, as at poles: there is nothing more to it.
+fn is_passed(spot: &Spot, arcs: &[Arc], links: &Links, tolerance: f64) -> bool {
+    let near = |arc: &Arc| arc.ends[1].distance(spot.centre) <= 8.0 * tolerance;
+    spot.radius <= tolerance && arcs.iter().zip(&links.after).any(|(arc, &after)| after != NONE && near(arc))
 }
 
 /// True for a scrap within a ball that is reported as a whole.

@@ -245,14 +245,24 @@ impl Meeting<'_> {
     fn paths(&self, pieces: &Pieces, chains: &[Chain], job: &Job<'_>) -> Result<Paths> {
         let mut paths = Paths { ends: vec![0], ..Paths::default() };
         for (k, chain) in chains.iter().enumerate() {
-            for (n, &arc) in chain.arcs.iter().enumerate() {
+            let arcs = || chain.arcs.iter().map(|&arc| &pieces.arcs[arc as usize]);
+            // Joints within a pair of cells are where boxes were halved; a curve of few arcs needs them all the same.
+            let is_long = chain.arcs.len() > 8 && arcs().any(|arc| arc.pair != pieces.arcs[chain.arcs[0] as usize].pair);
+            let mut last: Option<(u32, DVec3)> = None;
+            for (n, arc) in arcs().enumerate() {
                 if paths.places.len() & 0xffff == 0 {
                     job.step(k as f64 / chains.len() as f64, "paths")?;
                 }
-                let arc = &pieces.arcs[arc as usize];
+                let spare = |&(pair, point): &(u32, DVec3)| {
+                    is_long && pair == arc.pair && point.distance(arc.ends[0]) < self.chord
+                };
+                let skips = usize::from(last.as_ref().is_some_and(spare));
+                if skips == 0 {
+                    last = Some((arc.pair, arc.ends[0]));
+                }
                 // Where the next arc begins is where this one ends.
                 let ends_here = n + 1 == chain.arcs.len() && !chain.closed;
-                let points: Range<usize> = arc.from as usize..arc.to as usize - usize::from(!ends_here);
+                let points: Range<usize> = arc.from as usize + skips..arc.to as usize - usize::from(!ends_here);
                 for &x in &pieces.points[points] {
                     let [place, other] = self.places(arc.pair, x);
                     alloc::push(&mut paths.places, place)?;
@@ -263,8 +273,16 @@ impl Meeting<'_> {
             alloc::push(&mut paths.closed, chain.closed)?;
         }
         paths.levels = alloc::filled(0, chains.len())?;
-        paths.points = alloc::collect(paths.places.iter().map(|&place| self.carcasses[0].jet(place).point))?;
-        paths.normals = alloc::collect(paths.places.iter().map(|&place| self.carcasses[0].normal(place)))?;
+        paths.points = alloc::with_capacity(paths.places.len())?;
+        paths.normals = alloc::with_capacity(paths.places.len())?;
+        for &place in &paths.places {
+            let jet = self.carcasses[0].jet(place);
+            let normal = jet.normal();
+            // Next to poles normals are limits.
+            let is_regular = normal.length_squared() > 1e-12 * jet.u.length_squared() * jet.v.length_squared();
+            paths.points.push(jet.point);
+            paths.normals.push(if is_regular { normal.normalize_or_zero() } else { self.carcasses[0].normal(place) });
+        }
         Ok(paths)
     }
 }
