@@ -146,10 +146,10 @@ fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64
     }
 }
 
-/// True for a spot no larger than the tolerance that a chain passes, as at poles: there is nothing more to it.
+/// True for a spot hardly larger than the tolerance that a chain passes, as at poles: there is nothing more to it.
 fn is_passed(spot: &Spot, arcs: &[Arc], links: &Links, tolerance: f64) -> bool {
     let near = |arc: &Arc| arc.ends[1].distance(spot.centre) <= 8.0 * tolerance;
-    spot.radius <= tolerance && arcs.iter().zip(&links.after).any(|(arc, &after)| after != NONE && near(arc))
+    spot.radius <= 4.0 * tolerance && arcs.iter().zip(&links.after).any(|(arc, &after)| after != NONE && near(arc))
 }
 
 /// True for a scrap within a ball that is reported as a whole.
