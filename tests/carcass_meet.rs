@@ -221,6 +221,28 @@ fn equal_tori_that_are_shifted_touch_where_their_curves_cross() {
 }
 
 #[test]
+fn lines_of_nodes_that_meet_lines_of_nodes() {
+    // Two equal tori, one above the other: two circles, which cross all columns of both where they meet each other.
+    let shape = ring(24, 48);
+    for turn in [DMat3::IDENTITY, DMat3::from_rotation_y(0.6) * DMat3::from_rotation_z(1.0)] {
+        for height in [0.02, 0.1, 0.3, 0.7] {
+            let (a, b) = (carcass(&shape, |p| turn * p), carcass(&shape, |p| turn * (p + height * DVec3::Z)));
+            let paths = meet(&a, &b);
+            assert!(paths.len() == 2 && paths.closed == [true, true], "{height}: {}", summary(&paths));
+            assert!(paths.unresolved.is_empty(), "{height}: {}", summary(&paths));
+            assert!((length(&paths) / (2.0 * TAU) - 1.0).abs() < 1e-3, "{height}: {}", length(&paths));
+            let own = |p: &DVec3| turn.transpose() * *p;
+            assert!(paths.points.iter().all(|p| (own(p).z - 0.5 * height).abs() < 1e-9 && from_torus(own(p)).abs() < 1e-5));
+        }
+    }
+    // Half a turn of the ring: the columns are the same again.
+    let half = DMat3::from_rotation_x(0.25 * TAU);
+    let (a, b) = (carcass(&shape, |p| p), carcass(&shape, |p| half * p + 0.5 * DVec3::X));
+    let paths = meet(&a, &b);
+    assert!(paths.closed.iter().all(|&closed| closed) && paths.len() >= 2, "{}", summary(&paths));
+}
+
+#[test]
 fn planes_cut_tori_in_known_curves() {
     let shape = ring(24, 48);
     let a = carcass(&shape, |p| p);
@@ -512,6 +534,54 @@ fn bad_options_and_cancel() {
     // Apart: nothing.
     let far = carcass(&shape, |p| p + 10.0);
     assert!(meet(&a, &far).is_empty());
+}
+
+#[test]
+fn sheets_that_are_no_surfaces() {
+    // One point, one line, one node twice as many times: no panic, no endless work.
+    let point = Shape { name: "point", cells: [3, 3], closed: [false, false], point: |_, _| DVec3::new(0.1, 0.2, 0.0) };
+    let line = Shape { name: "line", cells: [3, 3], closed: [false, false], point: |u, v| DVec3::splat(u + v - 1.0) };
+    let plane = carcass(&flat(4, 4), |p| p);
+    for shape in [&point, &line] {
+        let tolerance = Some(1e-6);
+        let a = Carcass::new(vec![Sheet::Grid(grid(shape, Scheme::SixTap, |p| p))], tolerance, &Job::default()).unwrap();
+        for paths in [meet(&a, &plane), meet(&plane, &a), meet(&a, &a)] {
+            assert!(length(&paths) < 1e-3, "{}: {}", shape.name, summary(&paths));
+        }
+    }
+}
+
+/// Random positions of several pairs of shapes, against dense sampling: nothing is lost, everything is closed.
+#[test]
+#[ignore = "some minutes"]
+fn exhaustive_random_positions() {
+    let bumpy = Shape { name: "bumpy torus", cells: [31, 53], closed: [true, true], point: |u, v| torus(u, v, 0.15) };
+    let smooth = ring(24, 48);
+    let round = ball(18, 36);
+    let mut random = Random(77);
+    let (mut points, mut unresolved) = (0, 0);
+    for k in 0..300 {
+        let own = [&bumpy, &smooth, &round][k % 3];
+        let a = carcass(own, |p| p);
+        let (turn, shift) = (turn(&mut random), random.point(1.2));
+        let b = carcass(&smooth, |p| turn * p + shift);
+        let paths = meet(&a, &b);
+        assert!(paths.closed.iter().all(|&closed| closed), "{k}: {}", summary(&paths));
+        let height = |p: DVec3| from_torus(turn.transpose() * (p - shift));
+        let truth = changes(&grid(own, Scheme::SixTap, |p| p), 8, height);
+        for &point in &truth {
+            let far = distance(&paths, point);
+            // Where the surfaces nearly touch, those of the equation and of the nodes may meet elsewhere.
+            let place = a.closest(point, f64::INFINITY).unwrap().place;
+            let step = 1e-6 * a.normal(place).any_orthonormal_vector();
+            let other = 1e-6 * a.normal(place).cross(step).normalize();
+            let slope = (height(point + step) - height(point)).hypot(height(point + other) - height(point)) / 1e-6;
+            assert!(far < 2e-3 + 1e-4 / slope.max(1e-3), "{k}: {point} {far} {slope} {}", summary(&paths));
+        }
+        points += truth.len();
+        unresolved += usize::from(!paths.unresolved.is_empty());
+    }
+    assert!(points > 100_000 && unresolved == 0, "{points} {unresolved}");
 }
 
 /// Times by turns, of the sizes of the study.

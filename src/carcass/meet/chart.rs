@@ -104,7 +104,9 @@ impl<const N: usize, const M: usize> Part<N, M> {
             return Proof::Empty;
         }
         if !regular {
-            return Proof::Open;
+            // Of degenerate pieces some directions are 0: at least the boxes must meet.
+            let apart = DVec3::AXES.into_iter().any(|axis| self.separated(axis, noise));
+            return if apart { Proof::Empty } else { Proof::Open };
         }
         let line = others.map(|k| tangent[k] / tangent[free]);
         let Some(slopes) = slopes(&a, &b, others, free) else { return Proof::Open };

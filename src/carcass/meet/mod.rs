@@ -37,7 +37,7 @@ const CHUNK: usize = 32;
 const BATCH: usize = 1 << 16;
 /// Boxes that are looked at for a pair of cells before it is put back.
 const FIRST_LIMIT: usize = 256;
-/// Boxes that are looked at for all the pairs that were put back: shared among them, but each gets [`FIRST_LIMIT`] times 4 at least.
+/// Boxes that are looked at for all the pairs that were put back: shared among them, but each gets [`FIRST_LIMIT`] again at least.
 const SECOND_TOTAL: usize = 1 << 20;
 /// The most for one of them.
 const SECOND_LIMIT: usize = 1 << 16;
@@ -159,7 +159,7 @@ impl Meeting<'_> {
         self.round(&all, FIRST_LIMIT, false, &mut pieces, &job.part(0.0, 0.8))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
-            let limit = (SECOND_TOTAL / again.len()).clamp(4 * FIRST_LIMIT, SECOND_LIMIT);
+            let limit = (SECOND_TOTAL / again.len()).clamp(FIRST_LIMIT, SECOND_LIMIT);
             self.round(&again, limit, true, &mut pieces, &job.part(0.8, 1.0))?;
             pieces.arcs.sort_by_key(|arc| arc.pair);
             pieces.spots.sort_by_key(|spot| spot.pair);
