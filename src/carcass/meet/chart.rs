@@ -210,6 +210,8 @@ fn slopes<const N: usize, const M: usize>(
     let first: [f64; 3] = std::array::from_fn(|k| size(right[k]) + greatest * errors[k].iter().sum::<f64>());
     Some(std::array::from_fn(|k| {
         let off: f64 = errors[k].iter().zip(first).map(|(error, bound)| error * bound.min(greatest)).sum();
+        // And what was rounded on the way.
+        let off = off + 1e-13 * (1.0 + greatest);
         [right[k][0] - off, right[k][1] + off]
     }))
 }

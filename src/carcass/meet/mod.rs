@@ -247,7 +247,8 @@ impl Meeting<'_> {
         for (k, chain) in chains.iter().enumerate() {
             let arcs = || chain.arcs.iter().map(|&arc| &pieces.arcs[arc as usize]);
             // Joints within a pair of cells are where boxes were halved; a curve of few arcs needs them all the same.
-            let is_long = chain.arcs.len() > 8 && arcs().any(|arc| arc.pair != pieces.arcs[chain.arcs[0] as usize].pair);
+            let is_long =
+                chain.arcs.len() > 8 && arcs().any(|arc| arc.pair != pieces.arcs[chain.arcs[0] as usize].pair);
             let mut last: Option<(u32, DVec3)> = None;
             for (n, arc) in arcs().enumerate() {
                 if paths.places.len() & 0xffff == 0 {
