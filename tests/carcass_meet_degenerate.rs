@@ -204,7 +204,7 @@ fn a_teapot_cut_by_planes() {
     let mut random = Random(21);
     for k in 0..20 {
         let turn = turn(&mut random);
-        let shift = middle + random.point(0.2 * size);
+        let shift = middle + random.point(0.05 * size);
         let paths = meet(&teapot, &carcass(&flat(9, 7), |p| turn * (0.5 * size * p) + shift));
         let height = |p: DVec3| (p - shift).dot(turn * DVec3::Z);
         let mut crossings = 0;
