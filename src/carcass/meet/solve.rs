@@ -49,6 +49,18 @@ pub(super) struct Pieces {
 }
 
 impl Pieces {
+    /// How many points, arcs and spots there are.
+    fn counts(&self) -> [usize; 3] {
+        [self.points.len(), self.arcs.len(), self.spots.len()]
+    }
+
+    /// Forgets what was added since.
+    fn truncate(&mut self, [points, arcs, spots]: [usize; 3]) {
+        self.points.truncate(points);
+        self.arcs.truncate(arcs);
+        self.spots.truncate(spots);
+    }
+
     /// Adds what was found over other pairs.
     pub(super) fn append(&mut self, other: Pieces) -> Result<()> {
         let before = self.points.len() as u32;
@@ -84,58 +96,61 @@ impl Task {
         equation: &Equation<N, M>,
         pieces: &mut Pieces,
     ) -> Result<()> {
-        let (points, arcs, spots) = (pieces.points.len(), pieces.arcs.len(), pieces.spots.len());
+        let before = pieces.counts();
+        let [_, _, spots] = before;
         let whole = Part { a: equation.a, b: equation.b, low: DVec4::ZERO, size: DVec4::ONE };
-        let mut stack = vec![whole];
+        let mut stack = vec![whole.clone()];
         let mut looked_at = 0;
         while let Some(part) = stack.pop() {
             looked_at += 1;
-            if looked_at > self.limit {
-                if !self.last {
-                    pieces.exhausted.push(self.pair);
-                    // It will be done anew.
-                    pieces.points.truncate(points);
-                    pieces.arcs.truncate(arcs);
-                    pieces.spots.truncate(spots);
-                    return Ok(());
-                }
-                stack.push(part);
-                stack.iter().for_each(|part| self.give_up(equation, part, spots, pieces));
-                return Ok(());
-            }
             if looked_at == PATIENCE && self.coincide(equation) {
-                pieces.points.truncate(points);
-                pieces.arcs.truncate(arcs);
-                pieces.spots.truncate(spots);
-                let whole = Part { a: equation.a, b: equation.b, low: DVec4::ZERO, size: DVec4::ONE };
+                pieces.truncate(before);
                 self.give_up(equation, &whole, spots, pieces);
                 return Ok(());
             }
-            let frame = equation.frame(part.middle());
-            match part.prove(&frame, self.noise) {
-                Proof::Empty => continue,
-                Proof::Open => {}
-                Proof::Graph(chart) => {
-                    match Search::new(equation, &part, &chart, self.tolerance, self.noise, self.followed).arc() {
-                        Found::Nothing => continue,
-                        Found::Open => {}
-                        Found::Arc(ends) => {
-                            self.add(equation, ends, chart.free, pieces)?;
-                            continue;
-                        }
+            if looked_at > self.limit && !self.last {
+                pieces.truncate(before);
+                return alloc::push(&mut pieces.exhausted, self.pair);
+            }
+            if looked_at > self.limit {
+                self.give_up(equation, &part, spots, pieces);
+            } else if let Some([low, high]) = self.look(equation, &part, spots, pieces)? {
+                stack.extend([high, low]);
+            }
+        }
+        Ok(())
+    }
+
+    /// Looks at a box: it is done, or else its halves are to be looked at.
+    fn look<const N: usize, const M: usize>(
+        &self,
+        equation: &Equation<N, M>,
+        part: &Part<N, M>,
+        spots: usize,
+        pieces: &mut Pieces,
+    ) -> Result<Option<[Part<N, M>; 2]>> {
+        let frame = equation.frame(part.middle());
+        match part.prove(&frame, self.noise) {
+            Proof::Empty => return Ok(None),
+            Proof::Open => {}
+            Proof::Graph(chart) => {
+                match Search::new(equation, part, &chart, self.tolerance, self.noise, self.followed).arc() {
+                    Found::Nothing => return Ok(None),
+                    Found::Open => {}
+                    Found::Arc(ends) => {
+                        self.add(equation, ends, chart.free, pieces)?;
+                        return Ok(None);
                     }
                 }
             }
-            let extents = part.extents();
-            let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
-            if extents[longest] <= 0.25 * self.tolerance || part.is_within(&frame, self.tolerance) {
-                self.give_up(equation, &part, spots, pieces);
-                continue;
-            }
-            let [low, high] = part.halves(longest);
-            stack.extend([high, low]);
         }
-        Ok(())
+        let extents = part.extents();
+        let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
+        if extents[longest] <= 0.25 * self.tolerance || part.is_within(&frame, self.tolerance) {
+            self.give_up(equation, part, spots, pieces);
+            return Ok(None);
+        }
+        Ok(Some(part.halves(longest)))
     }
 
     /// Adds an arc, unless it is as short as may be dropped.
