@@ -8,6 +8,9 @@ use glam::DVec3;
 /// Neighbours of a point that are looked at: more than that can only be the same point again and again.
 const NEIGHBOURS: usize = 32;
 
+/// Pairs of ends and spots that may be looked at; with more, spots stay as they are.
+const WORK: usize = 1 << 24;
+
 /// Arcs in their order along a curve.
 #[derive(Debug)]
 pub(super) struct Chain {
@@ -70,7 +73,9 @@ pub(super) fn chains(arcs: &[Arc], spots: &[Spot], tolerance: f64) -> Result<(Ve
     let balls = balls(spots)?;
     bridge(arcs, &balls, &dropped, tolerance, &mut links);
     let mut chains = links.chains(&dropped)?;
-    chains.retain(|chain| !is_lost(chain, arcs, &balls));
+    if chains.len().saturating_mul(balls.len()) <= WORK {
+        chains.retain(|chain| !is_scrap(chain, arcs, &balls));
+    }
     let explained = alloc::collect(spots.iter().map(|spot| is_passed(spot, arcs, &links, tolerance)))?;
     Ok((chains, explained))
 }
@@ -127,7 +132,7 @@ fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64
         (0..arcs.len() as u32).filter(|&k| link[k as usize] == NONE && !dropped[k as usize]).collect()
     };
     let (ends, starts) = (loose(&links.after), loose(&links.before));
-    if ends.is_empty() || (ends.len() + starts.len()).saturating_mul(balls.len()) > 1 << 24 {
+    if ends.is_empty() || (ends.len() + starts.len()).saturating_mul(balls.len()) > WORK {
         return;
     }
     for &(centre, radius) in balls {
@@ -153,10 +158,10 @@ fn is_passed(spot: &Spot, arcs: &[Arc], links: &Links, tolerance: f64) -> bool {
 }
 
 /// True for a scrap within a ball that is reported as a whole.
-fn is_lost(chain: &Chain, arcs: &[Arc], balls: &[(DVec3, f64)]) -> bool {
+fn is_scrap(chain: &Chain, arcs: &[Arc], balls: &[(DVec3, f64)]) -> bool {
     let ends = || chain.arcs.iter().flat_map(|&k| arcs[k as usize].ends);
     let within = |&(centre, radius): &(DVec3, f64)| ends().all(|end| end.distance(centre) <= radius);
-    !chain.closed && chain.arcs.len() < 8 && balls.len() < 1 << 10 && balls.iter().any(within)
+    !chain.closed && chain.arcs.len() < 8 && balls.iter().any(within)
 }
 
 impl Links {

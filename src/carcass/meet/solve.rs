@@ -14,6 +14,9 @@ use glam::{DVec3, DVec4};
 /// Boxes looked at before it is asked whether the cells touch.
 const PATIENCE: usize = 12;
 
+/// Spots apart from each other that one pair may have.
+const SPOTS: usize = 64;
+
 /// A piece of the intersection over one pair of cells, in the direction N_A x N_B.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Arc {
@@ -191,12 +194,15 @@ impl Task {
         let radius = part.a.points.as_flattened().iter().map(reach).fold(0.0, f64::max);
         let gap = equation.frame(x).miss.length();
         let spot = Spot { pair: self.pair, x, centre, radius, gap };
-        let touches = |other: &&mut Spot| other.centre.distance(centre) <= other.radius + radius + self.tolerance;
-        match pieces.spots[first..].iter_mut().find(touches) {
-            Some(other) => {
-                let nearer = if gap < other.gap { spot } else { *other };
+        let own = &mut pieces.spots[first..];
+        let touches = |other: &Spot| other.centre.distance(centre) <= other.radius + radius + self.tolerance;
+        // Of too many apart from each other, the last one takes the rest.
+        let found = own.iter().position(touches).or((own.len() >= SPOTS).then(|| own.len() - 1));
+        match found {
+            Some(k) => {
+                let nearer = if gap < own[k].gap { spot } else { own[k] };
                 let reach = |spot: &Spot| nearer.centre.distance(spot.centre) + spot.radius;
-                *other = Spot { radius: reach(&spot).max(reach(other)), ..nearer };
+                own[k] = Spot { radius: reach(&spot).max(reach(&own[k])), ..nearer };
             }
             None => pieces.spots.push(spot),
         }
