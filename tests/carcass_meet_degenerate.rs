@@ -134,6 +134,15 @@ fn patches_of_any_degree_and_several_sheets() {
         };
         Carcass::new((0..4).map(quarter).collect(), None, &Job::default()).unwrap()
     };
+    // The same saddle in two halves that are turned against each other: their common side is found once.
+    let half = |x: f64| {
+        let points = [[0.0, -1.0], [0.0, 1.0], [x, -1.0], [x, 1.0]].map(|[x, y]: [f64; 2]| DVec3::new(x, y, x * y));
+        Sheet::Cubic(Patches::new(&points, [1, 1], 1, 1).unwrap())
+    };
+    let halves = Carcass::new(vec![half(-1.0), half(1.0)], None, &Job::default()).unwrap();
+    let across = carcass(&flat(4, 4), |p| DMat3::from_rotation_y(0.25 * TAU) * p);
+    let paths = meet(&halves, &across);
+    assert!(paths.len() == 1 && (length(&paths) - 2.0).abs() < 1e-12, "{}", summary(&paths));
     for a in [one(Sheet::Cubic(cubic.unwrap())), one(Sheet::High(high.unwrap()))] {
         let paths = meet(&a, &quarters(0.25));
         assert!(paths.len() == 2 && paths.unresolved.is_empty(), "{}", summary(&paths));

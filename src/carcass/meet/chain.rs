@@ -55,12 +55,16 @@ impl<'a> Sorted<'a> {
 
 /// Chains of arcs, each of which goes on where the one before ends, to `tolerance`; and for each spot whether it is explained by a joint.
 pub(super) fn chains(arcs: &[Arc], spots: &[Spot], tolerance: f64) -> Result<(Vec<Chain>, Vec<bool>)> {
-    let dropped = repeated(arcs, tolerance)?;
-    let mut links = Links { before: alloc::filled(NONE, arcs.len())?, after: alloc::filled(NONE, arcs.len())? };
     // Starts and ends, in turn.
     let points = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
+    let mut near = Vec::new();
+    for pair in Sorted::new(&points)?.pairs(2.0 * tolerance) {
+        alloc::push(&mut near, pair)?;
+    }
+    let dropped = repeated(arcs, &near, tolerance)?;
+    let mut links = Links { before: alloc::filled(NONE, arcs.len())?, after: alloc::filled(NONE, arcs.len())? };
     let mut joints = Vec::new();
-    for (distance, k, n) in Sorted::new(&points)?.pairs(2.0 * tolerance) {
+    for (distance, k, n) in near {
         let (end, start) = if k % 2 == 1 { (k, n) } else { (n, k) };
         let usable = end % 2 == 1 && start % 2 == 0 && end / 2 != start / 2;
         if usable && !dropped[end as usize / 2] && !dropped[start as usize / 2] {
@@ -80,15 +84,20 @@ pub(super) fn chains(arcs: &[Arc], spots: &[Spot], tolerance: f64) -> Result<(Ve
     Ok((chains, explained))
 }
 
-/// Arcs that are others once more, found from both sides of a side between sheets.
-fn repeated(arcs: &[Arc], tolerance: f64) -> Result<Vec<bool>> {
+/// Arcs that are others once more, found from both sides of a side between sheets: by pairs of starts and ends that are near each other. The
+/// sheets may be turned against each other, so that such arcs may run in opposite ways.
+fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
-    let starts = alloc::collect(arcs.iter().map(|arc| arc.ends[0]))?;
-    for (_, k, n) in Sorted::new(&starts)?.pairs(tolerance) {
-        let (one, other) = (&arcs[k as usize], &arcs[n as usize]);
-        let parallel = |e: usize| one.directions[e].distance(other.directions[e]) <= 1e-5;
-        if one.pair != other.pair && one.ends[1].distance(other.ends[1]) <= tolerance && parallel(0) && parallel(1) {
-            dropped[k.max(n) as usize] = true;
+    for &(_, p, q) in near {
+        let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
+        let (e, f) = (p as usize % 2, q as usize % 2);
+        let way = if e == f { 1.0 } else { -1.0 };
+        let parallel = [0, 1].map(|k| one.directions[k].distance(way * other.directions[(k + e + f) % 2]) <= 1e-5);
+        if one.pair != other.pair
+            && one.ends[1 - e].distance(other.ends[1 - f]) <= 2.0 * tolerance
+            && parallel == [true, true]
+        {
+            dropped[p.max(q) as usize / 2] = true;
         }
     }
     Ok(dropped)

@@ -225,7 +225,8 @@ impl Meeting<'_> {
             };
             last = Some((p, patch_a, size_a));
             let (patch_b, size_b) = moved(b.patch(q[0] as usize, q[1] as usize), self.origin);
-            let noise = 8.0 * f64::EPSILON * size_a.max(size_b);
+            // Of the nets, and of their halvings.
+            let noise = 16.0 * f64::EPSILON * size_a.max(size_b);
             task(k, noise).solve(&Equation { a: patch_a, b: patch_b }, pieces)?;
         }
         Ok(())
