@@ -111,7 +111,7 @@ impl<const N: usize, const M: usize> Equation<N, M> {
             let step = frame.step(fixed);
             let length = step.abs().max_element();
             // Far outside the cells the polynomials say nothing.
-            if !(length < 4.0) {
+            if !step.is_finite() || length > 4.0 {
                 return None;
             }
             x -= step;

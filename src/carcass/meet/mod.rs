@@ -65,7 +65,7 @@ pub struct Options {
 /// The value, which must be positive, or the default.
 fn positive(option: &'static str, value: Option<f64>, default: f64) -> Result<f64> {
     match value {
-        Some(value) if !(value > 0.0) => Err(Error::OptionOutOfRange { option, value }),
+        Some(value) if value.is_nan() || value <= 0.0 => Err(Error::OptionOutOfRange { option, value }),
         _ => Ok(value.unwrap_or(default)),
     }
 }
@@ -176,7 +176,7 @@ impl Meeting<'_> {
             job.step((k * batch) as f64 / which.len() as f64, "intersection")?;
             let found = par::chunks(job.threads(), part.len(), chunk, |range| self.chunk(&part[range], limit, last));
             for found in found {
-                pieces.append(found?)?;
+                pieces.append(&found?)?;
             }
         }
         Ok(())

@@ -65,7 +65,7 @@ impl Pieces {
     }
 
     /// Adds what was found over other pairs.
-    pub(super) fn append(&mut self, other: Pieces) -> Result<()> {
+    pub(super) fn append(&mut self, other: &Pieces) -> Result<()> {
         let before = self.points.len() as u32;
         alloc::append(&mut self.points, &other.points)?;
         alloc::reserve(&mut self.arcs, other.arcs.len())?;
@@ -165,7 +165,7 @@ impl Task {
         pieces: &mut Pieces,
     ) -> Result<()> {
         // By rising free parameter; but the curve runs along N_A x N_B.
-        let rises = ends[0].frame.tangent()[free] > 0.0;
+        let rises = ends[0].tangent[free] > 0.0;
         let ends = if rises { ends } else { [ends[1], ends[0]] };
         let places = ends.map(|end| equation.point(end.x));
         if places[0].distance(places[1]) <= 0.5 * self.tolerance {
@@ -176,7 +176,7 @@ impl Task {
         refine(equation, ends, free, self.chord, &mut pieces.points)?;
         alloc::push(&mut pieces.points, ends[1].x)?;
         let to = pieces.points.len() as u32;
-        let directions = ends.map(|end| end.frame.direction().normalize_or_zero());
+        let directions = ends.map(|end| end.direction.normalize_or_zero());
         alloc::push(&mut pieces.arcs, Arc { pair: self.pair, from, to, ends: places, directions })
     }
 
