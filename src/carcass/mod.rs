@@ -5,6 +5,7 @@
 //!
 //! * [`Sheet`]: a piece of surface, a [`Grid`] of nodes or [`Patches`]. [`Patch`]: the surface over one cell.
 //! * [`Carcass`]: sheets and their index, which answers. [`Paths`]: curves on a surface.
+//! * [`meet`]: where two surfaces intersect.
 
 mod axis;
 mod cells;

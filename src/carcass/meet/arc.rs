@@ -6,19 +6,26 @@
 
 use super::chart::{Chart, MARGIN, Part};
 use super::equation::{Equation, Frame};
-use glam::DVec4;
+use glam::{DVec3, DVec4};
 
-/// As much of a cell is rounding where a curve runs along a side.
-const CLOSE: f64 = 1e-10;
-/// As much of a cell is rounding where it crosses one.
-const ROUNDING: f64 = 1e-12;
+/// As much of a cell is rounding where a curve crosses a side.
+const ROUNDING: f64 = 1e-13;
+/// How much nearer than [`Search::close`] to a side a curve is that runs along it.
+const ALONG: f64 = 1.0 / 32.0;
 
-/// An end of an arc.
+/// An end of an arc, and the directions in which it goes on: by parameters, and in space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct End {
     pub(super) x: DVec4,
-    pub(super) frame: Frame,
+    pub(super) tangent: DVec4,
+    pub(super) direction: DVec3,
 }
+
+/// A solution, and the derivatives there.
+type Start = (DVec4, Frame);
+
+/// It cannot be told.
+struct Unclear;
 
 /// What a graph has within a box.
 pub(super) enum Found {
@@ -38,36 +45,42 @@ pub(super) struct Search<'a, const N: usize, const M: usize> {
     high: DVec4,
     margin: DVec4,
     tolerance: f64,
+    /// A length: where curves are as near to a side, points of them tell whether they run along it.
+    close: f64,
     /// By parameter: whether another box follows above this one.
     followed: [bool; 4],
 }
 
 impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
-    /// `followed`: by parameter, whether there is a cell above the whole cell.
+    /// `noise`: lengths up to that may be rounding; `followed`: by parameter, whether there is a cell above the whole cell.
     pub(super) fn new(
         equation: &'a Equation<N, M>,
         part: &Part<N, M>,
         chart: &'a Chart,
         tolerance: f64,
+        noise: f64,
         followed: [bool; 4],
     ) -> Self {
         let (low, high) = (part.low, part.low + part.size);
         let followed = std::array::from_fn(|k| followed[k] || high[k] < 1.0);
-        Search { equation, chart, low, high, margin: MARGIN * part.size, tolerance, followed }
+        // Directions across a side are hardly ever as flat to the curve as 1 to 16: what runs along a side is nearer than 16 times the noise.
+        let close = (1e-3 * tolerance).max(512.0 * noise);
+        Search { equation, chart, low, high, margin: MARGIN * part.size, tolerance, close, followed }
     }
 
     /// The arc.
     pub(super) fn arc(&self) -> Found {
-        let inside = match self.inside() {
-            Ok(end) => end,
-            Err(verdict) => return verdict,
+        let start = match self.start() {
+            Ok(Some(start)) => start,
+            Ok(None) => return Found::Nothing,
+            Err(Unclear) => return Found::Open,
         };
-        let (Some(first), Some(last)) = (self.exit(&inside, -1.0), self.exit(&inside, 1.0)) else {
+        let (Some(first), Some(last)) = (self.exit(&start, -1.0), self.exit(&start, 1.0)) else {
             return Found::Open;
         };
-        match self.stays(&first, &last) {
+        match self.stays(&start.1, &first, &last) {
             Stay::Inside => Found::Arc([first, last]),
-            Stay::Next => Found::Nothing,
+            Stay::Outside => Found::Nothing,
             Stay::Unknown => Found::Open,
         }
     }
@@ -78,33 +91,38 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
         low > 0.0 || high < 0.0
     }
 
-    /// A solution inside the box.
-    fn inside(&self) -> Result<End, Found> {
+    /// The parameter of [`Search::close`].
+    fn close(&self, frame: &Frame, k: usize) -> f64 {
+        (self.close / frame.columns[k].length()).min(1e-3)
+    }
+
+    /// A solution inside the box, if there is one worth the while.
+    fn start(&self) -> Result<Option<Start>, Unclear> {
         let free = self.chart.free;
         let mut guess = self.on_line();
         for _ in 0..4 {
-            let Some((x, frame)) = self.equation.solve(guess, free) else { return Err(Found::Open) };
+            let Some((x, frame)) = self.equation.solve(guess, free) else { return Err(Unclear) };
             if x.cmplt(self.low - self.margin).any() || x.cmpgt(self.high + self.margin).any() {
-                return Err(Found::Open);
+                return Err(Unclear);
             }
-            let play = |k: usize| if self.is_monotone(k) { ROUNDING } else { 4.0 * CLOSE };
+            let play = |k: usize| if self.is_monotone(k) { ROUNDING } else { self.close(&frame, k) };
             if (0..4).all(|k| x[k] >= self.low[k] - play(k) && x[k] <= self.high[k] + play(k)) {
-                return Ok(End { x, frame });
+                return Ok(Some((x, frame)));
             }
             // Where else it may be, by the bounds of slopes.
             let parts = [-1.0, 1.0].map(|way| (way, self.permitted(x, way)));
             let longest = parts.into_iter().max_by(|a, b| (a.1[1] - a.1[0]).total_cmp(&(b.1[1] - b.1[0])));
-            let Some((way, [from, to])) = longest else { return Err(Found::Open) };
+            let Some((way, [from, to])) = longest else { return Err(Unclear) };
             let speed = frame.direction().length() / frame.tangent()[free].abs();
-            if !((to - from) * speed > 0.25 * self.tolerance) {
-                return Err(if to - from < f64::INFINITY { Found::Nothing } else { Found::Open });
+            if (to - from) * speed <= 0.25 * self.tolerance {
+                return Ok(None);
             }
             let step = way * 0.5 * (from + to);
             let tangent = frame.tangent();
             guess = x + step * tangent / tangent[free];
             guess[free] = x[free] + step;
         }
-        Err(Found::Open)
+        Err(Unclear)
     }
 
     /// Where the line of the middle is deepest inside the box, or comes nearest to it.
@@ -141,7 +159,7 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
     }
 
     /// Where the curve leaves the box upwards or downwards (`way`) by the free parameter.
-    fn exit(&self, inside: &End, way: f64) -> Option<End> {
+    fn exit(&self, start: &Start, way: f64) -> Option<End> {
         let free = self.chart.free;
         let rates = |frame: &Frame| {
             let tangent = frame.tangent();
@@ -151,11 +169,12 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
         let rises = |k: usize| k == free && way > 0.0 || k != free && self.chart.slopes[k][0] * way > 0.0;
         let side = |k: usize| if rises(k) { self.high[k] } else { self.low[k] };
         let leaves = |k: usize| k == free || self.is_monotone(k);
-        let rate = rates(&inside.frame);
-        let step = |k: usize| ((side(k) - inside.x[k]) / rate[k]).max(0.0);
+        let (inside, frame) = start;
+        let rate = rates(frame);
+        let step = |k: usize| ((side(k) - inside[k]) / rate[k]).max(0.0);
         let first = (0..4).filter(|&k| leaves(k)).min_by(|&k, &n| step(k).total_cmp(&step(n)))?;
         let mut through = first;
-        let mut guess = inside.x + step(first) * rate;
+        let mut guess = *inside + step(first) * rate;
         for _ in 0..8 {
             guess[through] = side(through);
             let (x, frame) = self.equation.solve(guess, through)?;
@@ -167,7 +186,8 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
                 .filter(|&k| k != through && leaves(k) && back(k) > 0.0)
                 .max_by(|&k, &n| back(k).total_cmp(&back(n)));
             let Some(earlier) = earlier else {
-                return self.sound(inside, x, way).then_some(End { x, frame });
+                let end = End { x, tangent: frame.tangent(), direction: frame.direction() };
+                return self.sound(*inside, x, way).then_some(end);
             };
             guess = x - back(earlier) * rate;
             through = earlier;
@@ -176,17 +196,17 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
     }
 
     /// Whether a point where the curve leaves is on the right side of the one inside, and itself in the box.
-    fn sound(&self, inside: &End, x: DVec4, way: f64) -> bool {
+    fn sound(&self, inside: DVec4, x: DVec4, way: f64) -> bool {
         let free = self.chart.free;
         let within = |k: usize| {
             let play = if self.is_monotone(k) { 2.0 * ROUNDING } else { self.margin[k] };
             x[k] >= self.low[k] - play && x[k] <= self.high[k] + play
         };
-        way * (x[free] - inside.x[free]) >= -2.0 * ROUNDING && (0..4).all(within)
+        way * (x[free] - inside[free]) >= -2.0 * ROUNDING && (0..4).all(within)
     }
 
     /// Whether the parameters that are not monotone stay in the box between two solutions.
-    fn stays(&self, first: &End, last: &End) -> Stay {
+    fn stays(&self, frame: &Frame, first: &End, last: &End) -> Stay {
         let free = self.chart.free;
         let length = (last.x[free] - first.x[free]).max(0.0);
         let mut samples = None;
@@ -204,16 +224,34 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
             }
             let samples = *samples.get_or_insert_with(|| self.samples(first, last));
             let Some(samples) = samples else { return Stay::Unknown };
-            let along = |side: f64, play: f64| samples.iter().all(|x| (x[k] - side).abs() <= play);
-            if self.followed[k] && along(self.high[k], CLOSE) {
-                return Stay::Next;
-            }
-            let at_top = !self.followed[k] && along(self.high[k], 4.0 * CLOSE);
-            if !(at_top || along(self.low[k], 4.0 * CLOSE)) {
-                return Stay::Unknown;
+            match self.beside(k, &samples, self.close(frame, k)) {
+                Stay::Inside => {}
+                other => return other,
             }
         }
         Stay::Inside
+    }
+
+    /// What a curve does next to a side across parameter k: if it runs along it, to rounding, it belongs to the box above; if it touches it, to
+    /// the box that it comes from.
+    fn beside(&self, k: usize, samples: &[DVec4; 5], close: f64) -> Stay {
+        let values = samples.map(|x| x[k]);
+        let (least, most) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
+        let near = |side: f64| least >= side - close && most <= side + close;
+        let is_high = near(self.high[k]);
+        if !is_high && !near(self.low[k]) {
+            return Stay::Unknown;
+        }
+        let side = if is_high { self.high[k] } else { self.low[k] };
+        let (below, above) = (most <= side + ALONG * close, least >= side - ALONG * close);
+        match (below, above) {
+            (true, true) if is_high && self.followed[k] => Stay::Outside,
+            (true, true) => Stay::Inside,
+            (true, false) if is_high => Stay::Inside,
+            (false, true) if !is_high => Stay::Inside,
+            (false, false) => Stay::Unknown,
+            _ => Stay::Outside,
+        }
     }
 
     /// Both ends and three points between them.
@@ -230,8 +268,8 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
 enum Stay {
     /// They stay in the box.
     Inside,
-    /// The curve runs along a side, and belongs to the next box.
-    Next,
+    /// The curve runs along a side or touches it, and belongs to another box.
+    Outside,
     /// It cannot be told.
     Unknown,
 }

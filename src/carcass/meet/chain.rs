@@ -8,6 +8,9 @@ use glam::DVec3;
 /// Neighbours of a point that are looked at: more than that can only be the same point again and again.
 const NEIGHBOURS: usize = 32;
 
+/// Pairs of ends and spots that may be looked at; with more, spots stay as they are.
+const WORK: usize = 1 << 24;
+
 /// Arcs in their order along a curve.
 #[derive(Debug)]
 pub(super) struct Chain {
@@ -52,12 +55,16 @@ impl<'a> Sorted<'a> {
 
 /// Chains of arcs, each of which goes on where the one before ends, to `tolerance`; and for each spot whether it is explained by a joint.
 pub(super) fn chains(arcs: &[Arc], spots: &[Spot], tolerance: f64) -> Result<(Vec<Chain>, Vec<bool>)> {
-    let dropped = repeated(arcs, tolerance)?;
-    let mut links = Links { before: alloc::filled(NONE, arcs.len())?, after: alloc::filled(NONE, arcs.len())? };
     // Starts and ends, in turn.
     let points = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
+    let mut near = Vec::new();
+    for pair in Sorted::new(&points)?.pairs(2.0 * tolerance) {
+        alloc::push(&mut near, pair)?;
+    }
+    let dropped = repeated(arcs, &near, tolerance)?;
+    let mut links = Links { before: alloc::filled(NONE, arcs.len())?, after: alloc::filled(NONE, arcs.len())? };
     let mut joints = Vec::new();
-    for (distance, k, n) in Sorted::new(&points)?.pairs(2.0 * tolerance) {
+    for (distance, k, n) in near {
         let (end, start) = if k % 2 == 1 { (k, n) } else { (n, k) };
         let usable = end % 2 == 1 && start % 2 == 0 && end / 2 != start / 2;
         if usable && !dropped[end as usize / 2] && !dropped[start as usize / 2] {
@@ -67,46 +74,83 @@ pub(super) fn chains(arcs: &[Arc], spots: &[Spot], tolerance: f64) -> Result<(Ve
     // The nearest first.
     joints.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     joints.iter().for_each(|&(_, end, start)| links.join(end, start));
-    let explained = alloc::collect(spots.iter().map(|spot| {
-        let joined = |&(_, end, _): &(f64, u32, u32)| {
-            arcs[end as usize].ends[1].distance(spot.centre) <= 4.0 * tolerance
-        };
-        spot.radius <= tolerance && joints.iter().any(joined)
-    }))?;
-    bridge(arcs, spots, &dropped, tolerance, &mut links);
-    Ok((links.chains(&dropped)?, explained))
+    let balls = balls(spots)?;
+    bridge(arcs, &balls, &dropped, tolerance, &mut links);
+    let mut chains = links.chains(&dropped)?;
+    if chains.len().saturating_mul(balls.len()) <= WORK {
+        chains.retain(|chain| !is_scrap(chain, arcs, &balls));
+    }
+    let explained = alloc::collect(spots.iter().map(|spot| is_passed(spot, arcs, &links, tolerance)))?;
+    Ok((chains, explained))
 }
 
-/// Arcs that are others once more, found from both sides of a side between sheets.
-fn repeated(arcs: &[Arc], tolerance: f64) -> Result<Vec<bool>> {
+/// Arcs that are others once more, found from both sides of a side between sheets: by pairs of starts and ends that are near each other. The
+/// sheets may be turned against each other, so that such arcs may run in opposite ways.
+fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -> Result<Vec<bool>> {
     let mut dropped = alloc::filled(false, arcs.len())?;
-    let starts = alloc::collect(arcs.iter().map(|arc| arc.ends[0]))?;
-    for (_, k, n) in Sorted::new(&starts)?.pairs(tolerance) {
-        let (one, other) = (&arcs[k as usize], &arcs[n as usize]);
-        let parallel = |e: usize| one.directions[e].distance(other.directions[e]) <= 1e-5;
-        if one.pair != other.pair && one.ends[1].distance(other.ends[1]) <= tolerance && parallel(0) && parallel(1) {
-            dropped[k.max(n) as usize] = true;
+    for &(_, p, q) in near {
+        let (one, other) = (&arcs[p as usize / 2], &arcs[q as usize / 2]);
+        let (e, f) = (p as usize % 2, q as usize % 2);
+        let way = if e == f { 1.0 } else { -1.0 };
+        let parallel = [0, 1].map(|k| one.directions[k].distance(way * other.directions[(k + e + f) % 2]) <= 1e-5);
+        if one.pair != other.pair
+            && one.ends[1 - e].distance(other.ends[1 - f]) <= 2.0 * tolerance
+            && parallel == [true, true]
+        {
+            dropped[p.max(q) as usize / 2] = true;
         }
     }
     Ok(dropped)
 }
 
-/// Joins loose ends across spots that could not be resolved: as straight as can be.
-fn bridge(arcs: &[Arc], spots: &[Spot], dropped: &[bool], tolerance: f64, links: &mut Links) {
+/// Balls round spots; those of different cells that touch are one.
+fn balls(spots: &[Spot]) -> Result<Vec<(DVec3, f64)>> {
+    let centres = alloc::collect(spots.iter().map(|spot| spot.centre))?;
+    let widest = spots.iter().map(|spot| spot.radius).fold(0.0, f64::max);
+    let mut of = alloc::collect(0..spots.len())?;
+    let root = |of: &[usize], mut k: usize| {
+        while of[k] != k {
+            k = of[k];
+        }
+        k
+    };
+    for (distance, k, n) in Sorted::new(&centres)?.pairs(2.0 * widest) {
+        let (k, n) = (k as usize, n as usize);
+        if distance <= spots[k].radius + spots[n].radius {
+            let (one, other) = (root(&of, k), root(&of, n));
+            of[one.max(other)] = one.min(other);
+        }
+    }
+    let mut balls = alloc::collect(spots.iter().map(|spot| (spot.centre, spot.radius)))?;
+    for (k, spot) in spots.iter().enumerate() {
+        let (centre, radius) = balls[root(&of, k)];
+        balls[root(&of, k)].1 = radius.max(centre.distance(spot.centre) + spot.radius);
+    }
+    let mut k = 0;
+    balls.retain(|_| {
+        k += 1;
+        of[k - 1] == k - 1
+    });
+    Ok(balls)
+}
+
+/// Joins loose ends across spots that could not be resolved: as straight as can be. Where two branches cross, N_A x N_B points to the crossing
+/// on the one and away from it on the other, so that a path turns from the one into the other.
+fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64, links: &mut Links) {
     let loose = |link: &[u32]| -> Vec<u32> {
         (0..arcs.len() as u32).filter(|&k| link[k as usize] == NONE && !dropped[k as usize]).collect()
     };
     let (ends, starts) = (loose(&links.after), loose(&links.before));
-    if ends.is_empty() || (ends.len() + starts.len()).saturating_mul(spots.len()) > 1 << 24 {
+    if ends.is_empty() || (ends.len() + starts.len()).saturating_mul(balls.len()) > WORK {
         return;
     }
-    for spot in spots {
-        let near = |point: DVec3| point.distance(spot.centre) <= 2.0 * spot.radius + 4.0 * tolerance;
+    for &(centre, radius) in balls {
+        let near = |point: DVec3| point.distance(centre) <= 2.0 * radius + 4.0 * tolerance;
         let mut pairs: Vec<(f64, u32, u32)> = Vec::new();
         for &end in ends.iter().filter(|&&end| near(arcs[end as usize].ends[1])) {
             for &start in starts.iter().filter(|&&start| near(arcs[start as usize].ends[0])) {
                 let turn = arcs[end as usize].directions[1].dot(arcs[start as usize].directions[0]);
-                if turn > 0.0 && pairs.len() < 1 << 12 {
+                if end != start && pairs.len() < 1 << 12 {
                     pairs.push((-turn, end, start));
                 }
             }
@@ -114,6 +158,19 @@ fn bridge(arcs: &[Arc], spots: &[Spot], dropped: &[bool], tolerance: f64, links:
         pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         pairs.into_iter().for_each(|(_, end, start)| links.join(end, start));
     }
+}
+
+/// True for a spot hardly larger than the tolerance that a chain passes, as at poles: there is nothing more to it.
+fn is_passed(spot: &Spot, arcs: &[Arc], links: &Links, tolerance: f64) -> bool {
+    let near = |arc: &Arc| arc.ends[1].distance(spot.centre) <= 8.0 * tolerance;
+    spot.radius <= 4.0 * tolerance && arcs.iter().zip(&links.after).any(|(arc, &after)| after != NONE && near(arc))
+}
+
+/// True for a scrap within a ball that is reported as a whole.
+fn is_scrap(chain: &Chain, arcs: &[Arc], balls: &[(DVec3, f64)]) -> bool {
+    let ends = || chain.arcs.iter().flat_map(|&k| arcs[k as usize].ends);
+    let within = |&(centre, radius): &(DVec3, f64)| ends().all(|end| end.distance(centre) <= radius);
+    !chain.closed && chain.arcs.len() < 8 && balls.iter().any(within)
 }
 
 impl Links {

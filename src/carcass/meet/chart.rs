@@ -104,7 +104,9 @@ impl<const N: usize, const M: usize> Part<N, M> {
             return Proof::Empty;
         }
         if !regular {
-            return Proof::Open;
+            // Of degenerate pieces some directions are 0: at least the boxes must meet.
+            let apart = DVec3::AXES.into_iter().any(|axis| self.separated(axis, noise));
+            return if apart { Proof::Empty } else { Proof::Open };
         }
         let line = others.map(|k| tangent[k] / tangent[free]);
         let Some(slopes) = slopes(&a, &b, others, free) else { return Proof::Open };
@@ -125,12 +127,14 @@ impl<const N: usize, const M: usize> Part<N, M> {
         low > noise || high < -noise
     }
 
-    /// True if both pieces lie between two parallel planes that are `tolerance` apart, so that it does not matter how they meet.
+    /// True if both pieces lie between two planes that are `tolerance` apart, along the one's normal and along the other's: how they meet is
+    /// below the tolerance.
     pub(super) fn is_within(&self, frame: &Frame, tolerance: f64) -> bool {
-        frame.normals().into_iter().filter_map(DVec3::try_normalize).any(|normal| {
+        let thin = |normal: DVec3| {
             let (a, b) = (along(&self.a, normal).range(), along(&self.b, normal).range());
             a[1].max(b[1]) - a[0].min(b[0]) <= tolerance
-        })
+        };
+        frame.normals().into_iter().all(|normal| normal.try_normalize().is_some_and(thin))
     }
 
     /// How long the pieces may be in the four directions, nearly: by the longest legs of the control nets.
@@ -206,6 +210,8 @@ fn slopes<const N: usize, const M: usize>(
     let first: [f64; 3] = std::array::from_fn(|k| size(right[k]) + greatest * errors[k].iter().sum::<f64>());
     Some(std::array::from_fn(|k| {
         let off: f64 = errors[k].iter().zip(first).map(|(error, bound)| error * bound.min(greatest)).sum();
+        // And what was rounded on the way.
+        let off = off + 1e-13 * (1.0 + greatest);
         [right[k][0] - off, right[k][1] + off]
     }))
 }

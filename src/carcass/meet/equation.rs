@@ -111,12 +111,15 @@ impl<const N: usize, const M: usize> Equation<N, M> {
             let step = frame.step(fixed);
             let length = step.abs().max_element();
             // Far outside the cells the polynomials say nothing.
-            if !(length < 4.0) {
+            if !step.is_finite() || length > 4.0 {
                 return None;
             }
             x -= step;
-            // The step after this one would be about the square of it, or rounding.
-            if length < 1e-9 || (length < 1e-7 && length > 0.25 * last) {
+            // Convergence is quadratic: the next step would be about this one times the square of its ratio to the last. Or rounding is all
+            // that is left.
+            let ratio = length / last;
+            let converged = last < f64::INFINITY && length * ratio * ratio < 1e-15;
+            if converged || length < 1e-13 || (length < 1e-9 && ratio > 0.25) {
                 return Some((x, frame));
             }
             last = length;

@@ -37,7 +37,7 @@ const CHUNK: usize = 32;
 const BATCH: usize = 1 << 16;
 /// Boxes that are looked at for a pair of cells before it is put back.
 const FIRST_LIMIT: usize = 256;
-/// Boxes that are looked at for all the pairs that were put back: shared among them, but each gets [`FIRST_LIMIT`] times 4 at least.
+/// Boxes that are looked at for all the pairs that were put back: shared among them, but each gets [`FIRST_LIMIT`] again at least.
 const SECOND_TOTAL: usize = 1 << 20;
 /// The most for one of them.
 const SECOND_LIMIT: usize = 1 << 16;
@@ -65,7 +65,7 @@ pub struct Options {
 /// The value, which must be positive, or the default.
 fn positive(option: &'static str, value: Option<f64>, default: f64) -> Result<f64> {
     match value {
-        Some(value) if !(value > 0.0) => Err(Error::OptionOutOfRange { option, value }),
+        Some(value) if value.is_nan() || value <= 0.0 => Err(Error::OptionOutOfRange { option, value }),
         _ => Ok(value.unwrap_or(default)),
     }
 }
@@ -159,7 +159,7 @@ impl Meeting<'_> {
         self.round(&all, FIRST_LIMIT, false, &mut pieces, &job.part(0.0, 0.8))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
-            let limit = (SECOND_TOTAL / again.len()).clamp(4 * FIRST_LIMIT, SECOND_LIMIT);
+            let limit = (SECOND_TOTAL / again.len()).clamp(FIRST_LIMIT, SECOND_LIMIT);
             self.round(&again, limit, true, &mut pieces, &job.part(0.8, 1.0))?;
             pieces.arcs.sort_by_key(|arc| arc.pair);
             pieces.spots.sort_by_key(|spot| spot.pair);
@@ -176,7 +176,7 @@ impl Meeting<'_> {
             job.step((k * batch) as f64 / which.len() as f64, "intersection")?;
             let found = par::chunks(job.threads(), part.len(), chunk, |range| self.chunk(&part[range], limit, last));
             for found in found {
-                pieces.append(found?)?;
+                pieces.append(&found?)?;
             }
         }
         Ok(())
@@ -225,7 +225,8 @@ impl Meeting<'_> {
             };
             last = Some((p, patch_a, size_a));
             let (patch_b, size_b) = moved(b.patch(q[0] as usize, q[1] as usize), self.origin);
-            let noise = 8.0 * f64::EPSILON * size_a.max(size_b);
+            // Of the nets, and of their halvings.
+            let noise = 16.0 * f64::EPSILON * size_a.max(size_b);
             task(k, noise).solve(&Equation { a: patch_a, b: patch_b }, pieces)?;
         }
         Ok(())
@@ -245,14 +246,25 @@ impl Meeting<'_> {
     fn paths(&self, pieces: &Pieces, chains: &[Chain], job: &Job<'_>) -> Result<Paths> {
         let mut paths = Paths { ends: vec![0], ..Paths::default() };
         for (k, chain) in chains.iter().enumerate() {
-            for (n, &arc) in chain.arcs.iter().enumerate() {
+            let arcs = || chain.arcs.iter().map(|&arc| &pieces.arcs[arc as usize]);
+            // Joints within a pair of cells are where boxes were halved; a curve of few arcs needs them all the same.
+            let is_long =
+                chain.arcs.len() > 8 && arcs().any(|arc| arc.pair != pieces.arcs[chain.arcs[0] as usize].pair);
+            let mut last: Option<(u32, DVec3)> = None;
+            for (n, arc) in arcs().enumerate() {
                 if paths.places.len() & 0xffff == 0 {
                     job.step(k as f64 / chains.len() as f64, "paths")?;
                 }
-                let arc = &pieces.arcs[arc as usize];
+                let spare = |&(pair, point): &(u32, DVec3)| {
+                    is_long && pair == arc.pair && point.distance(arc.ends[0]) < self.chord
+                };
+                let skips = usize::from(last.as_ref().is_some_and(spare));
+                if skips == 0 {
+                    last = Some((arc.pair, arc.ends[0]));
+                }
                 // Where the next arc begins is where this one ends.
                 let ends_here = n + 1 == chain.arcs.len() && !chain.closed;
-                let points: Range<usize> = arc.from as usize..arc.to as usize - usize::from(!ends_here);
+                let points: Range<usize> = arc.from as usize + skips..arc.to as usize - usize::from(!ends_here);
                 for &x in &pieces.points[points] {
                     let [place, other] = self.places(arc.pair, x);
                     alloc::push(&mut paths.places, place)?;
@@ -263,8 +275,16 @@ impl Meeting<'_> {
             alloc::push(&mut paths.closed, chain.closed)?;
         }
         paths.levels = alloc::filled(0, chains.len())?;
-        paths.points = alloc::collect(paths.places.iter().map(|&place| self.carcasses[0].jet(place).point))?;
-        paths.normals = alloc::collect(paths.places.iter().map(|&place| self.carcasses[0].normal(place)))?;
+        paths.points = alloc::with_capacity(paths.places.len())?;
+        paths.normals = alloc::with_capacity(paths.places.len())?;
+        for &place in &paths.places {
+            let jet = self.carcasses[0].jet(place);
+            let normal = jet.normal();
+            // Next to poles normals are limits.
+            let is_regular = normal.length_squared() > 1e-12 * jet.u.length_squared() * jet.v.length_squared();
+            paths.points.push(jet.point);
+            paths.normals.push(if is_regular { normal.normalize_or_zero() } else { self.carcasses[0].normal(place) });
+        }
         Ok(paths)
     }
 }

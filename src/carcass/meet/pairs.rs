@@ -148,14 +148,7 @@ impl Block {
         block
     }
 
-    fn fill<const N: usize>(
-        &mut self,
-        cells: &impl Cells<N>,
-        node: &Node,
-        near: &Bounds,
-        origin: DVec3,
-        by: f64,
-    ) {
+    fn fill<const N: usize>(&mut self, cells: &impl Cells<N>, node: &Node, near: &Bounds, origin: DVec3, by: f64) {
         let [rows, columns] = cells.counts();
         let (first, last) = (node.row * BLOCK, rows.min((node.row + 1) * BLOCK));
         let (left, right) = (node.column * BLOCK, columns.min((node.column + 1) * BLOCK));

@@ -14,6 +14,9 @@ use glam::{DVec3, DVec4};
 /// Boxes looked at before it is asked whether the cells touch.
 const PATIENCE: usize = 12;
 
+/// Spots apart from each other that one pair may have.
+const SPOTS: usize = 64;
+
 /// A piece of the intersection over one pair of cells, in the direction N_A x N_B.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Arc {
@@ -49,8 +52,20 @@ pub(super) struct Pieces {
 }
 
 impl Pieces {
+    /// How many points, arcs and spots there are.
+    fn counts(&self) -> [usize; 3] {
+        [self.points.len(), self.arcs.len(), self.spots.len()]
+    }
+
+    /// Forgets what was added since.
+    fn truncate(&mut self, [points, arcs, spots]: [usize; 3]) {
+        self.points.truncate(points);
+        self.arcs.truncate(arcs);
+        self.spots.truncate(spots);
+    }
+
     /// Adds what was found over other pairs.
-    pub(super) fn append(&mut self, other: Pieces) -> Result<()> {
+    pub(super) fn append(&mut self, other: &Pieces) -> Result<()> {
         let before = self.points.len() as u32;
         alloc::append(&mut self.points, &other.points)?;
         alloc::reserve(&mut self.arcs, other.arcs.len())?;
@@ -84,58 +99,61 @@ impl Task {
         equation: &Equation<N, M>,
         pieces: &mut Pieces,
     ) -> Result<()> {
-        let (points, arcs, spots) = (pieces.points.len(), pieces.arcs.len(), pieces.spots.len());
+        let before = pieces.counts();
+        let [_, _, spots] = before;
         let whole = Part { a: equation.a, b: equation.b, low: DVec4::ZERO, size: DVec4::ONE };
-        let mut stack = vec![whole];
+        let mut stack = vec![whole.clone()];
         let mut looked_at = 0;
         while let Some(part) = stack.pop() {
             looked_at += 1;
-            if looked_at > self.limit {
-                if !self.last {
-                    pieces.exhausted.push(self.pair);
-                    // It will be done anew.
-                    pieces.points.truncate(points);
-                    pieces.arcs.truncate(arcs);
-                    pieces.spots.truncate(spots);
-                    return Ok(());
-                }
-                stack.push(part);
-                stack.iter().for_each(|part| self.give_up(equation, part, spots, pieces));
-                return Ok(());
-            }
             if looked_at == PATIENCE && self.coincide(equation) {
-                pieces.points.truncate(points);
-                pieces.arcs.truncate(arcs);
-                pieces.spots.truncate(spots);
-                let whole = Part { a: equation.a, b: equation.b, low: DVec4::ZERO, size: DVec4::ONE };
+                pieces.truncate(before);
                 self.give_up(equation, &whole, spots, pieces);
                 return Ok(());
             }
-            let frame = equation.frame(part.middle());
-            match part.prove(&frame, self.noise) {
-                Proof::Empty => continue,
-                Proof::Open => {}
-                Proof::Graph(chart) => {
-                    match Search::new(equation, &part, &chart, self.tolerance, self.followed).arc() {
-                        Found::Nothing => continue,
-                        Found::Open => {}
-                        Found::Arc(ends) => {
-                            self.add(equation, ends, chart.free, pieces)?;
-                            continue;
-                        }
+            if looked_at > self.limit && !self.last {
+                pieces.truncate(before);
+                return alloc::push(&mut pieces.exhausted, self.pair);
+            }
+            if looked_at > self.limit {
+                self.give_up(equation, &part, spots, pieces);
+            } else if let Some([low, high]) = self.look(equation, &part, spots, pieces)? {
+                stack.extend([high, low]);
+            }
+        }
+        Ok(())
+    }
+
+    /// Looks at a box: it is done, or else its halves are to be looked at.
+    fn look<const N: usize, const M: usize>(
+        &self,
+        equation: &Equation<N, M>,
+        part: &Part<N, M>,
+        spots: usize,
+        pieces: &mut Pieces,
+    ) -> Result<Option<[Part<N, M>; 2]>> {
+        let frame = equation.frame(part.middle());
+        match part.prove(&frame, self.noise) {
+            Proof::Empty => return Ok(None),
+            Proof::Open => {}
+            Proof::Graph(chart) => {
+                match Search::new(equation, part, &chart, self.tolerance, self.noise, self.followed).arc() {
+                    Found::Nothing => return Ok(None),
+                    Found::Open => {}
+                    Found::Arc(ends) => {
+                        self.add(equation, ends, chart.free, pieces)?;
+                        return Ok(None);
                     }
                 }
             }
-            let extents = part.extents();
-            let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
-            if extents[longest] <= 0.25 * self.tolerance || part.is_within(&frame, self.tolerance) {
-                self.give_up(equation, &part, spots, pieces);
-                continue;
-            }
-            let [low, high] = part.halves(longest);
-            stack.extend([high, low]);
         }
-        Ok(())
+        let extents = part.extents();
+        let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
+        if extents[longest] <= 0.25 * self.tolerance || part.is_within(&frame, self.tolerance) {
+            self.give_up(equation, part, spots, pieces);
+            return Ok(None);
+        }
+        Ok(Some(part.halves(longest)))
     }
 
     /// Adds an arc, unless it is as short as may be dropped.
@@ -147,7 +165,7 @@ impl Task {
         pieces: &mut Pieces,
     ) -> Result<()> {
         // By rising free parameter; but the curve runs along N_A x N_B.
-        let rises = ends[0].frame.tangent()[free] > 0.0;
+        let rises = ends[0].tangent[free] > 0.0;
         let ends = if rises { ends } else { [ends[1], ends[0]] };
         let places = ends.map(|end| equation.point(end.x));
         if places[0].distance(places[1]) <= 0.5 * self.tolerance {
@@ -158,7 +176,7 @@ impl Task {
         refine(equation, ends, free, self.chord, &mut pieces.points)?;
         alloc::push(&mut pieces.points, ends[1].x)?;
         let to = pieces.points.len() as u32;
-        let directions = ends.map(|end| end.frame.direction().normalize_or_zero());
+        let directions = ends.map(|end| end.direction.normalize_or_zero());
         alloc::push(&mut pieces.arcs, Arc { pair: self.pair, from, to, ends: places, directions })
     }
 
@@ -176,12 +194,15 @@ impl Task {
         let radius = part.a.points.as_flattened().iter().map(reach).fold(0.0, f64::max);
         let gap = equation.frame(x).miss.length();
         let spot = Spot { pair: self.pair, x, centre, radius, gap };
-        let touches = |other: &&mut Spot| other.centre.distance(centre) <= other.radius + radius + self.tolerance;
-        match pieces.spots[first..].iter_mut().find(touches) {
-            Some(other) => {
-                let nearer = if gap < other.gap { spot } else { *other };
+        let own = &mut pieces.spots[first..];
+        let touches = |other: &Spot| other.centre.distance(centre) <= other.radius + radius + self.tolerance;
+        // Of too many apart from each other, the last one takes the rest.
+        let found = own.iter().position(touches).or((own.len() >= SPOTS).then(|| own.len() - 1));
+        match found {
+            Some(k) => {
+                let nearer = if gap < own[k].gap { spot } else { own[k] };
                 let reach = |spot: &Spot| nearer.centre.distance(spot.centre) + spot.radius;
-                *other = Spot { radius: reach(&spot).max(reach(other)), ..nearer };
+                own[k] = Spot { radius: reach(&spot).max(reach(&own[k])), ..nearer };
             }
             None => pieces.spots.push(spot),
         }
