@@ -2179,8 +2179,8 @@ typedef struct gusset_region_report {
      */
     uint64_t cells;
     /**
-     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region is
-     * in several parts.
+     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
+     * is in several parts.
      */
     uint64_t integer_diameter;
     /**
@@ -2188,8 +2188,8 @@ typedef struct gusset_region_report {
      */
     int64_t euler;
     /**
-     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells; infinite if
-     * the region is in several parts.
+     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
+     * infinite if the region is in several parts.
      */
     double diameter;
 } gusset_region_report;
@@ -2232,8 +2232,8 @@ typedef struct gusset_mask_task {
      */
     double angle;
     /**
-     * Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see gusset_sheet_curvature_bound;
-     * 0: cones of normals instead, which are tighter.
+     * Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
+     * gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
      */
     double curvature;
     /**
@@ -6324,11 +6324,12 @@ GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
 /**
  * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
  *
- * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the length of the shortest
- * curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0; either may be NULL alone. written: receives
- * the number of cells. greatest: receives the greatest of the first and of the second kind, the paper's d; may be NULL.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
- * for any number of them. Source: Leus, eqs. (1) and (7); the bounds are ours.
+ * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the
+ * length of the shortest curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0;
+ * either may be NULL alone. written: receives the number of cells. greatest: receives two numbers, the greatest of the first and
+ * of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
+ * CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. Source: Leus, eqs. (1) and (7); the bounds
+ * are ours.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6338,7 +6339,7 @@ gusset_status gusset_sheet_diameters(const struct gusset_context *context,
                                      double *intrinsic,
                                      size_t capacity,
                                      size_t *written,
-                                     double (*greatest)[2]);
+                                     double *greatest);
 
 /**
  * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
@@ -6355,12 +6356,13 @@ gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
 /**
  * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
  *
- * words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells; NULL with
- * count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the region, two numbers
- * each. cells: receives row and column of each cell of the chain, from and to included; NULL with capacity 0 to ask for the size. capacity: how many cells
- * it has room for. written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the distance
- * between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the
- * cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
+ * words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells;
+ * NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the
+ * region, two numbers each. cells: receives row and column of each cell of the chain, from and to included, two numbers each; NULL
+ * with capacity 0 to ask for the size. capacity: how many cells it has room for. written: receives the number of cells, the
+ * integer length; 0 if there is no chain. The sum of their diameters bounds the distance between points of from and of to. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL,
+ * OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6368,18 +6370,18 @@ gusset_status gusset_sheet_chain(const struct gusset_context *context,
                                  const struct gusset_sheet *sheet,
                                  const uint64_t *words,
                                  size_t count,
-                                 const uint32_t (*from)[2],
-                                 const uint32_t (*to)[2],
-                                 uint32_t (*cells)[2],
+                                 const uint32_t *from,
+                                 const uint32_t *to,
+                                 uint32_t *cells,
                                  size_t capacity,
                                  size_t *written);
 
 /**
  * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
  *
- * words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for the worst O(cells^2),
- * which can be cancelled. Source: Leus, eqs. (4) to (6).
+ * words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for
+ * the worst O(cells^2), which can be cancelled. Source: Leus, eqs. (4) to (6).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6390,16 +6392,16 @@ gusset_status gusset_sheet_region(const struct gusset_context *context,
                                   struct gusset_region_report *report);
 
 /**
- * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or the nearest one, or
- * a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a carcass (gusset_carcass_create)
- * answers the same and more from its index, much faster.
+ * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
+ * the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
+ * carcass (gusset_carcass_create) answers the same and more from its index, much faster.
  *
- * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the size and the report alone.
- * capacity: how many words it has room for. written: receives the number of words. report: what was done; its struct_size set by the
- * caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE (object, flags), OUT_OF_RANGE (what is not
- * finite, no direction, a negative distance, an angle outside 0 to pi), BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds
- * of cells, with threads; O(cells / 64) and the nodes looked at for the search. From any thread. Source: Leus; its errata are listed with the
- * Rust module carcass::leus.
+ * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the
+ * size and the report alone. capacity: how many words it has room for. written: receives the number of words. report: what was
+ * done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
+ * (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
+ * BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
+ * at for the search. From any thread. Source: Leus; its errata are listed with the Rust module carcass::leus.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6412,13 +6414,13 @@ gusset_status gusset_sheet_mask(const struct gusset_context *context,
                                 struct gusset_mask_report *report);
 
 /**
- * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners, cut the lines of
- * the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the size of cells; the exact normals of the
- * surface are had from a carcass.
+ * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
+ * cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
+ * size of cells; the exact normals of the surface are had from a carcass.
  *
- * places: count places of the sheet, whose own number is not read; u and v 0 to 1. normals: receives x, y, z of each; 0 where there is
- * none. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the cell, OUT_OF_RANGE (u, v), CANCELLED. Bounded work for each. From
- * any thread. Source: Leus, fig. 1.
+ * places: count places of the sheet, whose own number is not read; u and v 0 to 1. normals: receives x, y, z of each; 0 where
+ * there is none. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the cell, OUT_OF_RANGE (u, v), CANCELLED.
+ * Bounded work for each. From any thread. Source: Leus, fig. 1.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6528,7 +6530,8 @@ gusset_status gusset_carcass_contours(const struct gusset_context *context,
  *
  * direction: x, y, z, not 0. angles: count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are unsigned. Otherwise as
  * gusset_carcass_section. Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side between them;
- * poles that may have the angle are listed as unresolved. Errors: as there. O(cells); threads. Source: Leus, task b.
+ * poles that may have the angle are listed as unresolved. Angles are of order three, as normals are; contours of the cosines at the nodes
+ * are of order four. Errors: as there. O(cells); threads. Source: Leus, task b.
  */
 GUSSET_API
 GUSSET_MUST_USE

@@ -26,8 +26,12 @@ std::vector<Station> read(const std::string &file, const std::vector<std::string
     int station = 0, waterline = 0;
     double x = 0, z = 0;
     for (std::string y; rows.read_row(station, waterline, x, y, z);) {
+        std::size_t read = 0;
         if (!y.empty()) {
-            table[station][waterline] = {x, std::stod(y), z};
+            table[station][waterline] = {x, std::stod(y, &read), z};
+        }
+        if (read != y.size()) {
+            throw std::runtime_error(file + ": no half-breadth: " + y);
         }
     }
     std::vector<Station> stations;

@@ -156,7 +156,7 @@ public:
         std::size_t written = 0;
         double greatest[2] = {0.0, 0.0};
         context.call([&](gusset_context *c) {
-            return gusset_sheet_diameters(c, get(), out.euclidean.data(), out.intrinsic.data(), count, &written, &greatest);
+            return gusset_sheet_diameters(c, get(), out.euclidean.data(), out.intrinsic.data(), count, &written, greatest);
         });
         out.greatest_euclidean = greatest[0];
         out.greatest_intrinsic = greatest[1];
@@ -186,11 +186,10 @@ public:
         // A chain visits no cell twice.
         std::vector<std::array<uint32_t, 2>> cells(region.count());
         static_assert(sizeof cells[0] == sizeof(uint32_t[2]), "packed");
-        const uint32_t ends[2][2] = {{from[0], from[1]}, {to[0], to[1]}};
         std::size_t written = 0;
         context.call([&](gusset_context *c) {
-            return gusset_sheet_chain(c, get(), region.words().data(), region.words().size(), &ends[0], &ends[1],
-                                      reinterpret_cast<uint32_t(*)[2]>(cells.data()), cells.size(), &written);
+            return gusset_sheet_chain(c, get(), region.words().data(), region.words().size(), from.data(), to.data(),
+                                      reinterpret_cast<uint32_t *>(cells.data()), cells.size(), &written);
         });
         cells.resize(written);
         return cells;
