@@ -17,7 +17,7 @@ test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libocct-modeling-algorithms-dev libsisl-dev nlohmann-json3-dev python3-venv
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build test check demo bench install stage clean
+.PHONY: help build test check exhaustive demo bench install stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -25,6 +25,7 @@ help:
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
 	@echo 'make test                         all tests: Rust, lints, header drift, C and C++'
 	@echo 'make check                        the quick part of them: Rust tests and lints'
+	@echo 'make exhaustive                   long searches for wrong answers of carcasses, by brute force; minutes'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
 	@echo 'make build                        the libraries, in target/release'
@@ -39,6 +40,10 @@ check:
 	$(CARGO) clippy --locked --all-targets -- -D warnings
 	$(CARGO) test --locked
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --no-deps
+
+# What is ignored in `make test` because it takes minutes.
+exhaustive:
+	$(CARGO) test --release --locked --test 'carcass_*' -- --ignored --nocapture exhaustive_
 
 test: check stage
 	@scripts/install-packages.sh $(test_packages)
