@@ -287,8 +287,9 @@ impl Carcass<'_> {
     /// [`Carcass::contours`] of their cosines.
     ///
     /// Every curve is found, as [`Carcass::section`] finds them, if the surface is regular. On sheets of patches and of the four-point
-    /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for. At
-    /// poles, where the normal is none, a curve ends or passes; a pole that may have the angle itself is listed as unresolved. O(cells).
+    /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for; where
+    /// that goes on past a corner they end, and the ends are listed as unresolved. At poles, where the normal is none, a curve ends or
+    /// passes; a pole that may have the angle itself is listed as unresolved. O(cells).
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do not rise or are out of range;
