@@ -373,7 +373,7 @@ fn patches_and_several_sheets() {
 fn normals_that_jump() {
     // The four-point scheme has creases along all lines.
     let job = Job::default();
-    let (mut total, mut ended) = (0, 0);
+    let (mut total, mut ended, mut whole) = (0, 0, 0);
     for shape in &SHAPES[..2] {
         let smooth = grid(shape);
         let nodes = smooth.nodes().clone();
@@ -392,15 +392,17 @@ fn normals_that_jump() {
             (total, ended) = (total + paths.len(), ended + open);
             let truth = other.isophotes(axis, &angles, false, Between::Nothing, &job).unwrap();
             let all = |paths: &Paths| (0..paths.len()).map(|k| length(paths, k)).sum::<f64>();
-            assert!(
-                (all(&paths) / all(&truth) - 1.0).abs() < 0.05,
-                "{} {k}: {} {}",
-                shape.name,
-                all(&paths),
-                all(&truth)
-            );
+            // What is missing is along creases that are listed.
+            let (found, expected) = (all(&paths), all(&truth));
+            let near = (found / expected - 1.0).abs() < 0.05;
+            assert!(near || !paths.unresolved.is_empty(), "{} {k}: {found} {expected}", shape.name);
+            whole += usize::from(near);
         }
+        // Seen along the axis, the silhouettes of the torus are creases.
+        let paths = carcass.isophotes(DVec3::Z, &[FRAC_PI_2], false, Between::Nothing, &job).unwrap();
+        assert!(paths.len() >= 2 || paths.unresolved.len() > 10, "{}: {paths:?}", shape.name);
     }
+    assert!(total > 60 && ended * 4 < total && whole > 12, "{ended} of {total}, {whole}");
 }
 
 /// The teapot's patches, a sheet each; `None` where there are no data.
