@@ -369,6 +369,42 @@ fn patches_and_several_sheets() {
     assert_eq!((paths.len(), paths.closed.iter().all(|&closed| closed)), (truth.len(), true));
 }
 
+#[test]
+fn normals_that_jump() {
+    // The four-point scheme has creases along all lines.
+    let job = Job::default();
+    let (mut total, mut ended, mut whole) = (0, 0, 0);
+    for shape in &SHAPES[..2] {
+        let smooth = grid(shape);
+        let nodes = smooth.nodes().clone();
+        let carcass =
+            Carcass::new(vec![Sheet::Grid(Grid::new(nodes, shape.closed, Scheme::FourPoint).unwrap())], None, &job)
+                .unwrap();
+        let other = self::carcass(shape);
+        let mut random = Random(31);
+        for k in 0..12 {
+            let axis = random.point(1.0);
+            let angles = [0.4 + 0.8 * random.next(), FRAC_PI_2, 2.0];
+            let paths = carcass.isophotes(axis, &angles, false, Between::Nothing, &job).unwrap();
+            // Where a crease itself is the curve for more than a cell, curves end, and their ends are reported.
+            let open = paths.closed.iter().filter(|&&closed| !closed).count();
+            assert!(paths.unresolved.len() >= 2 * open, "{} {k}: {open} {:?}", shape.name, paths.unresolved);
+            (total, ended) = (total + paths.len(), ended + open);
+            let truth = other.isophotes(axis, &angles, false, Between::Nothing, &job).unwrap();
+            let all = |paths: &Paths| (0..paths.len()).map(|k| length(paths, k)).sum::<f64>();
+            // What is missing is along creases that are listed.
+            let (found, expected) = (all(&paths), all(&truth));
+            let near = (found / expected - 1.0).abs() < 0.05;
+            assert!(near || !paths.unresolved.is_empty(), "{} {k}: {found} {expected}", shape.name);
+            whole += usize::from(near);
+        }
+        // Seen along the axis, the silhouettes of the torus are creases.
+        let paths = carcass.isophotes(DVec3::Z, &[FRAC_PI_2], false, Between::Nothing, &job).unwrap();
+        assert!(paths.len() >= 2 || paths.unresolved.len() > 10, "{}: {paths:?}", shape.name);
+    }
+    assert!(total > 60 && ended * 4 < total && whole > 12, "{ended} of {total}, {whole}");
+}
+
 /// The teapot's patches, a sheet each; `None` where there are no data.
 fn teapot() -> Option<Carcass<'static>> {
     let folder =

@@ -140,7 +140,8 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut Strands, order: &mut Vec<([u
 #[derive(Clone, Copy)]
 struct End {
     level: u32,
-    side: u64,
+    /// The side, or the corner.
+    group: u64,
     t: f64,
     key: u64,
     arc: usize,
@@ -148,7 +149,8 @@ struct End {
 }
 
 /// Links what leaves one cell with what enters the next, or the same one again: along each side, the k-th that leaves with the k-th that
-/// enters. Where the fields have no sign in common, the side itself belongs to the zero set between the two.
+/// enters. Where the fields have no sign in common, the side itself belongs to the zero set between the two. What is left over then, because
+/// the cells at a corner disagree on the sign there, is linked round the corner that it is nearer to.
 fn stitch(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
     let mut ends = alloc::with_capacity(2 * arcs.len())?;
     for (k, arc) in arcs.iter().enumerate() {
@@ -156,28 +158,45 @@ fn stitch(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
             let side = key >> 7;
             let inside = key >> 63 == 1;
             if !inside && !lattice.on_edge_side(arc.cell, side) {
-                ends.push(End { level: arc.level, side, t: at[(side & 1) as usize], key, arc: k, exit });
+                ends.push(End { level: arc.level, group: side, t: at[(side & 1) as usize], key, arc: k, exit });
             }
         }
     }
+    let mut left = pair(ends, arcs)?;
+    for end in &mut left {
+        end.group = lattice.node(end.group, end.t >= 0.5);
+        // How far from the corner.
+        end.t = end.t.min(1.0 - end.t);
+    }
+    pair(left, arcs)?;
+    Ok(())
+}
+
+/// Links exits with entries of the same level and group, in order; returns the ends that are left over.
+fn pair(mut ends: Vec<End>, arcs: &mut [Arc]) -> Result<Vec<End>> {
     ends.sort_unstable_by(|a, b| {
-        let by = |end: &End| (end.level, end.side);
+        let by = |end: &End| (end.level, end.group);
         by(a).cmp(&by(b)).then(a.t.total_cmp(&b.t)).then(a.key.cmp(&b.key))
     });
     let mut waiting: VecDeque<End> = VecDeque::new();
-    for side in ends.chunk_by(|a, b| (a.level, a.side) == (b.level, b.side)) {
-        waiting.clear();
-        for &end in side {
-            match waiting.front() {
-                Some(first) if first.exit != end.exit => {
-                    let (exit, entry) = if end.exit { (end, *first) } else { (*first, end) };
+    let mut left = Vec::new();
+    for group in ends.chunk_by(|a, b| (a.level, a.group) == (b.level, b.group)) {
+        for &end in group {
+            match waiting.pop_front() {
+                Some(first) if end.exit != first.exit => {
+                    let (exit, entry) = if end.exit { (end, first) } else { (first, end) };
                     arcs[exit.arc].keys[1] = entry.key;
                     arcs[exit.arc].jumps = true;
-                    waiting.pop_front();
                 }
-                _ => waiting.push_back(end),
+                Some(first) => {
+                    waiting.push_front(first);
+                    waiting.push_back(end);
+                }
+                None => waiting.push_back(end),
             }
         }
+        alloc::reserve(&mut left, waiting.len())?;
+        left.extend(waiting.drain(..));
     }
-    Ok(())
+    Ok(left)
 }

@@ -4,7 +4,9 @@
 //! of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90 degrees where H = 0; at 0 and 180 where both components across are 0, which is so
 //! at single points. None of it suffers from cancellation, whatever the angle.
 
+use super::creases::creases;
 use super::normals::{Hodographs, cross, squares};
+use super::search::Found;
 use super::source::{Sides, Source};
 use super::{Between, Gathered, Lattice, Strands, direction, lattice, paths};
 use crate::alloc;
@@ -273,6 +275,8 @@ struct Kinds {
     poles: Vec<(u32, f64)>,
     others: Vec<[f64; 2]>,
     radians: Vec<f64>,
+    /// All but those of 0 and 180 degrees.
+    crossed: Vec<f64>,
     numbers: Vec<u32>,
 }
 
@@ -287,8 +291,9 @@ impl Carcass<'_> {
     /// [`Carcass::contours`] of their cosines.
     ///
     /// Every curve is found, as [`Carcass::section`] finds them, if the surface is regular. On sheets of patches and of the four-point
-    /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for. At
-    /// poles, where the normal is none, a curve ends or passes; a pole that may have the angle itself is listed as unresolved. O(cells).
+    /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for; where
+    /// that goes on for more than a cell they end, and the ends and the sides are listed as unresolved. At poles, where the normal is none, a curve ends
+    /// or passes; a pole that may have the angle itself is listed as unresolved. O(cells).
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do not rise or are out of range;
@@ -348,6 +353,9 @@ impl Kinds {
         let mut kinds = Kinds::default();
         for (k, &angle) in angles.iter().enumerate() {
             let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            if sin.abs() >= SMALL {
+                alloc::push(&mut kinds.crossed, angle)?;
+            }
             if cos.abs() < SMALL {
                 alloc::push(&mut kinds.silhouettes, k as u32)?;
             } else if sin.abs() < SMALL {
@@ -397,7 +405,8 @@ impl<C> Sought<'_, C> {
         let block = |k: usize| [(k / across) as u32, (k % across) as u32];
         let apart = self.sides == Sides::Apart;
         let Sought { cells, chord, .. } = *self;
-        let passes = kinds.silhouettes.len() + usize::from(!kinds.others.is_empty()) + kinds.poles.len();
+        let passes =
+            kinds.silhouettes.len() + usize::from(!kinds.others.is_empty()) + kinds.poles.len() + usize::from(apart);
         let mut pass = 0;
         let mut next = || {
             pass += 1;
@@ -420,6 +429,11 @@ impl<C> Sought<'_, C> {
                 self.keep_signs(strands, &kinds.others);
                 strands.strands.iter_mut().for_each(|strand| strand.level = kinds.numbers[strand.level as usize]);
             }
+        }
+        if apart {
+            let mut found = Found::default();
+            creases(&self.normals(), &lattice, &kinds.crossed, self.unsigned, &mut found.unresolved, &next())?;
+            curves.add(self.sheet, found, &lattice, true)?;
         }
         for &(number, sign) in &kinds.poles {
             self.poles::<N, H>(sign, number, &lattice, curves, points, &next())?;

@@ -36,6 +36,18 @@ impl Lattice {
         2 * (i as u64 * (self.counts[1] as u64 + 1) + j as u64) + (side % 2) as u64
     }
 
+    /// The number of the corner that a side starts with, or ends with.
+    pub(super) fn node(&self, side: u64, end: bool) -> u64 {
+        let width = self.counts[1] as u64 + 1;
+        let (node, d) = (side / 2, (side % 2) as usize);
+        let mut at = [node / width, node % width];
+        if end {
+            let last = self.closed[d] && at[d] + 1 == self.counts[d] as u64;
+            at[d] = if last { 0 } else { at[d] + 1 };
+        }
+        at[0] * width + at[1]
+    }
+
     /// The cell that decides about the start of side numbers: of two cells at a side, and of four at a corner, the one after; at an open
     /// edge, the one before.
     pub(super) fn owner(&self, [i, j]: [usize; 2], [after_u, after_v]: [bool; 2]) -> ([usize; 2], [bool; 2]) {

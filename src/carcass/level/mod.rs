@@ -7,6 +7,7 @@
 
 mod cell;
 mod chain;
+mod creases;
 mod frame;
 mod isophote;
 mod lattice;

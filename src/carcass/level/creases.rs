@@ -1,0 +1,52 @@
+//! Sides between cells along which normals jump past an angle: they belong to the isophote themselves, and no cell shows it.
+
+use super::Lattice;
+use super::isophote::Normals;
+use crate::alloc;
+use crate::carcass::cells::Cells;
+use crate::error::Result;
+use crate::job::Job;
+use glam::DVec2;
+
+/// The two sides of a cell that its neighbours are behind: where these are, and the corners, in the cell and in the neighbour.
+const SIDES: [([usize; 2], [[f64; 2]; 2], [[f64; 2]; 2]); 2] = [
+    ([1, 0], [[1.0, 0.0], [1.0, 1.0]], [[0.0, 0.0], [0.0, 1.0]]),
+    ([0, 1], [[0.0, 1.0], [1.0, 1.0]], [[0.0, 0.0], [1.0, 0.0]]),
+];
+
+/// Adds the middles of sides at whose ends the angle is less than one of `angles` in one cell and greater in the other.
+pub(super) fn creases<C: Cells<N>, const N: usize>(
+    normals: &Normals<'_, C>,
+    lattice: &Lattice,
+    angles: &[f64],
+    unsigned: bool,
+    found: &mut Vec<([u32; 2], DVec2)>,
+    job: &Job<'_>,
+) -> Result<()> {
+    let angle = |[i, j]: [usize; 2], [u, v]: [f64; 2]| {
+        let normal = normals.cells.patch(i, j).jet(u, v).normal();
+        let [x, y, z] = normals.frame.map(|axis| axis.dot(normal));
+        libm::atan2((x * x + y * y).sqrt(), if unsigned { z.abs() } else { z })
+    };
+    let [rows, columns] = lattice.counts;
+    for i in 0..rows {
+        job.step(i as f64 / rows as f64, "creases")?;
+        for j in 0..columns {
+            for (after, own, others) in SIDES {
+                let (behind, end) = lattice.owner([i, j], after.map(|step| step == 1));
+                if end != [false; 2] {
+                    continue;
+                }
+                let [a, b] = own.map(|corner| angle([i, j], corner));
+                let [c, d] = others.map(|corner| angle(behind, corner));
+                let jumps =
+                    |goal: &f64| (a.max(b) < *goal && *goal < c.min(d)) || (c.max(d) < *goal && *goal < a.min(b));
+                if angles.iter().any(jumps) {
+                    let middle = 0.5 * (DVec2::from_array(own[0]) + DVec2::from_array(own[1]));
+                    alloc::push(found, ([i as u32, j as u32], middle))?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
