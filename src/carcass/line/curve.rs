@@ -6,7 +6,7 @@
 use super::hits::POINT;
 use super::search::Scratch;
 use super::walk::{Part, Search, Work};
-use super::{Line, Which};
+use super::{LARGEST, Line, Which};
 use crate::alloc;
 use crate::carcass::{Carcass, Place, each_sheet};
 use crate::error::{Error, Result};
@@ -67,7 +67,7 @@ impl Carcass<'_> {
     /// comes near to; bounded for each cell and segment that run in each other. The segments are shared out to the job's threads.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a segment of a degree above 7, [`Error::EmptyCurve`], [`Error::OutOfMemory`],
+    /// [`Error::OptionOutOfRange`] for a segment of a degree above 7 or a coordinate above 1e150, [`Error::EmptyCurve`], [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn curve(&self, curve: &CurveView<'_>, which: Which, job: &Job<'_>) -> Result<Vec<CurveHit>> {
         if curve.is_empty() {
@@ -75,6 +75,10 @@ impl Carcass<'_> {
         }
         if let Some(segment) = curve.segments().find(|segment| segment.len() > MOST + 1) {
             return Err(Error::OptionOutOfRange { option: "degree", value: (segment.len() - 1) as f64 });
+        }
+        let numbers = curve.points().iter().flat_map(|point| point.to_array());
+        if let Some(value) = { numbers }.find(|x| x.abs() > LARGEST) {
+            return Err(Error::OptionOutOfRange { option: "curve", value });
         }
         let finds = self.finds(curve, which, job)?;
         let mut hits = self.hits(curve, finds)?;

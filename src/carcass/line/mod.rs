@@ -21,10 +21,13 @@ use crate::outline::{CurveView, Place as CurvePlace};
 use glam::DVec3;
 use search::{Scratch, search};
 
+/// Coordinates of lines and curves beyond this are refused: their squares would overflow.
+pub(super) const LARGEST: f64 = 1e150;
+
 /// A line, ray or segment: origin + t * direction for t from `from` to `to`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
-    /// Where t is 0.
+    /// Where t is 0; coordinates up to 1e150.
     pub origin: DVec3,
     /// Not 0; of any length.
     pub direction: DVec3,
@@ -50,9 +53,10 @@ impl Line {
         Line { from: 0.0, to: 1.0, ..Line::new(a, b - a) }
     }
 
+    /// That it is finite and has a direction.
     fn check(&self) -> Result<()> {
         let bad = |value: f64, option| Err(Error::OptionOutOfRange { option, value });
-        if let Some(value) = self.origin.to_array().into_iter().find(|x| !x.is_finite()) {
+        if let Some(value) = self.origin.to_array().into_iter().find(|x| !(x.abs() <= LARGEST)) {
             return bad(value, "origin");
         }
         if let Some(value) = self.direction.to_array().into_iter().find(|x| !x.is_finite()) {

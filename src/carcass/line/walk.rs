@@ -92,9 +92,10 @@ impl<C> Search<'_, C> {
                 for (half, points) in halved(&part.points).into_iter().enumerate() {
                     let size = 0.5 * part.size;
                     let part = Part { points, size, from: part.from + half as f64 * size };
-                    let near = match level == levels.len() {
-                        true => part.bounds().meets(&whole),
-                        false => self.touches(&part, noise, level, row, column),
+                    let near = if level == levels.len() {
+                        part.bounds().meets(&whole)
+                    } else {
+                        self.touches(&part, noise, level, row, column)
                     };
                     if near {
                         waiting.push(Entry { part, diagonal, level, row, column });
