@@ -278,7 +278,7 @@ fn e8_euclidean_suffices() {
     let job = Job::default();
     // Every other row of nodes raised: cells are bent, and ways on the surface longer than chords.
     let folded =
-        sheet([40, 40], [false; 2], |i, j| DVec3::new(i as f64, j as f64, 1.5 * f64::from((i % 4 == 0) as u32)));
+        sheet([40, 40], [false; 2], |i, j| DVec3::new(i as f64, j as f64, 1.5 * if i % 4 == 0 { 1.0 } else { 0.0 }));
     let diameters = Diameters::new(&folded, &job).unwrap();
     let lattice = Lattice::of(&folded);
     assert!(diameters.euclidean.all().iter().zip(diameters.intrinsic.all()).all(|(chord, way)| chord <= way));

@@ -300,7 +300,7 @@ fn curvatures_are_bounded() {
     };
     // The tube's is 1 / 0.4.
     let [coarse, fine] = [bound_of(16), bound_of(128)];
-    assert!(fine >= 2.5 && fine < 4.5 && fine < coarse, "{coarse} {fine}");
+    assert!((2.5..4.5).contains(&fine) && fine < coarse, "{coarse} {fine}");
     // A pole is not regular.
     assert_eq!(curvature_bound(&Sheet::Grid(grid(&SHAPES[3])), &Job::default()), Ok(f64::INFINITY));
 }

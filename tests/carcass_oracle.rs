@@ -146,7 +146,7 @@ fn has(case: &Case, cell: [usize; 2], places: &[Place]) -> bool {
     let own = |place: &Place| place.cell == cell.map(|k| k as u32);
     let near = |place: &Place| {
         let at = place.cell.map(|k| k as usize);
-        let on_edge = [place.u, place.v].iter().any(|&x| x < 1e-5 || x > 1.0 - 1e-5);
+        let on_edge = [place.u, place.v].iter().any(|x| !(1e-5..=1.0 - 1e-5).contains(x));
         on_edge && case.lattice().neighbours(at).any(|other| other == cell)
     };
     places.iter().any(own) || places.iter().any(near)

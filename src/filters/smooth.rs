@@ -9,6 +9,7 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::net::convert::net_of_grid;
+use glam::DVec3;
 
 pub(super) const CATEGORY: &str = "Smooth surfaces";
 pub(super) const REFERENCE: &str = "V. A. Leus, Carcasses on smooth surfaces, 1976";
@@ -81,7 +82,7 @@ pub(super) fn chord(surface: &Carcass<'_>, values: &Values<'_>) -> Between {
 /// Paths as polylines.
 pub(super) fn polylines(paths: &Paths) -> Result<Curves> {
     Ok(Curves {
-        points: alloc::collect(paths.points.iter().map(|point| point.to_array()))?,
+        points: alloc::collect(paths.points.iter().map(DVec3::to_array))?,
         offsets: if paths.ends.is_empty() { vec![0] } else { alloc::copied(&paths.ends)? },
         closed: alloc::copied(&paths.closed)?,
     })

@@ -178,9 +178,9 @@ fn first_root<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
         return Some(0.5);
     }
     let (mut low, mut high) = (field, field);
-    for k in 1..N {
+    for (k, low) in low.iter_mut().enumerate().skip(1) {
         (0..N - k).for_each(|a| high[a] = 0.5 * (high[a] + high[a + 1]));
-        low[k] = high[0];
+        *low = high[0];
     }
     let first = first_root(low, depth - 1).map(|t| 0.5 * t);
     first.or_else(|| first_root(high, depth - 1).map(|t| 0.5 + 0.5 * t))

@@ -40,7 +40,7 @@ impl<const N: usize> Patch<N> {
         let cosine = u.mean.dot(v.mean) / (su * sv);
         // The smaller singular value of two unit vectors is sqrt(1 - |cosine|).
         let slowest = (1.0 - cosine.abs()).max(0.0).sqrt() - (u.radius / su).hypot(v.radius / sv);
-        if !(slowest > 1e-6) {
+        if slowest.is_nan() || slowest <= 1e-6 {
             return match depth {
                 0 => f64::INFINITY,
                 _ => self.quarters().iter().map(|part| part.curvature_bound(depth - 1)).fold(0.0, f64::max),
@@ -58,7 +58,7 @@ impl<const N: usize> Patch<N> {
 }
 
 fn longest(vectors: impl Iterator<Item = DVec3>) -> f64 {
-    vectors.map(|v| v.length_squared()).fold(0.0, f64::max).sqrt()
+    vectors.map(DVec3::length_squared).fold(0.0, f64::max).sqrt()
 }
 
 /// The mean of vectors, and how far they are from it.

@@ -66,7 +66,7 @@ pub fn search(
     job: &Job<'_>,
 ) -> Result<Found> {
     if let Goal::Within(within) = options.goal
-        && !(within >= 0.0)
+        && (within < 0.0 || within.is_nan())
     {
         return Err(Error::OptionOutOfRange { option: "within", value: within });
     }

@@ -48,7 +48,7 @@ pub fn swings_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a curvature that is no number or negative, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn swings_by_curvature(sheet: &Sheet<'_>, diameters: &Diameters, curvature: f64, job: &Job<'_>) -> Result<Sizes> {
-    if !(curvature >= 0.0) {
+    if curvature < 0.0 || curvature.is_nan() {
         return Err(Error::OptionOutOfRange { option: "curvature", value: curvature });
     }
     let lattice = Lattice::of(sheet);
