@@ -281,7 +281,7 @@ fn distance_from(sheet: &Sheet<'static>, curve: CurveView<'_>) -> f64 {
     let carcass = gusset::carcass::Carcass::new(vec![sheet.clone()], None, &Job::default()).unwrap();
     let mut worst = 0.0_f64;
     for segment in 0..curve.len() {
-        for t in [0.0, 0.3, 0.6, 0.9] {
+        for t in [0.05, 0.3, 0.6, 0.9] {
             let place = gusset::outline::Place { segment: segment as u32, t };
             let point = curve.point(place).unwrap();
             worst = worst.max(carcass.closest(point, f64::INFINITY).unwrap().distance);
