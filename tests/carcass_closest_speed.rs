@@ -53,10 +53,10 @@ fn measure(name: &str, grid: &Grid<'static>, point: impl Fn(f64, f64) -> DVec3) 
     let far: Vec<DVec3> = (0..count).map(|_| random.point(2.5)).collect();
     for (kind, queries) in [("near", &near), ("far", &far)] {
         let run = |job: &Job<'_>| {
-            1e6 / count as f64 * least(9, || drop(carcass.closest_all(queries, f64::INFINITY, job).unwrap()))
+            1e6 / f64::from(count) * least(9, || drop(carcass.closest_all(queries, f64::INFINITY, job).unwrap()))
         };
-        let single = 1e6 / count as f64
-            * least(3, || queries.iter().for_each(|&query| drop(carcass.closest(query, f64::INFINITY).unwrap())));
+        let single = 1e6 / f64::from(count)
+            * least(3, || queries.iter().for_each(|&query| assert!(carcass.closest(query, f64::INFINITY).is_some())));
         let found = carcass.closest_all(queries, f64::INFINITY, &one).unwrap();
         let unproven = found.iter().flatten().filter(|found| !found.proven).count();
         println!(

@@ -45,6 +45,7 @@ pub(crate) trait Cells<const N: usize>: Sync {
 impl<const N: usize> Patch<N> {
     /// A bound of the distance from the bilinear patch through the corners, at equal parameters: that of the control nets, of which the
     /// difference is the net.
+    #[allow(dead_code, reason = "for estimates of cells")]
     pub(crate) fn deviation(&self) -> f64 {
         let at = |k: usize| k as f64 / (N - 1) as f64;
         let [[p00, p01], [p10, p11]] = self.corners();

@@ -229,11 +229,8 @@ fn blended(weights: &[f64; TAPS], lines: &[Window; TAPS]) -> Window {
 fn bezier(line: &Window, place: usize, weights: &Weights) -> [DVec3; 4] {
     let point = |k: usize| DVec3::new(line[3 * k], line[3 * k + 1], line[3 * k + 2]);
     let inner = |weights: &[f64; TAPS]| {
-        let mut sum = weights[0] * point(0);
-        for k in 1..TAPS {
-            sum += weights[k] * point(k);
-        }
-        sum
+        let terms = weights.iter().enumerate().map(|(k, &weight)| weight * point(k));
+        terms.fold(DVec3::ZERO, |sum, term| sum + term)
     };
     [point(place), inner(&weights[1]), inner(&weights[2]), point(place + 1)]
 }

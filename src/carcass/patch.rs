@@ -64,10 +64,9 @@ impl<const N: usize> Patch<N> {
         let mut work = self.points;
         let low = 1.0 - u;
         for count in (4..=N).rev() {
-            for a in 0..count - 1 {
-                for b in 0..N {
-                    work[a][b] = low * work[a][b] + u * work[a + 1][b];
-                }
+            for a in 1..count {
+                let (before, after) = work.split_at_mut(a);
+                before[a - 1].iter_mut().zip(&after[0]).for_each(|(x, &next)| *x = low * *x + u * next);
             }
         }
         let degree = (N - 1) as f64;

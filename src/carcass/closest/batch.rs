@@ -37,7 +37,7 @@ impl Carcass<'_> {
         form: impl Fn(Option<Closest>) -> T + Sync,
         job: &Job<'_>,
     ) -> Result<()> {
-        if !(limit >= 0.0) {
+        if limit.is_nan() || limit < 0.0 {
             return Err(Error::OptionOutOfRange { option: "limit", value: limit });
         }
         if let Some(at) = queries.iter().position(|query| !query.is_finite()) {

@@ -3,7 +3,7 @@
 //! A patch is done when one of the bounds (see `bounds`) comes within the tolerance of the best point found, else it is cut into parts: those
 //! that may be nearest first.
 
-use super::descend::{Foot, descend};
+use super::descend::{FEW_STEPS, Foot, STEPS, descend};
 use crate::carcass::Patch;
 use glam::{DVec2, DVec3};
 
@@ -29,7 +29,7 @@ impl Found {
 /// How often a side may be halved.
 const DEPTH: i32 = 26;
 /// Parts of one patch that are looked at before it is given up.
-const PARTS: usize = 512;
+const PARTS: usize = 192;
 
 /// Part of a patch: its control net, where it is, and a lower bound of its distance.
 pub(super) struct Part<const N: usize> {
@@ -72,7 +72,7 @@ pub(crate) fn nearest<const N: usize>(
     work: &mut usize,
 ) -> Option<Found> {
     *work += 1;
-    let foot = descend(patch, query, start);
+    let foot = descend(patch, query, start, STEPS);
     let proven = proven(patch, query, &foot, 0.0, tolerance);
     if proven > limit {
         return None;
@@ -117,7 +117,7 @@ fn divided<const N: usize>(
             break;
         }
         looked_at += 1;
-        let local = descend(&part.patch, query, DVec2::splat(0.5));
+        let local = descend(&part.patch, query, DVec2::splat(0.5), FEW_STEPS);
         if local.distance < best.distance {
             // As the whole patch has it: the part's control points are rounded.
             let foot = Foot::at(patch, query, part.from + part.size * local.place);

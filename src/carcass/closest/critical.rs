@@ -7,14 +7,14 @@
 //! * *flat*: the distance varies by no more than the tolerance; then it is open whether there is one, as it is where all takes too long.
 
 use super::cell::Part;
-use super::descend::{Foot, descend, slopes};
+use super::descend::{Foot, STEPS, descend, slopes};
 use crate::carcass::Patch;
 use glam::{DVec2, DVec3};
 
 /// How often a side may be halved.
 const DEPTH: i32 = 26;
 /// Parts of one patch that are looked at before it is given up.
-const PARTS: usize = 512;
+const PARTS: usize = 192;
 
 /// A place where the distance is locally least, or may be.
 #[derive(Debug, Clone, Copy)]
@@ -47,7 +47,7 @@ pub(super) fn minima<const N: usize>(patch: &Patch<N>, query: DVec3, tolerance: 
             continue;
         }
         looked_at += 1;
-        let foot = descend(&part.patch, query, DVec2::splat(0.5));
+        let foot = descend(&part.patch, query, DVec2::splat(0.5), STEPS);
         let hessian = part.patch.hessian(query, &foot);
         if hessian.is_nowhere_definite() {
             continue;
@@ -101,12 +101,10 @@ fn may_be_flat<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
         ranges[k] = [ranges[k][0].min(slope), ranges[k][1].max(slope)];
         most[k] = most[k].max(along.length_squared());
     };
-    for a in 0..N - 1 {
-        for b in 0..N {
-            add(0, p[a + 1][b] - p[a][b]);
-            add(1, p[b][a + 1] - p[b][a]);
-        }
+    for (row, next) in p.iter().zip(&p[1..]) {
+        row.iter().zip(next).for_each(|(from, to)| add(0, *to - *from));
     }
+    p.iter().flat_map(|row| row.windows(2)).for_each(|pair| add(1, pair[1] - pair[0]));
     (0..2).all(|k| {
         let play = reach * most[k].sqrt() * (1.0 + 1e-9) + f64::MIN_POSITIVE;
         ranges[k][0] <= play && ranges[k][1] >= -play
@@ -138,7 +136,8 @@ fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl
     let degree = (N - 1) as f64;
     let mut parts = vec![(*points, 0.0, 1.0)];
     let mut looked_at = 0;
-    (add(0.0), add(1.0));
+    add(0.0);
+    add(1.0);
     while let Some((points, from, size)) = parts.pop() {
         looked_at += 1;
         let middle = points.iter().sum::<DVec3>() / N as f64;
@@ -162,9 +161,9 @@ fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl
         }
         let mut low = points;
         let mut high = points;
-        for k in 1..N {
+        for (k, low) in low.iter_mut().enumerate().skip(1) {
             (0..N - k).for_each(|a| high[a] = 0.5 * (high[a] + high[a + 1]));
-            low[k] = high[0];
+            *low = high[0];
         }
         parts.push((low, from, 0.5 * size));
         parts.push((high, from + 0.5 * size, 0.5 * size));
@@ -180,9 +179,9 @@ fn least_of<const N: usize>(points: &[DVec3; N], query: DVec3) -> f64 {
         let from = jet.point - query;
         let (slope, second) = (from.dot(jet.v), jet.v.length_squared() + from.dot(jet.vv));
         if slope > 0.0 {
-            high = t
+            high = t;
         } else {
-            low = t
+            low = t;
         }
         let next = t - slope / second;
         let next = if next > low && next < high { next } else { 0.5 * (low + high) };

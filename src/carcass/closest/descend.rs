@@ -3,8 +3,9 @@
 use crate::carcass::{Jet, Patch};
 use glam::{DMat2, DVec2, DVec3};
 
-/// Newton steps for one part.
-const STEPS: usize = 24;
+/// Newton steps for a patch, and for a part of one: if those do not do, cutting it does more.
+pub(super) const STEPS: usize = 24;
+pub(super) const FEW_STEPS: usize = 6;
 /// A full step below this is the last: the next one would be its square.
 const LAST: f64 = 1e-7;
 
@@ -30,9 +31,9 @@ impl Foot {
 }
 
 /// A point from which no permitted step goes down, or nearly: projected Newton steps on half the square of the distance.
-pub(super) fn descend<const N: usize>(patch: &Patch<N>, query: DVec3, start: DVec2) -> Foot {
+pub(super) fn descend<const N: usize>(patch: &Patch<N>, query: DVec3, start: DVec2, steps: usize) -> Foot {
     let mut foot = Foot::at(patch, query, start.clamp(DVec2::ZERO, DVec2::ONE));
-    for _ in 0..STEPS {
+    for _ in 0..steps {
         let (gradient, hessian) = slopes(&foot.jet, query);
         let free = [0, 1].map(|k| !held(foot.place[k], gradient[k]));
         let Some(step) = step(gradient, hessian, &foot.jet, free) else { break };

@@ -1,13 +1,14 @@
 //! What is known while the nearest point is looked for.
 
 use super::cell::Found;
-use super::search::{Candidate, Entry};
+use super::leaf::Candidate;
+use super::search::Entry;
 use crate::carcass::Place;
 use glam::DVec3;
 
 /// Patches and parts that are looked at before all but what must be nearer is dropped, and before the search ends.
 const MUCH: usize = 64;
-const MOST: usize = 2048;
+const MOST: usize = 512;
 /// Blocks that are looked at at most.
 const LEAVES: usize = 1 << 14;
 
@@ -74,7 +75,8 @@ impl Hunt {
 
     /// Begins a new search.
     pub(crate) fn begin(&mut self, query: DVec3, limit: f64, tolerance: f64) {
-        (self.near.clear(), self.candidates.clear());
+        self.near.clear();
+        self.candidates.clear();
         self.direction = DVec3::ZERO;
         (self.query, self.reach, self.tolerance) = (query, limit, tolerance);
         (self.dropped, self.work, self.leaves) = (f64::INFINITY, 0, 0);

@@ -2,7 +2,7 @@
 
 use super::cell::nearest;
 use super::critical::{Least, minima, side_minima};
-use super::descend::descend;
+use super::descend::{STEPS, descend};
 use super::region::check;
 use super::search::Block;
 use super::{Closest, Has, Seeker};
@@ -30,7 +30,7 @@ pub struct Minima {
 }
 
 /// Cells that may stay open before a search gives up.
-const OPEN: usize = 4096;
+const OPEN: usize = 512;
 /// Blocks between two chances to cancel.
 const ROUND: usize = 1 << 8;
 
@@ -214,7 +214,7 @@ impl Search<'_> {
                     continue;
                 };
                 if there.distance <= self.tolerance {
-                    let foot = descend(&patch, self.query, there.place);
+                    let foot = descend(&patch, self.query, there.place, STEPS);
                     let moved = foot.jet.point.distance(least.point) > 16.0 * self.tolerance;
                     if moved && foot.distance < least.distance {
                         return false;

@@ -9,6 +9,7 @@ mod cell;
 mod critical;
 mod descend;
 mod hunt;
+mod leaf;
 mod minima;
 mod region;
 mod search;
@@ -83,7 +84,7 @@ impl Carcass<'_> {
     }
 
     pub(crate) fn closest_with(&self, query: DVec3, limit: f64, seeker: &mut Seeker) -> Option<Closest> {
-        if !query.is_finite() || !(limit >= 0.0) {
+        if !query.is_finite() || limit.is_nan() || limit < 0.0 {
             return None;
         }
         let tolerance = self.tolerance().max(self.rounding(query));
