@@ -1,0 +1,31 @@
+// Benchmarks of carcasses: ours, trees of triangles and kernels of CAD in one process, by turns. Prints a table and writes a report.
+#include "carcass_cases.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+int main(int argc, char **argv) {
+    CLI::App app("Carcasses beside trees of triangles and kernels of CAD; ratio = peer / ours");
+    std::string only, out = "carcass.json";
+    int runs = 7;
+    double patience = 1500;
+    bool slow = false;
+    app.add_option("--only", only, "cases whose names contain this");
+    app.add_option("--runs", runs, "runs of each; medians are reported")->check(CLI::Range(1, 1000));
+    app.add_option("--patience", patience, "milliseconds after which one that is slow has no more runs");
+    app.add_option("--out", out, "the report");
+    app.add_flag("--slow", slow, "also what takes half a minute a run");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        carcass::Bench bench(runs, patience, only, slow);
+        carcass::same_nodes(bench);
+        carcass::many_nodes(bench);
+        carcass::kernels(bench);
+        bench.write(out);
+    } catch (const std::exception &error) {
+        std::cerr << "carcass: " << error.what() << '\n';
+        return 1;
+    }
+    return 0;
+}
