@@ -48,4 +48,6 @@ void same_nodes(Bench &bench);
 void many_nodes(Bench &bench);
 /// Beside kernels of CAD.
 void kernels(Bench &bench);
+/// What these are asked, for others.
+void write_questions(const std::string &path);
 } // namespace carcass

@@ -1,6 +1,8 @@
 // The cases with kernels of CAD: a torus by nodes, for them as a bicubic C2 spline through the same nodes.
 #include "carcass_cases.hpp"
 
+#include <fstream>
+
 namespace carcass {
 namespace {
 constexpr std::size_t ROWS = 51, COLUMNS = 101, QUERIES = 40, LINES = 20;
@@ -26,6 +28,8 @@ struct Toruses {
     std::map<std::string, std::unique_ptr<Solver>> solvers;
 };
 
+const Plane ACROSS = {{0.05, 0.1, 0.02}, {0.3, 0.5, 0.8124038404635961}};
+
 const std::vector<std::string> KERNELS = {"gusset", "sisl", "occt", "occt-exact"};
 
 void of_one(Bench &bench, Toruses &toruses) {
@@ -47,7 +51,7 @@ void of_one(Bench &bench, Toruses &toruses) {
     compare("carcass/line-spline", "us", 1e3 / LINES,
             [&](const std::string &who, Solver &solver) { return hits_of(who, solver, toruses.surface, asked, false); });
     compare("carcass/plane-spline", "ms", 1, [&](const std::string &who, Solver &solver) {
-        return section_of(who, solver, toruses.surface, {{0.05, 0.1, 0.02}, {0.3, 0.5, 0.8124038404635961}});
+        return section_of(who, solver, toruses.surface, ACROSS);
     });
 }
 
@@ -74,5 +78,26 @@ void kernels(Bench &bench) {
     Toruses a({}), b(SHIFT);
     of_one(bench, a);
     of_two(bench, a, b);
+}
+
+void write_questions(const std::string &path) {
+    const Toruses a({}), b(SHIFT);
+    const auto written = [](const Spline &spline) {
+        return nlohmann::json{{"rows", spline.rows},
+                              {"columns", spline.columns},
+                              {"u_knots", spline.u_knots},
+                              {"v_knots", spline.v_knots},
+                              {"controls", spline.controls}};
+    };
+    auto asked = nlohmann::json::array();
+    for (const Line &line : lines(a.surface, LINES)) {
+        asked.push_back({line.origin, line.direction});
+    }
+    std::ofstream(path) << nlohmann::json{{"splines", {written(a.spline), written(b.spline)}},
+                                          {"shift", SHIFT},
+                                          {"near", near_queries(a.surface, QUERIES)},
+                                          {"far", far_queries(a.surface, QUERIES)},
+                                          {"lines", asked},
+                                          {"plane", {ACROSS.origin, ACROSS.normal}}};
 }
 } // namespace carcass

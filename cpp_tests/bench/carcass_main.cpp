@@ -7,7 +7,7 @@
 
 int main(int argc, char **argv) {
     CLI::App app("Carcasses beside trees of triangles and kernels of CAD; ratio = peer / ours");
-    std::string only, out = "carcass.json";
+    std::string only, out = "carcass.json", questions;
     int runs = 7;
     double patience = 1500;
     bool slow = false;
@@ -15,9 +15,13 @@ int main(int argc, char **argv) {
     app.add_option("--runs", runs, "runs of each; medians are reported")->check(CLI::Range(1, 1000));
     app.add_option("--patience", patience, "milliseconds after which one that is slow has no more runs");
     app.add_option("--out", out, "the report");
+    app.add_option("--questions", questions, "also write what the kernels of CAD are asked into this file");
     app.add_flag("--slow", slow, "also what takes half a minute a run");
     CLI11_PARSE(app, argc, argv);
     try {
+        if (!questions.empty()) {
+            carcass::write_questions(questions);
+        }
         carcass::Bench bench(runs, patience, only, slow);
         carcass::same_nodes(bench);
         carcass::many_nodes(bench);
