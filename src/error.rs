@@ -265,6 +265,45 @@ pub enum Error {
         /// How far the two nodes there are apart.
         distance: f64,
     },
+    /// A direction of a spline has another number of knots than its control points and degree need.
+    WrongKnotCount {
+        /// 0 for u, 1 for v.
+        direction: u32,
+        /// The knots given.
+        given: u64,
+        /// The knots needed.
+        needed: u64,
+    },
+    /// A knot of a spline is not finite, less than the one before, or repeated too often; or the spline has no range.
+    BadKnot {
+        /// 0 for u, 1 for v.
+        direction: u32,
+        /// The knot.
+        knot: u32,
+        /// Its value.
+        value: f64,
+    },
+    /// A row and a column of a net of curves do not meet.
+    CurvesApart {
+        /// The row.
+        row: u32,
+        /// The column.
+        column: u32,
+        /// How far they are apart where they are nearest.
+        distance: f64,
+    },
+    /// A curve of a net meets the others in another order than they are given in.
+    CurvesOutOfOrder {
+        /// The row at the first crossing out of order.
+        row: u32,
+        /// The column.
+        column: u32,
+    },
+    /// There is no such place on the surface.
+    NoSuchSurfacePlace {
+        /// Which of the places given.
+        index: u64,
+    },
     /// Two nets cannot be joined, as faces of the one are to be taken the other way round.
     NetsOpposed,
     /// Faces of a mesh are no rectangular grid of quads.
@@ -414,6 +453,19 @@ impl fmt::Display for Error {
             Error::SidesApart { place, distance } => {
                 write!(f, "the sides to be welded are {distance} apart at place {place}")
             }
+            Error::WrongKnotCount { direction, given, needed } => {
+                write!(f, "direction {direction} has {given} knots; its control points and degree need {needed}")
+            }
+            Error::BadKnot { direction, knot, value } => {
+                write!(f, "knot {knot} of direction {direction}, {value}, is out of order or repeated too often")
+            }
+            Error::CurvesApart { row, column, distance } => {
+                write!(f, "row {row} and column {column} of the net are {distance} apart where they are nearest")
+            }
+            Error::CurvesOutOfOrder { row, column } => {
+                write!(f, "row {row} and column {column} of the net meet out of order")
+            }
+            Error::NoSuchSurfacePlace { index } => write!(f, "place {index} is not on the surface"),
             Error::NetsOpposed => {
                 f.write_str("faces of the second net are taken the other way round than those of the first: flip it")
             }

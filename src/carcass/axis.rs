@@ -81,6 +81,26 @@ impl Axis {
         (lines, &self.weights[cell - first])
     }
 
+    /// Where interval `cell` is among the nodes that it depends on.
+    pub(crate) fn place(&self, cell: usize) -> usize {
+        let first = cell.saturating_sub(2).min(self.lines.saturating_sub(TAPS));
+        if self.closed { 2 } else { cell - first }
+    }
+
+    /// The weights of intervals that are at `place` among their nodes; `None` if there are no such.
+    pub(crate) fn weights_at(&self, place: usize) -> Option<&Weights> {
+        let exists = if self.closed { place == 2 } else { place + 1 < self.lines.min(TAPS) };
+        exists.then(|| &self.weights[place])
+    }
+
+    /// The weights that make the slope at a line from the lines that they are of.
+    pub(crate) fn slope(&self, line: usize) -> ([usize; TAPS], [f64; TAPS]) {
+        let cell = if self.closed { line % self.cells() } else { line.min(self.cells() - 1) };
+        let (lines, points) = self.taps(cell);
+        let first = if cell == line || self.closed { 0 } else { 2 };
+        (lines, std::array::from_fn(|k| 3.0 * (points[first + 1][k] - points[first][k])))
+    }
+
     /// All lines that a range of intervals depends on, each once.
     pub(crate) fn lines_of(&self, cells: Range<usize>) -> impl Iterator<Item = usize> {
         let (before, count) = if self.closed {

@@ -161,6 +161,11 @@ impl<'a> Grid<'a> {
         [self.u.is_closed(), self.v.is_closed()]
     }
 
+    /// The directions u and v.
+    pub(super) fn axes(&self) -> [&Axis; 2] {
+        [&self.u, &self.v]
+    }
+
     /// The patch over the cell between the nodes (i, j) and (i + 1, j + 1).
     pub fn patch(&self, i: usize, j: usize) -> Patch<4> {
         let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
@@ -193,7 +198,7 @@ fn combined(weights: &[f64; TAPS], nodes: &[DVec3; TAPS]) -> DVec3 {
 }
 
 /// [`Error::SidesApart`] with the place of the largest gap, unless all gaps are 0.
-fn check_closed(count: usize, gap: impl Fn(usize) -> f64) -> Result<()> {
+pub(super) fn check_closed(count: usize, gap: impl Fn(usize) -> f64) -> Result<()> {
     let mut worst = (0, 0.0);
     for (place, distance) in (0..count).map(|place| (place, gap(place))) {
         if distance > worst.1 {

@@ -9,10 +9,15 @@
 mod axis;
 mod cells;
 mod closest;
+mod estimate;
+mod evaluate;
 mod grid;
 mod index;
 pub mod line;
+pub mod make;
+mod mesh;
 mod model;
+mod normal;
 mod patch;
 mod patches;
 mod path;
@@ -20,8 +25,11 @@ mod sheet;
 mod solve;
 
 pub use axis::Scheme;
+pub use evaluate::{Curvatures, Local};
 pub use grid::{Grid, MAX_NODES, Nodes};
+pub use mesh::{SurfaceMesh, SurfaceMeshOptions};
 pub use model::{Carcass, Closest, Place};
+pub use normal::{Normal, NormalKind};
 pub use patch::{Jet, Patch};
 pub use patches::{MAX_DEGREE, Patches};
 pub use path::Paths;

@@ -16,6 +16,7 @@ pub struct Patches<const N: usize> {
     patches: Arc<[Patch<N>]>,
     rows: usize,
     columns: usize,
+    closed: [bool; 2],
 }
 
 impl<const N: usize> Patches<N> {
@@ -48,8 +49,30 @@ impl<const N: usize> Patches<N> {
             let value = points[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
             return Err(Error::NodeNotFinite { node: at as u32, value });
         }
-        let patches = alloc::collect(points.chunks_exact(each).map(|net| raised(net, degrees)))?;
-        Ok(Patches { patches: patches.into(), rows, columns })
+        let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::raised(net, degrees)))?;
+        Ok(Self::of(patches, rows, columns))
+    }
+
+    /// `rows * columns` patches, at least one.
+    pub(crate) fn of(patches: Vec<Patch<N>>, rows: usize, columns: usize) -> Self {
+        let mut made = Patches { patches: patches.into(), rows, columns, closed: [false, false] };
+        let closed_u = |j: usize| made.get(0, j).points[0] == made.get(rows - 1, j).points[N - 1];
+        let closed_v = |i: usize| {
+            let (first, last) = (made.get(i, 0), made.get(i, columns - 1));
+            first.points.iter().zip(&last.points).all(|(first, last)| first[0] == last[N - 1])
+        };
+        made.closed = [rows > 2 && (0..columns).all(closed_u), columns > 2 && (0..rows).all(closed_v)];
+        made
+    }
+
+    /// The numbers of cells in u and in v.
+    pub fn cells(&self) -> [usize; 2] {
+        [self.rows, self.columns]
+    }
+
+    /// Whether it is closed in u and in v: three cells at least, and the control points of the last side are those of the first one.
+    pub fn is_closed(&self) -> [bool; 2] {
+        self.closed
     }
 
     /// The patch over the cell at (i, j).
@@ -58,20 +81,22 @@ impl<const N: usize> Patches<N> {
     }
 }
 
-/// A control net of lower degrees as one of degree N - 1.
-fn raised<const N: usize>(net: &[DVec3], [p, q]: [usize; 2]) -> Patch<N> {
-    let mut points = [[DVec3::ZERO; N]; N];
-    for (row, given) in points.iter_mut().zip(net.chunks_exact(q + 1)) {
-        row[..=q].copy_from_slice(given);
-        raise(row, q);
+impl<const N: usize> Patch<N> {
+    /// A control net of lower degrees as one of degree N - 1.
+    pub(crate) fn raised(net: &[DVec3], [p, q]: [usize; 2]) -> Patch<N> {
+        let mut points = [[DVec3::ZERO; N]; N];
+        for (row, given) in points.iter_mut().zip(net.chunks_exact(q + 1)) {
+            row[..=q].copy_from_slice(given);
+            raise(row, q);
+        }
+        let mut patch = Patch { points }.transposed();
+        patch.points.iter_mut().for_each(|column| raise(column, p));
+        patch.transposed()
     }
-    let mut patch = Patch { points }.transposed();
-    patch.points.iter_mut().for_each(|column| raise(column, p));
-    patch.transposed()
 }
 
 /// Raises a curve of `degree` to degree N - 1: P'_k = k / n P_k-1 + (1 - k / n) P_k, n the new degree.
-fn raise<const N: usize>(points: &mut [DVec3; N], degree: usize) {
+pub(crate) fn raise<const N: usize>(points: &mut [DVec3; N], degree: usize) {
     for n in degree + 1..N {
         points[n] = points[n - 1];
         for k in (1..n).rev() {

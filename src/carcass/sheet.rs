@@ -33,6 +33,11 @@ impl Sheet<'_> {
         each_sheet!(self, cells => cells.counts())
     }
 
+    /// Whether it is closed in u and in v: the first line of nodes follows on the last but one.
+    pub fn is_closed(&self) -> [bool; 2] {
+        each_sheet!(self, cells => cells.is_closed())
+    }
+
     /// The corner of cells at (i, j).
     pub fn corner(&self, i: usize, j: usize) -> DVec3 {
         each_sheet!(self, cells => cells.corner(i, j))
@@ -44,19 +49,5 @@ impl Sheet<'_> {
             patch.jet(u, v)
         }
         each_sheet!(self, cells => of(&Cells::patch(cells, i, j), u, v))
-    }
-
-    /// The unit normal, S_u x S_v, at parameters (u, v) of the cell at (i, j), or its limit where a side of the cell is one point; 0 if there is
-    /// none.
-    pub fn normal(&self, i: usize, j: usize, u: f64, v: f64) -> DVec3 {
-        let here = self.jet(i, j, u, v);
-        let regular =
-            |jet: &Jet| jet.normal().length_squared() > 1e-20 * jet.u.length_squared() * jet.v.length_squared();
-        if regular(&here) {
-            return here.normal().normalize_or_zero();
-        }
-        // A little inwards.
-        let inwards = |x: f64| x + 1e-4 * (0.5 - x).signum();
-        self.jet(i, j, inwards(u), inwards(v)).normal().normalize_or_zero()
     }
 }

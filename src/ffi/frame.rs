@@ -24,11 +24,13 @@ pub const GUSSET_CORRESPONDENCE_LANDMARKS: u32 = 3;
 
 /// Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing of the points.
 pub struct gusset_frame {
-    grid: NodeGrid,
-    across: gusset_outline,
-    along: gusset_outline,
+    pub(super) grid: NodeGrid,
+    pub(super) across: gusset_outline,
+    pub(super) along: gusset_outline,
     options: Options,
-    closed: bool,
+    /// Whether the sections are closed, and whether the last one is followed by the first.
+    pub(super) closed: bool,
+    pub(super) ring: bool,
 }
 
 /// How a frame is made; all zero is the default: the points themselves are the nodes.
@@ -166,7 +168,7 @@ pub unsafe extern "C" fn gusset_frame_create(
         let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
         let closed = given.outlines().closed;
         let (across, along) = (gusset_outline(across), gusset_outline(along));
-        Ok(gusset_frame { grid, across, along, options: options.across, closed })
+        Ok(gusset_frame { grid, across, along, options: options.across, closed, ring: options.ring })
     })
 }
 

@@ -18,6 +18,7 @@
 //! | [`net_normals`], [`net_measure`], [`net_resample`] | normals, areas and volumes, other sizes |
 //! | [`net_arrange`], [`net_join`] | nets arranged anew; nets joined and taken apart |
 //! | [`net_mesh`], [`net_scene`], [`net_stream`] | nets to meshes and back; nets in groups; nets as bytes |
+//! | [`sheet_make`], [`sheet_ask`], [`sheet_mesh`], [`carcass_evaluate`] | other kinds of sheets, what they are, meshes of them, points on them |
 //! | [`sheet`], [`carcass`] | pieces of smooth surface; the handle of a surface with its index, places and curves on it |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
@@ -33,6 +34,7 @@
 pub mod assembly;
 pub mod boundary;
 pub mod carcass;
+pub mod carcass_evaluate;
 pub mod check;
 pub mod context;
 pub mod curve;
@@ -67,6 +69,9 @@ pub mod orient;
 pub mod outline;
 pub mod outline_options;
 pub mod sheet;
+pub mod sheet_ask;
+pub mod sheet_make;
+pub mod sheet_mesh;
 pub mod status;
 pub mod stitch;
 pub mod stitch_options;

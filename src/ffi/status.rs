@@ -96,6 +96,10 @@ pub enum gusset_status {
     GUSSET_ERROR_FIELD_UNDEFINED = 1320,
     /// A net is glued elsewhere than along whole sides, or has bridges.
     GUSSET_ERROR_GLUED_INSIDE = 1321,
+    /// Knots of a spline: their number does not fit, or one is out of order or repeated too often.
+    GUSSET_ERROR_BAD_KNOTS = 1410,
+    /// Curves of a net do not meet, or not in the order given.
+    GUSSET_ERROR_CURVES_APART = 1411,
     /// Memory could not be had.
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
     /// The host cancelled.
@@ -126,7 +130,7 @@ pub const GUSSET_ELEMENT_COUNT: gusset_element = 6;
 pub const GUSSET_ELEMENT_POINT: gusset_element = 7;
 /// A constraint on an outline.
 pub const GUSSET_ELEMENT_CONSTRAINT: gusset_element = 8;
-/// One of the places on a curve that were given.
+/// One of the places on a curve or a surface that were given.
 pub const GUSSET_ELEMENT_PLACE: gusset_element = 9;
 /// A section of a frame, or a plane, counted from 0; the value is the column or the number of points.
 pub const GUSSET_ELEMENT_SECTION: gusset_element = 12;
@@ -148,6 +152,10 @@ pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
 pub const GUSSET_ELEMENT_ITEM: gusset_element = 21;
 /// A place along the side of a net; the value is a distance.
 pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;
+/// A knot of a spline, in u or in v as the message says.
+pub const GUSSET_ELEMENT_KNOT: gusset_element = 30;
+/// A row of a net of curves; the message has the column, the value is how far they are apart.
+pub const GUSSET_ELEMENT_ROW: gusset_element = 31;
 
 /// A failure on its way to the host.
 #[derive(Debug)]
@@ -267,6 +275,13 @@ impl From<Error> for Failure {
             Error::SidesApart { place, distance } => {
                 (GUSSET_ERROR_SIDES_DIFFER, GUSSET_ELEMENT_SIDE_PLACE, place.into(), distance)
             }
+            Error::WrongKnotCount { given, .. } => count(GUSSET_ERROR_BAD_KNOTS, given),
+            Error::BadKnot { knot, value, .. } => (GUSSET_ERROR_BAD_KNOTS, GUSSET_ELEMENT_KNOT, knot.into(), value),
+            Error::CurvesApart { row, distance, .. } => {
+                (GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_ROW, row.into(), distance)
+            }
+            Error::CurvesOutOfOrder { row, .. } => at(GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_ROW, row),
+            Error::NoSuchSurfacePlace { index } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_PLACE, index, 0.0),
             Error::NetsOpposed => none(GUSSET_ERROR_ORIENTATION_CONFLICT),
             Error::NoGrid { face } => at(GUSSET_ERROR_NO_GRID, GUSSET_ELEMENT_FACE, face),
             Error::BadStream { byte, .. } => (GUSSET_ERROR_BAD_STREAM, GUSSET_ELEMENT_BYTE, byte, 0.0),
@@ -341,6 +356,8 @@ pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
         1307 => c"the scene has no nets",
         1320 => c"field not defined at a node",
         1321 => c"glued elsewhere than along sides",
+        1410 => c"knots do not fit",
+        1411 => c"curves of a net do not meet",
         2000 => c"out of memory",
         2001 => c"cancelled",
         9999 => c"internal error",

@@ -61,3 +61,20 @@ pub fn grid(shape: &Shape) -> Grid<'static> {
     let nodes = Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap();
     Grid::new(nodes, shape.closed, Scheme::SixTap).unwrap()
 }
+
+/// The port half of Wigley's hull, whose offsets are y = B/2 (1 - 4 x^2 / L^2) (1 - z^2 / T^2): length L = 1, beam B = 1/10, draught
+/// T = 1/16; x forward, z up. Rows are stations from stem to stern, columns waterlines from the keel to the water at z = 0, normals outwards. It is of
+/// degree 2 in each parameter, so that grids are the hull itself.
+pub const WIGLEY: Shape =
+    Shape { name: "hull", cells: [40, 12], closed: [false, false], point: |u, v| wigley(0.5 - u, (v - 1.0) / 16.0) };
+
+/// The port side at station x, -1/2 to 1/2, and waterline z, -1/16 to 0.
+pub fn wigley(x: f64, z: f64) -> DVec3 {
+    DVec3::new(x, 0.05 * (1.0 - 4.0 * x * x) * (1.0 - 256.0 * z * z), z)
+}
+
+/// Both sides of the hull, port first, with normals outwards. They meet at keel, stem and stern.
+pub fn wigley_hull() -> [Grid<'static>; 2] {
+    let starboard = |u: f64, v: f64| wigley(u - 0.5, (v - 1.0) / 16.0) * DVec3::new(1.0, -1.0, 1.0);
+    [grid(&WIGLEY), grid(&Shape { point: starboard, ..WIGLEY })]
+}

@@ -1,0 +1,23 @@
+//! Sheets from other things than a bare grid of nodes.
+//!
+//! * [`Tangents`]: nodes with given tangents; bicubic Hermite patches.
+//! * [`Spline`]: tensor-product B-splines, cut into their Bézier patches.
+//! * [`CurveNet`]: curves across and along that meet, or curves across alone; Gordon's surface, which contains them.
+//! * [`FrameSurface`]: a frame of outlines, its nodes or its curves.
+//!
+//! All of them give Bézier patches that share their sides to the bit. Rational patches are not made: their quotients have no control nets
+//! that the bounds of searches could be taken from.
+
+mod blend;
+mod frame;
+mod hermite;
+mod meet;
+mod net;
+mod spline;
+mod strand;
+
+pub use frame::FrameSurface;
+pub use hermite::{Tangents, Twists};
+pub use net::CurveNet;
+pub use spline::{Spline, SplineAxis};
+pub(super) use strand::{part, point};
