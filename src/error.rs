@@ -337,6 +337,13 @@ pub enum Error {
     },
     /// A net is glued elsewhere than along whole sides, or has bridges: rows and columns cannot be added or left out evenly.
     GluedInside,
+    /// A line is not finite, has no direction, or ends before it begins.
+    BadLine {
+        /// Which of the lines given.
+        line: u64,
+        /// The number that is wrong.
+        value: f64,
+    },
     /// An option is outside its range.
     OptionOutOfRange {
         /// The option's name.
@@ -478,6 +485,9 @@ impl fmt::Display for Error {
                 write!(f, "at node {node} the field is not defined, or what it gives is too large")
             }
             Error::GluedInside => f.write_str("the net is glued elsewhere than along whole sides, or has bridges"),
+            Error::BadLine { line, value } => {
+                write!(f, "line {line} is not finite, has no direction, or ends before it begins: {value}")
+            }
             Error::OptionOutOfRange { option, value } => {
                 write!(f, "option {option} is out of range: {value}")
             }

@@ -1,6 +1,7 @@
 //! What searches need to know of a sheet: its cells, their corners, their patches, and how far they are from flat.
 
 use super::Patch;
+use super::solve::Field;
 use glam::DVec3;
 
 /// Cells in u and in v of a block, the unit of the index.
@@ -16,6 +17,12 @@ pub(crate) trait Cells<const N: usize>: Sync {
 
     /// The surface over the cell at (i, j).
     fn patch(&self, i: usize, j: usize) -> Patch<N>;
+
+    /// Where the surface over a cell is, seen from `origin` along two directions.
+    fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<N>; 2] {
+        let patch = self.patch(i, j);
+        across.map(|direction| Field { c: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))) })
+    }
 
     /// For each block in a row of blocks, a bound of the distance of the surface over any of its cells from the bilinear patch through
     /// the cell's corners, at equal parameters.

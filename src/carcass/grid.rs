@@ -2,9 +2,10 @@
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, Cells};
+use super::solve::Field;
 use super::{Patch, Scheme};
 use crate::error::{Error, Result};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -197,6 +198,19 @@ fn combined(weights: &[f64; TAPS], nodes: &[DVec3; TAPS]) -> DVec3 {
     sum
 }
 
+/// The four Bézier points of the interval after node `place`.
+#[inline(always)]
+fn bezier(nodes: &[DVec2; TAPS], place: usize, weights: &Weights) -> [DVec2; 4] {
+    let inner = |weights: &[f64; TAPS]| {
+        let mut sum = weights[0] * nodes[0];
+        for k in 1..TAPS {
+            sum += weights[k] * nodes[k];
+        }
+        sum
+    };
+    [nodes[place], inner(&weights[1]), inner(&weights[2]), nodes[place + 1]]
+}
+
 /// [`Error::SidesApart`] with the place of the largest gap, unless all gaps are 0.
 pub(super) fn check_closed(count: usize, gap: impl Fn(usize) -> f64) -> Result<()> {
     let mut worst = (0, 0.0);
@@ -222,6 +236,28 @@ impl Cells<4> for Grid<'_> {
 
     fn patch(&self, i: usize, j: usize) -> Patch<4> {
         Grid::patch(self, i, j)
+    }
+
+    /// The sums over the nodes of numbers, in place of points: the first and the last of four Bézier points are nodes.
+    fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<4>; 2] {
+        let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
+        let (from_row, from_column) = (self.u.place(i), self.v.place(j));
+        let mut along = [[DVec2::ZERO; 4]; TAPS];
+        for (points, &row) in along.iter_mut().zip(&rows) {
+            let heights = columns.map(|column| {
+                let from = self.nodes.get(row, column) - origin;
+                DVec2::new(from.dot(across[0]), from.dot(across[1]))
+            });
+            *points = bezier(&heights, from_column, column_weights);
+        }
+        let mut fields = [Field { c: [[0.0; 4]; 4] }; 2];
+        for b in 0..4 {
+            let column = bezier(&along.map(|row| row[b]), from_row, row_weights);
+            for (a, pair) in column.into_iter().enumerate() {
+                (fields[0].c[a][b], fields[1].c[a][b]) = (pair.x, pair.y);
+            }
+        }
+        fields
     }
 
     /// Over a cell S = sum w_k(u) C_k(v), C_k the cubics along six rows, sum |w_k| <= L; B = (1 - u) L_i(v) + u L_i+1(v), L_k the chord of

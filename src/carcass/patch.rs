@@ -104,6 +104,13 @@ impl Jet {
         self.u.cross(self.v)
     }
 
+    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not.
+    pub fn unit_normal(&self) -> Option<DVec3> {
+        let normal = self.normal();
+        let regular = normal.length_squared() > 1e-20 * self.u.length_squared() * self.v.length_squared();
+        if regular { normal.try_normalize() } else { None }
+    }
+
     /// Mean and Gaussian curvature, for the normal S_u x S_v; `None` where the surface is not regular.
     pub fn curvatures(&self) -> Option<(f64, f64)> {
         let normal = self.normal().try_normalize()?;

@@ -289,6 +289,7 @@ impl From<Error> for Failure {
             Error::EmptyScene => none(GUSSET_ERROR_EMPTY_SCENE),
             Error::FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node),
             Error::GluedInside => none(GUSSET_ERROR_GLUED_INSIDE),
+            Error::BadLine { line, value } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, line, value),
             Error::OptionOutOfRange { value, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, value),
             Error::OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Error::Cancelled => none(GUSSET_ERROR_CANCELLED),

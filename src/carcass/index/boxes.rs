@@ -5,8 +5,8 @@ use glam::{DMat3, DVec3};
 /// The bounding boxes of four neighbouring blocks, side by side; those of blocks that do not exist are empty.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Group {
-    low: [[f32; 4]; 3],
-    high: [[f32; 4]; 3],
+    pub(super) low: [[f32; 4]; 3],
+    pub(super) high: [[f32; 4]; 3],
 }
 
 /// A box in any direction.
@@ -39,6 +39,11 @@ impl Bounds {
 
     pub(crate) fn grown(self, by: f64) -> Bounds {
         Bounds { low: self.low - by, high: self.high + by }
+    }
+
+    /// False if they are apart.
+    pub(crate) fn meets(&self, other: &Bounds) -> bool {
+        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -152,6 +157,22 @@ impl Oriented {
             distance > half[p] * along[q].abs() + half[q] * along[p].abs()
         };
         !(apart(0, 1) || apart(1, 2) || apart(2, 0))
+    }
+
+    /// False if all of some points are beyond one of its sides, and so their hull is.
+    pub(crate) fn meets_hull(&self, points: &[DVec3]) -> bool {
+        let (frame, half) = (self.frame(), DVec3::from_array(self.half.map(f64::from)));
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let mut farthest = 0.0_f64;
+        for &point in points {
+            let from = point - self.centre();
+            let along = frame * from;
+            (low, high) = (low.min(along), high.max(along));
+            farthest = farthest.max(from.length_squared());
+        }
+        // The axes are orthonormal to 1e-7 only.
+        let play = 1e-6 * farthest.sqrt();
+        (low - half).max(-half - high).max_element() <= play
     }
 
     /// The corners.

@@ -5,8 +5,10 @@
 //! (the theorem of hierarchies: a block may be dropped by any set that contains it).
 
 mod boxes;
+mod slab;
 
 pub(crate) use boxes::{Bounds, Group, Oriented};
+pub(crate) use slab::Slab;
 
 use super::cells::{BLOCK, Cells};
 use crate::alloc;

@@ -1,13 +1,21 @@
-//! Task c) of the paper: where a line meets the surface.
+//! Task c) of the paper: where a line or a curve meets the surface.
 //!
 //! A line is where two planes meet: over a cell its points are the common roots of two fields, of which none is missed (see `solve`).
+//! What is not resolved by these, lines that touch the surface or run in it, is looked at as a curve, whose parameter tells from where to
+//! where it lasts.
 
+mod batch;
+mod curve;
+mod hits;
 mod search;
+
+pub use batch::Lines;
+pub use curve::CurveHit;
 
 use super::{Carcass, Place, each_sheet};
 use crate::error::{Error, Result};
 use glam::DVec3;
-use search::search;
+use search::{Scratch, search};
 
 /// A line, ray or segment: origin + t * direction for t from `from` to `to`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,16 +48,27 @@ impl Line {
 
     fn check(&self) -> Result<()> {
         let bad = |value: f64, option| Err(Error::OptionOutOfRange { option, value });
-        if !self.origin.is_finite() {
-            return bad(f64::NAN, "origin");
+        if let Some(value) = self.origin.to_array().into_iter().find(|x| !x.is_finite()) {
+            return bad(value, "origin");
         }
-        if !(self.direction.is_finite() && self.direction.length_squared() > 0.0) {
-            return bad(self.direction.length(), "direction");
+        if let Some(value) = self.direction.to_array().into_iter().find(|x| !x.is_finite()) {
+            return bad(value, "direction");
+        }
+        if self.direction == DVec3::ZERO {
+            return bad(0.0, "direction");
         }
         if self.from.is_nan() || self.to.is_nan() || self.from > self.to {
             return bad(self.from, "from");
         }
         Ok(())
+    }
+
+    /// The unit vector along it and the length of the direction, whatever its size.
+    fn along(&self) -> (DVec3, f64) {
+        let largest = self.direction.abs().max_element();
+        let scaled = self.direction / largest;
+        let length = scaled.length();
+        (scaled / length, length * largest)
     }
 }
 
@@ -58,12 +77,19 @@ impl Line {
 pub struct Hit {
     /// Where on the line.
     pub t: f64,
+    /// From where to where the line cannot be told from the surface, within the tolerance: [t, t] where it passes through.
+    pub span: [f64; 2],
     /// Where on the surface.
     pub place: Place,
     /// The point of the surface.
     pub point: DVec3,
-    /// True if the line touches the surface there, or nearly: it may be one point, two close to each other, or none.
+    /// The unit normal there, or its limit at a pole; 0 if there is none.
+    pub normal: DVec3,
+    /// True if the line touches the surface there, or nearly, or runs in it: it may be one point, two close to each other, none, or all
+    /// of the span.
     pub tangent: bool,
+    /// How often the hit counts: 1 where the line passes through, 2 where it touches, 0 where it runs in the surface.
+    pub multiplicity: u32,
 }
 
 /// Which hits are wanted.
@@ -81,25 +107,41 @@ pub enum Which {
 impl Carcass<'_> {
     /// Where a line meets the surface, by rising t.
     ///
-    /// A point on a side between cells is found once. None is missed: where touching or coincidence cannot be resolved, a hit is
-    /// given for each such spot and marked tangent.
+    /// A point on a side between cells, on a side that sheets share, or at a pole is found once. None is missed: where touching or
+    /// coincidence cannot be resolved, a hit is given for each such spot and marked tangent. About O(log cells) and O(1) a hit; bounded for
+    /// each cell that a line runs in.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction.
     pub fn line(&self, line: &Line, which: Which) -> Result<Vec<Hit>> {
         line.check()?;
-        let mut hits: Vec<Hit> = Vec::new();
+        let mut scratch = Scratch::default();
+        self.meet(line, which, &mut scratch);
+        Ok(scratch.hits)
+    }
+
+    /// Leaves the hits of a line that was checked in the scratch, by rising t.
+    fn meet(&self, line: &Line, which: Which, scratch: &mut Scratch) {
+        scratch.hits.clear();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
-            each_sheet!(sheet, cells => search(cells, index, k as u32, line, which, self.tolerance(), &mut hits));
-            if which == Which::Any && !hits.is_empty() {
+            each_sheet!(sheet, cells => search(cells, index, k as u32, line, which, self.tolerance(), scratch));
+            if which == Which::Any && !scratch.hits.is_empty() {
                 break;
             }
         }
-        hits.sort_by(|a, b| a.t.total_cmp(&b.t));
-        if which != Which::All {
-            hits.truncate(1);
+        self.settle(line, &mut scratch.hits);
+        if which == Which::First && scratch.hits.first().is_some_and(|hit| hit.tangent) {
+            // What belongs to the spot may begin beyond it.
+            return self.meet_first_of_all(line, scratch);
         }
-        Ok(hits)
+        if which != Which::All {
+            scratch.hits.truncate(1);
+        }
+    }
+
+    fn meet_first_of_all(&self, line: &Line, scratch: &mut Scratch) {
+        self.meet(line, Which::All, scratch);
+        scratch.hits.truncate(1);
     }
 }

@@ -2,22 +2,110 @@
 
 use super::{Hit, Line, Which};
 use crate::carcass::cells::{BLOCK, Cells};
-use crate::carcass::index::{Bounds, Pyramid};
-use crate::carcass::solve::{Field, Roots, roots};
+use crate::carcass::index::{Pyramid, Slab};
+use crate::carcass::solve::{Crossings, Room, Roots, Spot, crossings, simple_roots};
 use crate::carcass::{Patch, Place};
 use glam::{DVec2, DVec3};
 
-/// What the search needs to know of the line.
-struct Ray {
-    /// Relative to the index's origin.
-    origin: DVec3,
-    direction: DVec3,
-    inverse: DVec3,
-    /// Two directions across the line, and each other.
-    across: [DVec3; 2],
+/// What searches need again and again, for patches of degree N - 1.
+pub(super) struct Solver<const N: usize> {
+    roots: Roots<N>,
+    room: Room<2, N>,
+    crossings: Crossings,
 }
 
-/// Adds the hits of one sheet.
+impl<const N: usize> Default for Solver<N> {
+    fn default() -> Self {
+        Solver { roots: Roots::default(), room: Room::default(), crossings: Crossings::default() }
+    }
+}
+
+/// The same for sheets of all kinds, and what was found.
+#[derive(Default)]
+pub(super) struct Scratch {
+    pub(super) hits: Vec<Hit>,
+    cubic: Solver<4>,
+    high: Solver<8>,
+}
+
+/// Which of the solvers patches of degree N - 1 need.
+pub(super) trait Solve<const N: usize> {
+    fn parts(&mut self) -> (&mut Solver<N>, &mut Vec<Hit>);
+}
+
+impl Solve<4> for Scratch {
+    fn parts(&mut self) -> (&mut Solver<4>, &mut Vec<Hit>) {
+        (&mut self.cubic, &mut self.hits)
+    }
+}
+
+impl Solve<8> for Scratch {
+    fn parts(&mut self) -> (&mut Solver<8>, &mut Vec<Hit>) {
+        (&mut self.high, &mut self.hits)
+    }
+}
+
+/// A line as a sheet sees it: by the distance from its foot, the point nearest to the index's origin.
+struct Ray {
+    line: Line,
+    /// The foot, relative to the index's origin, and in space.
+    local: DVec3,
+    foot: DVec3,
+    along: DVec3,
+    length: f64,
+    /// Two directions across the line, and each other.
+    across: [DVec3; 2],
+    /// The parameter of the foot.
+    start: f64,
+    /// How far the foot and the nodes may be off for rounding.
+    noise: f64,
+}
+
+impl Ray {
+    fn new(line: &Line, index: &Pyramid) -> Ray {
+        let (along, length) = line.along();
+        let from = line.origin - index.origin();
+        let distance = -from.dot(along);
+        let local = from + distance * along;
+        let (first, second) = along.any_orthonormal_pair();
+        let bounds = index.bounds();
+        let reach = bounds.low.abs().max(bounds.high.abs()).length() + from.length() + line.origin.length();
+        Ray {
+            line: *line,
+            local,
+            foot: local + index.origin(),
+            along,
+            length,
+            across: [first, second],
+            start: distance / length,
+            noise: 8.0 * f64::EPSILON * reach,
+        }
+    }
+
+    /// The distance from the foot of a parameter.
+    fn distance(&self, t: f64) -> f64 {
+        (t - self.start) * self.length
+    }
+
+    /// The parameter of a point.
+    fn parameter(&self, point: DVec3) -> f64 {
+        (point - self.line.origin).dot(self.along) / self.length
+    }
+}
+
+/// A block to be looked at: where the line enters it, and where it is.
+#[derive(Debug, Clone, Copy, Default)]
+struct Entry {
+    enters: f64,
+    level: u32,
+    row: u32,
+    column: u32,
+}
+
+/// The most entries that wait: three for each level of a pyramid over 2^31 nodes, which has at most 30 levels.
+const WAITING: usize = 3 * 30 + 4;
+
+/// Adds the hits of one sheet. Of all, every cell's; else those up to the first, and what may be one with it.
 pub(super) fn search<const N: usize>(
     cells: &impl Cells<N>,
     index: &Pyramid,
@@ -25,113 +113,94 @@ pub(super) fn search<const N: usize>(
     line: &Line,
     which: Which,
     tolerance: f64,
-    hits: &mut Vec<Hit>,
+    scratch: &mut impl Solve<N>,
 ) {
-    let (first, second) = line.direction.normalize().any_orthonormal_pair();
-    let ray = Ray {
-        origin: line.origin - index.origin(),
-        direction: line.direction,
-        inverse: line.direction.recip(),
-        across: [first, second],
-    };
+    let (solver, hits) = scratch.parts();
+    let ray = Ray::new(line, index);
+    let play = ray.noise;
+    let slab = Slab::new(ray.local, ray.along, play);
+    let (from, to) = (ray.distance(line.from) - play, ray.distance(line.to) + play);
+    let mut leaf = Leaf { cells, index, sheet, ray: &ray, tolerance, solver };
     let levels = index.levels();
-    let mut stack = vec![(line.from, levels.len(), 0, 0)];
-    let own = hits.len();
-    while let Some((from, level, row, column)) = stack.pop() {
-        let farthest = match which {
-            Which::First => hits.iter().map(|hit| hit.t).fold(line.to, f64::min),
-            _ => line.to,
-        };
-        if from > farthest {
+    let mut stack = [Entry::default(); WAITING];
+    let mut count = 1;
+    stack[0] = Entry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
+    // Where what is beyond does not matter.
+    let mut farthest = to;
+    let first = |farthest: f64, hits: &[Hit]| match which {
+        Which::First => {
+            let reach = 4.0 * tolerance + play;
+            hits.iter().map(|hit| ray.distance(hit.t) + reach).fold(farthest, f64::min)
+        }
+        _ => farthest,
+    };
+    farthest = first(farthest, hits);
+    while count > 0 {
+        count -= 1;
+        let Entry { enters, level, row, column } = stack[count];
+        if enters > farthest {
             continue;
         }
+        let (row, column) = (row as usize, column as usize);
         if level == 0 {
-            let leaf = Leaf { cells, index, sheet, line, ray: &ray, tolerance, own };
+            let known = hits.len();
             leaf.search(row, column, hits);
-            if which == Which::Any && hits.len() > own {
-                return;
+            if hits.len() > known {
+                if which == Which::Any {
+                    return;
+                }
+                farthest = first(farthest, &hits[known..]);
             }
             continue;
         }
-        let level_below = &levels[level - 1];
-        let group = level_below.group(row, column);
-        let mut children = [None; 4];
-        for (child, entry) in children.iter_mut().enumerate() {
+        let level_below = &levels[level as usize - 1];
+        let [near, far] = slab.through(level_below.group(row, column), from, farthest);
+        let waiting = count;
+        for child in 0..4 {
             let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-            if let Some([from, to]) = ray.through(&group.get(child), line.from, farthest)
-                && from <= to
-                && level_below
-                    .oriented(row, column)
-                    .is_none_or(|oriented| oriented.meets_line(ray.origin, ray.direction))
+            let oriented = |row, column| level_below.oriented(row, column);
+            if near[child] > far[child]
+                || oriented(row, column).is_some_and(|oriented| !oriented.meets_line(ray.local, ray.along))
             {
-                *entry = Some((from, level - 1, row, column));
-            }
-        }
-        // The nearest last, to be taken first.
-        children.sort_by(|a, b| {
-            let from = |entry: &Option<(f64, usize, usize, usize)>| entry.map_or(f64::INFINITY, |entry| entry.0);
-            from(b).total_cmp(&from(a))
-        });
-        stack.extend(children.into_iter().flatten());
-    }
-}
-
-impl Ray {
-    /// The part of from..to in which the line is in a box.
-    #[inline]
-    fn through(&self, bounds: &Bounds, from: f64, to: f64) -> Option<[f64; 2]> {
-        if bounds.is_empty() {
-            return None;
-        }
-        let (mut near, mut far) = (from, to);
-        for axis in 0..3 {
-            let (low, high) = (bounds.low[axis] - self.origin[axis], bounds.high[axis] - self.origin[axis]);
-            if self.direction[axis] == 0.0 {
-                if low > 0.0 || high < 0.0 {
-                    return None;
-                }
                 continue;
             }
-            let (a, b) = (low * self.inverse[axis], high * self.inverse[axis]);
-            // A little wider than the box, for rounding.
-            let play = 4.0 * f64::EPSILON * a.abs().max(b.abs());
-            near = near.max(a.min(b) - play);
-            far = far.min(a.max(b) + play);
+            // Sorted as they come: the nearest is taken first, being last.
+            let mut at = count;
+            while at > waiting && stack[at - 1].enters < near[child] {
+                stack[at] = stack[at - 1];
+                at -= 1;
+            }
+            stack[at] = Entry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
+            count += 1;
         }
-        (near <= far).then_some([near, far])
     }
 }
 
 /// What the search of a block needs.
-struct Leaf<'a, C> {
+struct Leaf<'a, C, const N: usize> {
     cells: &'a C,
     index: &'a Pyramid,
     sheet: u32,
-    line: &'a Line,
     ray: &'a Ray,
     tolerance: f64,
-    /// The first hit of this sheet.
-    own: usize,
+    solver: &'a mut Solver<N>,
 }
 
-impl<C> Leaf<'_, C> {
-    fn search<const N: usize>(&self, row: usize, column: usize, hits: &mut Vec<Hit>)
-    where
-        C: Cells<N>,
-    {
+impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
+    fn search(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) {
         let [rows, columns] = self.cells.counts();
         let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
         let (left, right) = (column * BLOCK, columns.min((column + 1) * BLOCK));
-        let deviation = self.index.deviation(row, column);
+        let deviation = self.index.deviation(row, column) + self.ray.noise;
         let mut corners = [[DVec2::ZERO; BLOCK + 1]; BLOCK + 1];
         for i in first..=last {
             for j in left..=right {
-                corners[i - first][j - left] = self.across(self.cells.corner(i, j));
+                let from = self.cells.corner(i, j) - self.ray.foot;
+                corners[i - first][j - left] = DVec2::new(from.dot(self.ray.across[0]), from.dot(self.ray.across[1]));
             }
         }
-        for i in first..last {
-            for j in left..right {
-                let (r, c) = (i - first, j - left);
+        for (r, i) in (first..last).enumerate() {
+            for (c, j) in (left..right).enumerate() {
                 let quad = [corners[r][c], corners[r][c + 1], corners[r + 1][c + 1], corners[r + 1][c]];
                 if may_hold_origin(&quad, deviation) {
                     self.cell(i, j, hits);
@@ -140,75 +209,89 @@ impl<C> Leaf<'_, C> {
         }
     }
 
-    /// Where a point is, seen along the line.
-    fn across(&self, point: DVec3) -> DVec2 {
-        let from = point - self.line.origin;
-        DVec2::from_array(self.ray.across.map(|direction| from.dot(direction)))
+    fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) {
+        let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
+        self.solver.roots.simple.clear();
+        if !simple_roots(fields, self.ray.noise, self.tolerance, &mut self.solver.roots) {
+            return self.touching(i, j, hits);
+        }
+        if !self.solver.roots.simple.is_empty() {
+            let patch = self.cells.patch(i, j);
+            for k in 0..self.solver.roots.simple.len() {
+                self.add(&patch, [i, j], self.solver.roots.simple[k], None, hits);
+            }
+        }
     }
 
-    fn cell<const N: usize>(&self, i: usize, j: usize, hits: &mut Vec<Hit>)
-    where
-        C: Cells<N>,
-    {
+    /// Where the fields cannot tell: the part of the line in the cell's box as a curve.
+    fn touching(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) {
         let patch = self.cells.patch(i, j);
-        let fields = self.ray.across.map(|direction| Field {
-            c: patch.points.map(|row| row.map(|point| (point - self.line.origin).dot(direction))),
-        });
-        let reach = (patch.points[0][0] - self.line.origin).length() + self.line.origin.length();
-        let noise = 8.0 * f64::EPSILON * reach;
-        let mut found = Roots::default();
-        roots(fields, noise, self.tolerance, &mut found);
-        for place in found.simple {
-            self.add(&patch, [i, j], place, None, hits);
+        let Some(segment) = self.segment(&patch) else { return };
+        let [start, end] = segment;
+        let found = &mut self.solver.crossings;
+        found.simple.clear();
+        found.unresolved.clear();
+        crossings(&segment, &patch, self.ray.noise, self.tolerance, &mut self.solver.room, found);
+        for k in 0..self.solver.crossings.simple.len() {
+            self.add(&patch, [i, j], self.solver.crossings.simple[k].place, None, hits);
         }
-        for (place, size) in found.unresolved {
-            self.add(&patch, [i, j], place, Some(size), hits);
+        for k in 0..self.solver.crossings.unresolved.len() {
+            let Spot { place, low, high } = self.solver.crossings.unresolved[k];
+            let span = [low.x, high.x].map(|at| self.ray.parameter(start.lerp(end, at.clamp(0.0, 1.0))));
+            self.add(&patch, [i, j], DVec2::new(place.y, place.z), Some(span), hits);
         }
     }
 
-    /// Adds a hit, unless it is one that was found in a neighbouring cell.
-    fn add<const N: usize>(
-        &self,
-        patch: &Patch<N>,
-        [i, j]: [usize; 2],
-        at: DVec2,
-        unresolved: Option<f64>,
-        hits: &mut Vec<Hit>,
-    ) {
-        let jet = patch.jet(at.x, at.y);
-        let (point, tangent) = (jet.point, unresolved.is_some());
-        let t = (point - self.line.origin).dot(self.line.direction) / self.line.direction.length_squared();
-        if t < self.line.from || t > self.line.to {
+    /// The part of the line that is as far along as the patch.
+    fn segment(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
+        let ray = self.ray;
+        let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
+        let [low, high] = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+        let play = ray.noise + self.tolerance;
+        let from = (low - play).max(ray.distance(ray.line.from) - ray.noise);
+        let to = (high + play).min(ray.distance(ray.line.to) + ray.noise);
+        (from <= to).then(|| [ray.foot + from * ray.along, ray.foot + to * ray.along])
+    }
+
+    /// Adds a hit, if the line goes so far.
+    fn add(&self, patch: &Patch<N>, [i, j]: [usize; 2], at: DVec2, span: Option<[f64; 2]>, hits: &mut Vec<Hit>) {
+        let (ray, jet) = (self.ray, patch.jet(at.x, at.y));
+        let t = ray.parameter(jet.point);
+        let play = ray.noise / ray.length;
+        if t < ray.line.from - play || t > ray.line.to + play {
             return;
         }
+        let t = t.clamp(ray.line.from, ray.line.to);
         let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
-        let hit = Hit { t, place, point, tangent };
-        // Of the same sheet: on a side between cells, as near as answers are proved; or a part that may touch, next to another.
-        let near = unresolved.map_or(self.tolerance, |reach| 2.0 * reach * (jet.u.length() + jet.v.length()));
-        let same =
-            |other: &Hit| other.point.distance(point) <= near && other.tangent == tangent && (tangent || on_side(at));
-        match hits[self.own..].iter_mut().find(|other| same(other)) {
-            // The first cell's, whatever the order of the search.
-            Some(other) if hit.place.cell < other.place.cell => *other = hit,
-            Some(_) => {}
-            None => hits.push(hit),
-        }
+        let tangent = span.is_some();
+        hits.push(Hit {
+            t,
+            span: span.unwrap_or([t; 2]).map(|t| t.clamp(ray.line.from, ray.line.to)),
+            place,
+            point: jet.point,
+            // Where the surface is not regular, the sheet knows a limit.
+            normal: jet.unit_normal().unwrap_or(DVec3::ZERO),
+            tangent,
+            multiplicity: if tangent { 2 } else { 1 },
+        });
     }
-}
-
-/// True next to a side of the cell.
-fn on_side(at: DVec2) -> bool {
-    let near = |x: f64| x <= 1e-9 || x >= 1.0 - 1e-9;
-    near(at.x) || near(at.y)
 }
 
 /// False if the origin is farther than `by` from the hull of four points, as one of the lines through two of them shows.
+#[inline(always)]
 fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
-    let separated = |normal: DVec2| {
-        let length = by * normal.length();
-        let along = quad.map(|corner| corner.dot(normal));
-        along.iter().all(|&x| x > length) || along.iter().all(|&x| x < -length)
+    let [a, b, c, d] = *quad;
+    let (low, high) = (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)));
+    if low.x > by || low.y > by || high.x < -by || high.y < -by {
+        return false;
+    }
+    // Seen across a side, from a to b: the origin is this far to its left, and the other corners so far.
+    let separated = |a: DVec2, b: DVec2, c: DVec2, d: DVec2| {
+        let side = b - a;
+        let (origin, c, d) = (-side.perp_dot(a), side.perp_dot(c - a), side.perp_dot(d - a));
+        let (low, high) = (c.min(d).min(0.0), c.max(d).max(0.0));
+        let outside = (low - origin).max(origin - high);
+        outside > 0.0 && outside * outside > by * by * side.length_squared()
     };
-    let sides = (0..4).map(|k| (quad[(k + 1) % 4] - quad[k]).perp());
-    !([DVec2::X, DVec2::Y].into_iter().chain(sides).any(separated))
+    !(separated(a, b, c, d) || separated(b, c, d, a) || separated(c, d, a, b) || separated(d, a, b, c))
 }

@@ -8,32 +8,30 @@
 //!   the two curves touch, or coincide.
 
 use super::Field;
+use super::spots::{Open, add_spots};
 use glam::DVec2;
 
 /// Halvings before a part is given up.
 const DEPTH: u32 = 22;
 /// Parts that may be looked at for one patch: curves that coincide would take them without end.
 const PARTS: usize = 4096;
-/// How far outside a part a root may be found, as a fraction of it: roots on borders are found from both sides.
-const MARGIN: f64 = 1e-6;
+/// The same where something else is tried then.
+const FEW: usize = 256;
+/// How far outside a part a root may be found, as a fraction of it, besides rounding: roots on borders are found from both sides.
+const MARGIN: f64 = 1e-12;
 
-/// What was found on a patch.
+/// What was found on patches, and room for the work.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Roots {
-    /// Parameters of simple roots; one on the border of parts may come more than once.
+pub(crate) struct Roots<const N: usize> {
+    /// Parameters of simple roots, each once.
     pub(crate) simple: Vec<DVec2>,
     /// Spots that could not be resolved: where the values are least, and how far the spot reaches.
     pub(crate) unresolved: Vec<(DVec2, f64)>,
+    parts: Vec<Part<N>>,
+    open: Vec<Open>,
 }
 
-/// A part that could not be resolved.
-struct Open {
-    middle: DVec2,
-    size: f64,
-    /// The greater of the absolute values in the middle.
-    value: f64,
-}
-
+#[derive(Debug, Clone)]
 struct Part<const N: usize> {
     fields: [Field<N>; 2],
     from: DVec2,
@@ -51,27 +49,64 @@ impl<const N: usize> Part<N> {
     }
 }
 
-/// The common roots of two fields. `noise`: values up to that, in absolute terms, may be 0; `tolerance`: parts that have no greater ones need
-/// no resolving.
-pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance: f64, found: &mut Roots) {
-    let mut parts = vec![Part { fields, from: DVec2::ZERO, size: 1.0, depth: 0 }];
-    let (mut looked_at, mut open) = (0, Vec::new());
-    while let Some(part) = parts.pop() {
+/// Adds the common roots of two fields. `noise`: values up to that, in absolute terms, may be 0; `tolerance`: parts that have no greater
+/// ones need no resolving.
+pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance: f64, found: &mut Roots<N>) {
+    if !search(fields, noise, tolerance, PARTS, found) {
+        let mut spots = Vec::new();
+        add_spots(&found.open, &mut spots);
+        found.unresolved.extend(spots.iter().map(|spot| {
+            let reach = (spot.high - spot.place).max(spot.place - spot.low);
+            (spot.place.truncate(), reach.length())
+        }));
+    }
+}
+
+/// Adds the common roots of two fields if all can be resolved with little work; else returns false, and what was found is of no use.
+pub(crate) fn simple_roots<const N: usize>(
+    fields: [Field<N>; 2],
+    noise: f64,
+    tolerance: f64,
+    found: &mut Roots<N>,
+) -> bool {
+    search(fields, noise, tolerance, FEW, found)
+}
+
+/// Adds simple roots; false if parts were left open. With less than the usual patience it ends with the first of them.
+fn search<const N: usize>(
+    fields: [Field<N>; 2],
+    noise: f64,
+    tolerance: f64,
+    patience: usize,
+    found: &mut Roots<N>,
+) -> bool {
+    let known = found.simple.len();
+    found.open.clear();
+    found.parts.clear();
+    found.parts.push(Part { fields, from: DVec2::ZERO, size: 1.0, depth: 0 });
+    let mut looked_at = 0;
+    while let Some(part) = found.parts.pop() {
         looked_at += 1;
         if part.fields.iter().any(|field| has_none(field, noise)) {
             continue;
         }
         match decide(&part.fields, noise) {
             Verdict::None => {}
-            Verdict::One(place) => {
+            Verdict::One(place, margin) => {
                 let place = part.from + part.size * place;
-                if !found.simple.iter().any(|other| other.distance(place) < 1e-9) {
+                // Found again on the border of parts, if it is within what rounding allows.
+                let near = 2.0 * part.size * margin.max_element() + 1e-11;
+                if !found.simple[known..].iter().any(|other| (*other - place).abs().max_element() <= near) {
                     found.simple.push(place.clamp(DVec2::ZERO, DVec2::ONE));
                 }
             }
-            Verdict::Open if part.depth == DEPTH || looked_at >= PARTS || part.is_within(tolerance) => {
+            Verdict::Open if part.depth == DEPTH || looked_at >= patience || part.is_within(tolerance) => {
                 let value = part.fields.iter().map(|field| field.at(0.5, 0.5).value.abs()).fold(0.0, f64::max);
-                open.push(Open { middle: part.from + 0.5 * part.size, size: part.size, value });
+                let half = DVec2::splat(0.5 * part.size).extend(0.0);
+                found.open.push(Open { middle: part.from.extend(0.0) + half, half, value });
+                if patience < PARTS {
+                    return false;
+                }
             }
             Verdict::Open => {
                 let half = 0.5 * part.size;
@@ -79,38 +114,19 @@ pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance
                 let corners = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];
                 for ((f, g), corner) in f.into_iter().zip(g).zip(corners) {
                     let from = part.from + half * corner;
-                    parts.push(Part { fields: [f, g], from, size: half, depth: part.depth + 1 });
+                    found.parts.push(Part { fields: [f, g], from, size: half, depth: part.depth + 1 });
                 }
             }
         }
     }
-    spots(&open, &mut found.unresolved);
-}
-
-/// Parts that touch are one spot.
-fn spots(open: &[Open], spots: &mut Vec<(DVec2, f64)>) {
-    let mut spot_of: Vec<usize> = (0..open.len()).collect();
-    for (i, part) in open.iter().enumerate() {
-        for (j, other) in open[..i].iter().enumerate() {
-            let apart = (part.middle - other.middle).abs().max_element();
-            if apart <= 0.5000001 * (part.size + other.size) && spot_of[i] != spot_of[j] {
-                let (from, to) = (spot_of[i].max(spot_of[j]), spot_of[i].min(spot_of[j]));
-                spot_of.iter_mut().for_each(|spot| *spot = if *spot == from { to } else { *spot });
-            }
-        }
-    }
-    for spot in (0..open.len()).filter(|&spot| spot_of[spot] == spot) {
-        let members = || open.iter().zip(&spot_of).filter(|&(_, &of)| of == spot).map(|(part, _)| part);
-        let best = members().fold(&open[spot], |best, part| if part.value < best.value { part } else { best });
-        let reach = members().map(|part| best.middle.distance(part.middle) + part.size).fold(0.0, f64::max);
-        spots.push((best.middle, reach));
-    }
+    found.open.is_empty()
 }
 
 /// What can be said of a part.
 enum Verdict {
     None,
-    One(DVec2),
+    /// A root, and how far outside the part it may be for rounding.
+    One(DVec2, DVec2),
     Open,
 }
 
@@ -131,7 +147,8 @@ fn decide<const N: usize>(fields: &[Field<N>; 2], noise: f64) -> Verdict {
     let [c, d] = [-middle[1].u / determinant, middle[0].u / determinant];
     let first = fields[0].combined(a, &fields[1], b);
     let second = fields[0].combined(c, &fields[1], d);
-    if has_none(&first, noise * (a.abs() + b.abs())) || has_none(&second, noise * (c.abs() + d.abs())) {
+    let play = noise * DVec2::new(a.abs() + b.abs(), c.abs() + d.abs());
+    if has_none(&first, play.x) || has_none(&second, play.y) {
         return Verdict::None;
     }
     let [first_u, first_v] = first.slope_ranges();
@@ -155,12 +172,14 @@ fn decide<const N: usize>(fields: &[Field<N>; 2], noise: f64) -> Verdict {
             return Verdict::Open;
         }
         place = next;
-        if step.abs().max_element() <= 1e-15 {
+        // The steps shrink quadratically: the next one would be below rounding.
+        if step.abs().max_element() <= 1e-9 {
             break;
         }
     }
-    let inside = place.clamp(DVec2::splat(-MARGIN), DVec2::splat(1.0 + MARGIN)) == place;
-    if inside { Verdict::One(place) } else { Verdict::Open }
+    let margin = MARGIN + 4.0 * play;
+    let inside = place.clamp(-margin, 1.0 + margin) == place;
+    if inside { Verdict::One(place, margin) } else { Verdict::Open }
 }
 
 #[cfg(test)]
@@ -180,7 +199,7 @@ mod tests {
         Field { c: std::array::from_fn(|a| std::array::from_fn(|b| columns[b][a])) }
     }
 
-    fn solve(f: impl Fn(f64, f64) -> f64, g: impl Fn(f64, f64) -> f64) -> Roots {
+    fn solve(f: impl Fn(f64, f64) -> f64, g: impl Fn(f64, f64) -> f64) -> Roots<4> {
         let mut found = Roots::default();
         roots([of(f), of(g)], 1e-14, 1e-9, &mut found);
         found.simple.sort_by(|a, b| a.x.total_cmp(&b.x));
