@@ -84,7 +84,7 @@ beside nodes or triangles; `memory-equal-accuracy`: in all, with them. `threads`
 Embree computes in single precision.
 
 `spline`: beside kernels of CAD, on a bicubic C2 spline through the same 51 x 101 nodes of the torus; `occt-exact` is the torus itself
-as rational patches. SISL: s1954, s1856, s1851 with s1314, s1859 with s1310. Open CASCADE: GeomAPI_ProjectPointOnSurf with
+as rational patches, `gusset-nodes` ours through the nodes themselves. SISL: s1954, s1856, s1851 with s1314, s1859 with s1310. Open CASCADE: GeomAPI_ProjectPointOnSurf with
 the surface given before (`-anew`: with each point), IntCS and IntSS; `occt` is Debian's from C++, `ocp` cadquery-ocp from Python,
 in a process of its own after the others. `ssi`: with the torus moved by (0.7, 0.2, 0.1); for `ssi-exact` ours has 128 x 256 nodes,
 so as to be nearer the torus than Open CASCADE.""",

@@ -3,6 +3,9 @@
 
 #include <gusset.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace carcass {
 namespace {
 class Gusset : public Solver {
@@ -21,6 +24,40 @@ public:
         const gusset_sheet *const sheets[] = {sheet_};
         check(gusset_carcass_create(context_, sheets, 1, nullptr, &carcass_));
     }
+    void closest(const Points &queries, Points &feet) override {
+        found_.resize(queries.size());
+        check(gusset_carcass_closest(context_, carcass_, queries.data()->data(), queries.size(), 0, nullptr, found_.data()));
+        feet.clear();
+        for (const gusset_surface_point &one : found_) {
+            feet.push_back({one.point[0], one.point[1], one.point[2]});
+        }
+    }
+    void lines(const std::vector<Line> &lines, Hits &hits) override {
+        const std::vector<gusset_line> asked = given(lines, -std::numeric_limits<double>::infinity());
+        gusset_surface_hits *found = nullptr;
+        check(gusset_carcass_lines(context_, carcass_, asked.data(), asked.size(), GUSSET_WHICH_ALL, &found));
+        const std::unique_ptr<gusset_surface_hits, decltype(&gusset_surface_hits_destroy)> owner(found, &gusset_surface_hits_destroy);
+        gusset_surface_hits_parts parts{};
+        parts.struct_size = sizeof parts;
+        check(gusset_surface_hits_view(found, &parts));
+        hits.clear();
+        hits.ends.assign(parts.ends + 1, parts.ends + 1 + parts.line_count);
+        for (const gusset_surface_hit *hit = parts.hits; hit != parts.hits + parts.hit_count; ++hit) {
+            hits.points.push_back({hit->point[0], hit->point[1], hit->point[2]});
+        }
+    }
+    void rays(const std::vector<Line> &rays, Hits &hits) override {
+        const std::vector<gusset_line> asked = given(rays, 0);
+        first_.resize(rays.size());
+        check(gusset_carcass_first_hits(context_, carcass_, asked.data(), asked.size(), first_.data()));
+        hits.clear();
+        for (const gusset_surface_hit &hit : first_) {
+            if (hit.kind != GUSSET_HIT_NONE) {
+                hits.points.push_back({hit.point[0], hit.point[1], hit.point[2]});
+            }
+            hits.ends.push_back(hits.points.size());
+        }
+    }
 
 protected:
     virtual void make_sheet() = 0;
@@ -37,9 +74,22 @@ protected:
         sheet_ = nullptr;
     }
 
+    static std::vector<gusset_line> given(const std::vector<Line> &lines, double from) {
+        std::vector<gusset_line> made(lines.size());
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            std::copy(lines[k].origin.begin(), lines[k].origin.end(), made[k].origin);
+            std::copy(lines[k].direction.begin(), lines[k].direction.end(), made[k].direction);
+            made[k].from = from;
+            made[k].to = std::numeric_limits<double>::infinity();
+        }
+        return made;
+    }
+
     gusset_context *context_ = nullptr;
     gusset_sheet *sheet_ = nullptr;
     gusset_carcass *carcass_ = nullptr;
+    std::vector<gusset_surface_point> found_;
+    std::vector<gusset_surface_hit> first_;
 };
 
 class OfNodes final : public Gusset {
@@ -60,7 +110,30 @@ private:
 
     const Nodes &nodes_;
 };
+
+class OfSpline final : public Gusset {
+public:
+    OfSpline(const Spline &spline, unsigned threads) : Gusset(threads), spline_(spline) {}
+
+private:
+    void make_sheet() override {
+        gusset_spline given{};
+        given.struct_size = sizeof given;
+        given.points = spline_.controls.data()->data();
+        given.count_u = spline_.rows;
+        given.count_v = spline_.columns;
+        given.knots_u = spline_.u_knots.data();
+        given.knot_count_u = spline_.u_knots.size();
+        given.knots_v = spline_.v_knots.data();
+        given.knot_count_v = spline_.v_knots.size();
+        given.degree_u = given.degree_v = 3;
+        check(gusset_sheet_from_spline(context_, &given, &sheet_));
+    }
+
+    const Spline &spline_;
+};
 } // namespace
 
 std::unique_ptr<Solver> gusset(const Nodes &nodes, unsigned threads) { return std::make_unique<OfNodes>(nodes, threads); }
+std::unique_ptr<Solver> gusset(const Spline &spline, unsigned threads) { return std::make_unique<OfSpline>(spline, threads); }
 } // namespace carcass

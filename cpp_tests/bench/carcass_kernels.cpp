@@ -12,7 +12,8 @@ const Point SHIFT = {0.7, 0.2, 0.1};
 struct Toruses {
     explicit Toruses(const Point &centre)
         : surface(torus(centre)), nodes(carcass::nodes(surface, ROWS, COLUMNS)), spline(carcass::spline(nodes)) {
-        solvers["gusset"] = gusset(nodes, 1);
+        solvers["gusset"] = gusset(spline, 1);
+        solvers["gusset-nodes"] = gusset(nodes, 1);
         solvers["sisl"] = sisl(spline);
         solvers["occt"] = occt(spline);
         solvers["occt-exact"] = occt_torus(centre);
@@ -30,7 +31,7 @@ struct Toruses {
 
 const Plane ACROSS = {{0.05, 0.1, 0.02}, {0.3, 0.5, 0.8124038404635961}};
 
-const std::vector<std::string> KERNELS = {"gusset", "sisl", "occt", "occt-exact"};
+const std::vector<std::string> KERNELS = {"gusset", "sisl", "occt", "occt-exact", "gusset-nodes"};
 
 void of_one(Bench &bench, Toruses &toruses) {
     const auto compare = [&](const std::string &id, const char *unit, double scale, const auto &contender) {
@@ -62,7 +63,7 @@ void of_two(Bench &bench, Toruses &a, Toruses &b) {
         const Triangles fine_a = triangles(nodes(a.surface, 354, 707)), fine_b = triangles(nodes(b.surface, 354, 707));
         const auto cgal_a = cgal(fine_a), cgal_b = cgal(fine_b);
         bench.compare("carcass/ssi", "ms", 1,
-                      {contender("gusset"), contender("sisl"), contender("occt"), meeting_of("cgal-500k-triangles", *cgal_a, *cgal_b, both)});
+                      {contender("gusset"), contender("sisl"), contender("occt"), contender("gusset-nodes"), meeting_of("cgal-500k-triangles", *cgal_a, *cgal_b, both)});
     }
     if (bench.wants("carcass/ssi-exact")) {
         const Nodes fine_a = nodes(a.surface, 128, 256), fine_b = nodes(b.surface, 128, 256);
