@@ -190,6 +190,21 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
+ * There is no normal: the tangents are 0, or parallel all along the lines to the point.
+ */
+#define GUSSET_NORMAL_NONE 0
+
+/**
+ * The normal of the plane that the tangents span.
+ */
+#define GUSSET_NORMAL_REGULAR 1
+
+/**
+ * The limit along the coordinate line, where the tangents do not span a plane: at poles.
+ */
+#define GUSSET_NORMAL_LIMIT 2
+
+/**
  * Every edge has exactly two faces.
  */
 #define GUSSET_MESH_CLOSED 1
@@ -614,6 +629,16 @@
  * A single curve would have a degree above 64; a composite one took its place.
  */
 #define GUSSET_FIT_DEGREE_TOO_HIGH 6
+
+/**
+ * The surface through the nodes of a frame.
+ */
+#define GUSSET_FRAME_NODES 0
+
+/**
+ * Gordon's surface of the curves of a frame, which contains them.
+ */
+#define GUSSET_FRAME_CURVES 1
 
 /**
  * The strip of triangles of least area through the first meridian.
@@ -1041,6 +1066,14 @@ enum gusset_status
      */
     GUSSET_ERROR_GLUED_INSIDE = 1321,
     /**
+     * Knots of a spline: their number does not fit, or one is out of order or repeated too often.
+     */
+    GUSSET_ERROR_BAD_KNOTS = 1410,
+    /**
+     * Curves of a net do not meet, or not in the order given.
+     */
+    GUSSET_ERROR_CURVES_APART = 1411,
+    /**
      * Memory could not be had.
      */
     GUSSET_ERROR_OUT_OF_MEMORY = 2000,
@@ -1179,6 +1212,11 @@ typedef struct gusset_sections gusset_sections;
  * A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable; may be used from many threads.
  */
 typedef struct gusset_sheet gusset_sheet;
+
+/**
+ * The mesh of a sheet. Opaque and immutable; it keeps nothing of the sheet.
+ */
+typedef struct gusset_sheet_mesh gusset_sheet_mesh;
 
 /**
  * A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
@@ -1899,6 +1937,69 @@ typedef struct gusset_surface_paths_parts {
      */
     size_t unresolved_count;
 } gusset_surface_paths_parts;
+
+/**
+ * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
+ */
+typedef struct gusset_surface_point {
+    /**
+     * The point.
+     */
+    double point[3];
+    /**
+     * S_u.
+     */
+    double u[3];
+    /**
+     * S_v.
+     */
+    double v[3];
+    /**
+     * S_uu.
+     */
+    double uu[3];
+    /**
+     * S_uv.
+     */
+    double uv[3];
+    /**
+     * S_vv.
+     */
+    double vv[3];
+    /**
+     * The unit normal, to the side of S_u x S_v; 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
+     * tip of a cone, which has no normal.
+     */
+    double spread;
+    /**
+     * The principal curvatures, the greater first: positive where the surface bends towards the normal.
+     */
+    double principal[2];
+    /**
+     * Their directions: two unit tangents, x, y, z each.
+     */
+    double directions[6];
+    /**
+     * The mean curvature.
+     */
+    double mean;
+    /**
+     * The Gaussian curvature.
+     */
+    double gaussian;
+    /**
+     * GUSSET_NORMAL_...
+     */
+    uint32_t normal_kind;
+    /**
+     * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
+     */
+    uint32_t is_curved;
+} gusset_surface_point;
 
 /**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
@@ -4016,6 +4117,243 @@ typedef struct gusset_nodes {
 } gusset_nodes;
 
 /**
+ * What a sheet is.
+ */
+typedef struct gusset_sheet_parts {
+    /**
+     * sizeof(gusset_sheet_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Cells in u: u runs from 0 to this.
+     */
+    size_t rows;
+    /**
+     * Cells in v.
+     */
+    size_t columns;
+    /**
+     * The degree of the patches in both directions as they are kept: 3 or 7.
+     */
+    uint32_t degree;
+    /**
+     * 1: the nodes are kept and patches are made when they are needed; 0: the patches are kept.
+     */
+    uint32_t is_grid;
+    /**
+     * 1: closed in u.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: closed in v.
+     */
+    uint32_t closed_v;
+    /**
+     * 1: the side u = 0 is one point, a pole.
+     */
+    uint32_t pole_u0;
+    /**
+     * 1: the side u = rows is.
+     */
+    uint32_t pole_u1;
+    /**
+     * 1: the side v = 0 is.
+     */
+    uint32_t pole_v0;
+    /**
+     * 1: the side v = columns is.
+     */
+    uint32_t pole_v1;
+} gusset_sheet_parts;
+
+/**
+ * How the mixed derivatives S_uv at nodes are found, which tangents leave open.
+ */
+typedef uint32_t gusset_twists;
+
+/**
+ * Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes: S_u is as long as the step from row to row.
+ */
+typedef struct gusset_tangents {
+    /**
+     * sizeof(gusset_tangents), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * S_u at each node: x, y, z; towards the next row.
+     */
+    const double *u;
+    /**
+     * S_v at each node: towards the next column.
+     */
+    const double *v;
+    /**
+     * For GUSSET_TWISTS_GIVEN: S_uv at each node; else not read.
+     */
+    const double *twists;
+    /**
+     * GUSSET_TWISTS_...
+     */
+    gusset_twists twist;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_tangents;
+
+/**
+ * A tensor-product B-spline, not rational.
+ *
+ * Knots of an open direction: as many as control points and the degree and 1, not decreasing, finite, clamped or not; the surface is defined
+ * between knot degree and knot count. Of a closed one: one more than control points, one period; the control points are not repeated, and span k,
+ * from knot k to the next, is made by the control points k - degree to k, counted round. Inner knots may be repeated degree times.
+ */
+typedef struct gusset_spline {
+    /**
+     * sizeof(gusset_spline), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * x, y, z of the control points, row after row, packed: rows follow each other in u.
+     */
+    const double *points;
+    /**
+     * The number of rows of control points, more than degree_u.
+     */
+    size_t count_u;
+    /**
+     * The number of control points in a row, more than degree_v.
+     */
+    size_t count_v;
+    /**
+     * The knots of u.
+     */
+    const double *knots_u;
+    /**
+     * How many.
+     */
+    size_t knot_count_u;
+    /**
+     * The knots of v.
+     */
+    const double *knots_v;
+    /**
+     * How many.
+     */
+    size_t knot_count_v;
+    /**
+     * The degree in u, 1 to 7.
+     */
+    uint32_t degree_u;
+    /**
+     * The degree in v, 1 to 7.
+     */
+    uint32_t degree_v;
+    /**
+     * 1: closed in u.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: closed in v.
+     */
+    uint32_t closed_v;
+} gusset_spline;
+
+/**
+ * A net of curves: each row meets each column, in the order in which they are given; curves may run either way.
+ */
+typedef struct gusset_curve_net {
+    /**
+     * sizeof(gusset_curve_net), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Curves in v, which follow each other in u. Segments of degree 7 at most; a curve that is one point is a pole.
+     */
+    const struct gusset_curve *const *rows;
+    /**
+     * How many: 0, or at least 2, or 3 if closed_u.
+     */
+    size_t row_count;
+    /**
+     * Curves in u, which follow each other in v.
+     */
+    const struct gusset_curve *const *columns;
+    /**
+     * How many: 0, or at least 2, or 3 if closed_v. Without columns, or without rows, the surface is the skin of the others.
+     */
+    size_t column_count;
+    /**
+     * How far apart curves may be where they meet; both are moved to the middle. 0: 1e-6 of the diagonal of their box.
+     */
+    double tolerance;
+    /**
+     * 1: the columns are closed curves, and the last row is followed by the first.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: the rows are closed curves, and the last column is followed by the first.
+     */
+    uint32_t closed_v;
+} gusset_curve_net;
+
+/**
+ * How a sheet becomes a mesh. All zeros: quads, one a cell.
+ */
+typedef struct gusset_sheet_mesh_options {
+    /**
+     * sizeof(gusset_sheet_mesh_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How far triangles may be from the surface, a length more than 0; 0: no demand.
+     */
+    double tolerance;
+    /**
+     * The fewest parts of each cell in u; 0 stands for 1.
+     */
+    uint32_t least_u;
+    /**
+     * The fewest parts of each cell in v; 0 stands for 1.
+     */
+    uint32_t least_v;
+    /**
+     * 1: triangles only; 0: quads, and triangles at poles.
+     */
+    uint32_t triangles;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_sheet_mesh_options;
+
+/**
+ * What belongs to the mesh of a sheet. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_sheet_mesh_parts {
+    /**
+     * sizeof(gusset_sheet_mesh_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of vertices.
+     */
+    size_t vertex_count;
+    /**
+     * For each vertex its place; the sheet is 0.
+     */
+    const struct gusset_surface_place *places;
+    /**
+     * For each vertex the unit normal: x, y, z; 0 where there is none.
+     */
+    const double *normals;
+    /**
+     * A bound of the distance between the surface and the triangles, or either pair of triangles of quads.
+     */
+    double deviation;
+} gusset_sheet_mesh_parts;
+
+/**
  * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
  */
 typedef struct gusset_stitch_parts {
@@ -4872,6 +5210,26 @@ typedef struct gusset_winged_view {
 #define GUSSET_SCHEME_FOUR_POINT 1
 
 /**
+ * From differences of the tangents over five nodes: fourth order.
+ */
+#define GUSSET_TWISTS_DIFFERENCES 0
+
+/**
+ * Adini's: from the nodes next to each.
+ */
+#define GUSSET_TWISTS_ADINI 1
+
+/**
+ * None: flat spots at nodes.
+ */
+#define GUSSET_TWISTS_ZERO 2
+
+/**
+ * They are given.
+ */
+#define GUSSET_TWISTS_GIVEN 3
+
+/**
  * The report's index means nothing.
  */
 #define GUSSET_ELEMENT_NONE 0
@@ -4917,7 +5275,7 @@ typedef struct gusset_winged_view {
 #define GUSSET_ELEMENT_CONSTRAINT 8
 
 /**
- * One of the places on a curve that were given.
+ * One of the places on a curve or a surface that were given.
  */
 #define GUSSET_ELEMENT_PLACE 9
 
@@ -4970,6 +5328,16 @@ typedef struct gusset_winged_view {
  * A place along the side of a net; the value is a distance.
  */
 #define GUSSET_ELEMENT_SIDE_PLACE 20
+
+/**
+ * A knot of a spline, in u or in v as the message says.
+ */
+#define GUSSET_ELEMENT_KNOT 30
+
+/**
+ * A row of a net of curves; the message has the column, the value is how far they are apart.
+ */
+#define GUSSET_ELEMENT_ROW 31
 
 #ifdef __cplusplus
 extern "C" {
@@ -5122,6 +5490,37 @@ gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths
  * Frees curves; NULL is allowed.
  */
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
+
+/**
+ * Points, derivatives, normals and curvatures at places.
+ *
+ * places: count of them. results: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
+ * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
+ * CANCELLED; nothing is written then. O(1) a place, at a pole O(cells round it); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_evaluate(const struct gusset_context *context,
+                                      const struct gusset_carcass *carcass,
+                                      const struct gusset_surface_place *places,
+                                      size_t count,
+                                      struct gusset_surface_point *results);
+
+/**
+ * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round; what is beyond an open side is on
+ * it. The other way the parameters of a place are row + u and column + v.
+ *
+ * parameters: u, v of each, packed. places: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first
+ * pair that is not finite, or if there is no such sheet; nothing is written then. O(1) each.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_locate(const struct gusset_context *context,
+                                    const struct gusset_carcass *carcass,
+                                    uint32_t sheet,
+                                    const double *parameters,
+                                    size_t count,
+                                    struct gusset_surface_place *places);
 
 /**
  * Checks a mesh. What it finds is no error.
@@ -7002,6 +7401,164 @@ gusset_status gusset_sheet_borrow(const struct gusset_context *context,
  * Frees a sheet; NULL is allowed. What was made of it keeps what it needs.
  */
 GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
+
+/**
+ * Tells what a sheet is.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(cells at the
+ * sides). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_info(const struct gusset_sheet *sheet,
+                                struct gusset_sheet_parts *parts);
+
+/**
+ * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
+ *
+ * errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal parameters: C h^4 times the fourth
+ * derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if the patches were given. bilinear: a bound of how
+ * far the surface is from the bilinear patch through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL,
+ * and has room for `capacity` numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value is the number of cells), OUT_OF_MEMORY,
+ * CANCELLED; nothing is written then. O(cells); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_estimates(const struct gusset_context *context,
+                                     const struct gusset_sheet *sheet,
+                                     double *errors,
+                                     double *bilinear,
+                                     double *triangles,
+                                     size_t capacity);
+
+/**
+ * The largest angle between the normals on both sides of borders between cells, in radians: 0, or rounding, where the surface is smooth.
+ *
+ * crease: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(cells); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_crease(const struct gusset_context *context,
+                                  const struct gusset_sheet *sheet,
+                                  double *crease);
+
+/**
+ * Makes the bicubic Hermite surface through nodes with given tangents: C1.
+ *
+ * nodes: as for gusset_sheet_from_nodes; the scheme is not used. tangents: rows x columns vectors each; those of the repeated line of a closed direction
+ * are not read as tangents, but must be there. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: those of
+ * gusset_sheet_from_nodes, NOT_FINITE with the node for tangents and twists too, CANCELLED. O(nodes); 384 bytes a cell.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_tangents(const struct gusset_context *context,
+                                         const struct gusset_nodes *nodes,
+                                         const struct gusset_tangents *tangents,
+                                         struct gusset_sheet **sheet);
+
+/**
+ * Makes a surface of Bézier patches in rows and columns, neighbours of which should share their sides.
+ *
+ * points: x, y, z of the control points, packed: patch after patch, row after row of patches; in each patch degree_v + 1 points follow each other in
+ * v, degree_u + 1 times. degree_u, degree_v: 1 to 7. rows, columns: of patches, at least 1. Repeated points and sides that are one point are allowed.
+ * sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, OUT_OF_RANGE (degree), EMPTY_MESH without
+ * patches, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY. O(points); 384 bytes a patch up to degree 3, else
+ * 1536.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_patches(const struct gusset_context *context,
+                                        const double *points,
+                                        uint32_t degree_u,
+                                        uint32_t degree_v,
+                                        size_t rows,
+                                        size_t columns,
+                                        struct gusset_sheet **sheet);
+
+/**
+ * Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding: cells are its spans that are not empty, so that knots become
+ * the whole numbers of rows and columns.
+ *
+ * sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE
+ * (degree), NET_TOO_SMALL (too few control points), BAD_KNOTS with the first knot that is not finite, out of order or repeated too often,
+ * TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(spans x degree^3); 384 bytes a span up to degree 3,
+ * else 1536.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_spline(const struct gusset_context *context,
+                                       const struct gusset_spline *spline,
+                                       struct gusset_sheet **sheet);
+
+/**
+ * Makes Gordon's surface of a net of curves, which contains all of them; with two rows and two columns it is Coons's patch. Nodes are where
+ * each row and each column are nearest.
+ *
+ * Between two nodes rows of equally many segments are matched segment by segment; else all of them are cut where any one has a joint: there may be
+ * more cells than meshes of the net. The surface is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
+ * (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a smooth surface draw curves through their points first,
+ * with gusset_outline_create.
+ *
+ * net: the curves may be destroyed afterwards. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT (with
+ * the item), BAD_STRUCT_SIZE, UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED,
+ * CURVES_APART with the row and the distance (the message has the column too), or if they meet out of order, TOO_LARGE, OUT_OF_MEMORY,
+ * CANCELLED. O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up to degree 3, else 1536. Source: Gordon (1969).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_curves(const struct gusset_context *context,
+                                       const struct gusset_curve_net *net,
+                                       struct gusset_sheet **sheet);
+
+/**
+ * Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
+ *
+ * frame: may be destroyed afterwards. kind: GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES. sheet: receives the surface, for gusset_sheet_destroy; NULL on
+ * failure. Errors: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL; of curves OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or are
+ * out of order along a curve; NOT_FINITE, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_from_frame(const struct gusset_context *context,
+                                      const struct gusset_frame *frame,
+                                      uint32_t kind,
+                                      struct gusset_sheet **sheet);
+
+/**
+ * Makes a mesh of points of a sheet. Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit; seams of closed
+ * directions and poles are closed. Faces are counter-clockwise seen from where S_u x S_v points to. A mesh without faces is no failure.
+ *
+ * options: NULL for the defaults. mesh: receives the result, for gusset_sheet_mesh_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED. O(cells + vertices).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mesh_create(const struct gusset_context *context,
+                                       const struct gusset_sheet *sheet,
+                                       const struct gusset_sheet_mesh_options *options,
+                                       struct gusset_sheet_mesh **mesh);
+
+/**
+ * Destroys the mesh of a sheet; NULL is allowed.
+ */
+GUSSET_API void gusset_sheet_mesh_destroy(struct gusset_sheet_mesh *mesh);
+
+/**
+ * Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+ * thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mesh_view(const struct gusset_sheet_mesh *mesh,
+                                     struct gusset_mesh_view *view);
+
+/**
+ * Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_view.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mesh_info(const struct gusset_sheet_mesh *mesh,
+                                     struct gusset_sheet_mesh_parts *parts);
 
 /**
  * What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.
