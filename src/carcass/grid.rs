@@ -230,6 +230,7 @@ impl Cells<4> for Grid<'_> {
         self.cells()
     }
 
+    #[inline]
     fn corner(&self, i: usize, j: usize) -> DVec3 {
         self.nodes.get(i, j)
     }
@@ -244,16 +245,18 @@ impl Cells<4> for Grid<'_> {
         let (from_row, from_column) = (self.u.place(i), self.v.place(j));
         let mut along = [[DVec2::ZERO; 4]; TAPS];
         for (points, &row) in along.iter_mut().zip(&rows) {
-            let heights = columns.map(|column| {
+            let mut heights = [DVec2::ZERO; TAPS];
+            for (height, &column) in heights.iter_mut().zip(&columns) {
                 let from = self.nodes.get(row, column) - origin;
-                DVec2::new(from.dot(across[0]), from.dot(across[1]))
-            });
+                *height = DVec2::new(from.dot(across[0]), from.dot(across[1]));
+            }
             *points = bezier(&heights, from_column, column_weights);
         }
         let mut fields = [Field { c: [[0.0; 4]; 4] }; 2];
         for b in 0..4 {
-            let column = bezier(&along.map(|row| row[b]), from_row, row_weights);
-            for (a, pair) in column.into_iter().enumerate() {
+            let mut column = [DVec2::ZERO; TAPS];
+            column.iter_mut().zip(&along).for_each(|(height, row)| *height = row[b]);
+            for (a, pair) in bezier(&column, from_row, row_weights).into_iter().enumerate() {
                 (fields[0].c[a][b], fields[1].c[a][b]) = (pair.x, pair.y);
             }
         }

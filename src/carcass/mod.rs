@@ -11,6 +11,7 @@ mod cells;
 mod closest;
 mod estimate;
 mod evaluate;
+mod curve;
 mod grid;
 mod index;
 pub mod line;
@@ -26,6 +27,7 @@ mod solve;
 
 pub use axis::Scheme;
 pub use evaluate::{Curvatures, Local};
+pub use curve::curve_through;
 pub use grid::{Grid, MAX_NODES, Nodes};
 pub use mesh::{SurfaceMesh, SurfaceMeshOptions};
 pub use model::{Carcass, Closest, Place};

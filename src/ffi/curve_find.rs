@@ -8,7 +8,7 @@ use super::mesh::gusset_indices;
 use super::status::{Failure, gusset_status};
 use crate::alloc;
 use crate::error::Error;
-use crate::outline::ops::{Crossings, Meetings, Samples};
+use crate::outline::ops::{Approaches, Crossings, Meetings, Samples};
 use crate::outline::{CurveView, Place};
 use glam::DVec3;
 use std::ptr;
@@ -79,6 +79,22 @@ impl gusset_places {
     fn of_samples(found: Samples) -> Result<Self, Failure> {
         let places = list(found.places.into_iter())?;
         Ok(gusset_places { places, points: found.points, ..Self::default() })
+    }
+
+    pub(super) fn of_approaches(found: &Approaches, curve: &CurveView<'_>) -> Result<Self, Failure> {
+        let at = alloc::collect(found.places.iter().map(|found| found.a))?;
+        let mut overlaps = alloc::with_capacity(4 * found.overlaps.len())?;
+        for o in &found.overlaps {
+            overlaps.extend([o.a[0], o.a[1], o.b[0], o.b[1]].map(gusset_place::from));
+        }
+        Ok(gusset_places {
+            places: list(at.iter().copied())?,
+            others: list(found.places.iter().map(|found| found.b))?,
+            points: curve.points_at(&at)?,
+            overlaps,
+            inside: Vec::new(),
+            undecided: found.undecided,
+        })
     }
 
     fn of_meetings(found: &Meetings, curve: &CurveView<'_>) -> Result<Self, Failure> {

@@ -20,6 +20,7 @@
 //! | [`net_mesh`], [`net_scene`], [`net_stream`] | nets to meshes and back; nets in groups; nets as bytes |
 //! | [`sheet_make`], [`sheet_ask`], [`sheet_mesh`], [`carcass_evaluate`] | other kinds of sheets, what they are, meshes of them, points on them |
 //! | [`sheet`], [`carcass`] | pieces of smooth surface; the handle of a surface with its index, places and curves on it |
+//! | [`carcass_line`], [`carcass_curve`] | lines and curves that meet surfaces; curves through points and along surfaces |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -35,6 +36,8 @@ pub mod assembly;
 pub mod boundary;
 pub mod carcass;
 pub mod carcass_evaluate;
+pub mod carcass_curve;
+pub mod carcass_line;
 pub mod check;
 pub mod context;
 pub mod curve;

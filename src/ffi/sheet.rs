@@ -123,12 +123,17 @@ fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
     Ok(Nodes::strided(numbers, nodes.rows, nodes.columns, layout.row / 8, layout.column / 8)?)
 }
 
+/// The scheme that a number stands for.
+pub(super) fn scheme(scheme: gusset_scheme) -> Result<Scheme, Failure> {
+    match scheme {
+        GUSSET_SCHEME_SIX_TAP => Ok(Scheme::SixTap),
+        GUSSET_SCHEME_FOUR_POINT => Ok(Scheme::FourPoint),
+        other => Err(Failure::unknown("scheme", other.into())),
+    }
+}
+
 fn grid(nodes: Nodes<'static>, options: &gusset_nodes) -> Result<gusset_sheet, Failure> {
-    let scheme = match options.scheme {
-        GUSSET_SCHEME_SIX_TAP => Scheme::SixTap,
-        GUSSET_SCHEME_FOUR_POINT => Scheme::FourPoint,
-        other => return Err(Failure::unknown("scheme", other.into())),
-    };
+    let scheme = scheme(options.scheme)?;
     let closed = [flag(options.closed_u, "closed_u")?, flag(options.closed_v, "closed_v")?];
     Ok(gusset_sheet(Sheet::Grid(Grid::new(nodes, closed, scheme)?)))
 }

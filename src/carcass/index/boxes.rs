@@ -146,17 +146,23 @@ impl Oriented {
     }
 
     /// False if a line misses the box: seen along the line, the box is within the sum of its half axes across each direction.
+    #[inline(always)]
     pub(crate) fn meets_line(&self, origin: DVec3, direction: DVec3) -> bool {
-        let frame = self.frame();
+        let single = |v: &[f32; 3]| DVec3::new(f64::from(v[0]), f64::from(v[1]), f64::from(v[2]));
+        let (first, second, half) = (single(&self.axes[0]), single(&self.axes[1]), single(&self.half));
+        let (third, from) = (first.cross(second), origin - single(&self.centre));
         // The axes are orthonormal to 1e-7 only: the box is grown by as much of what is computed with them.
-        let (from, along) = (frame * (origin - self.centre()), frame * direction);
-        let half = DVec3::from_array(self.half.map(f64::from)) + 1e-6 * from.length();
+        let half = half + 1e-6 * from.abs().element_sum();
+        let from = DVec3::new(from.dot(first), from.dot(second), from.dot(third));
+        let along = DVec3::new(direction.dot(first), direction.dot(second), direction.dot(third));
         // The axes of separation of a line and a box: the line's direction crossed with the box's axes.
-        let apart = |p: usize, q: usize| {
-            let distance = (from[p] * along[q] - from[q] * along[p]).abs();
-            distance > half[p] * along[q].abs() + half[q] * along[p].abs()
-        };
-        !(apart(0, 1) || apart(1, 2) || apart(2, 0))
+        let (distance, size) = (from.cross(along).abs(), along.abs());
+        let reach = DVec3::new(
+            half.y * size.z + half.z * size.y,
+            half.z * size.x + half.x * size.z,
+            half.x * size.y + half.y * size.x,
+        );
+        distance.x <= reach.x && distance.y <= reach.y && distance.z <= reach.z
     }
 
     /// False if all of some points are beyond one of its sides, and so their hull is.

@@ -14,6 +14,9 @@ pub use curve::CurveHit;
 
 use super::{Carcass, Place, each_sheet};
 use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::outline::ops::Approaches;
+use crate::outline::{CurveView, Place as CurvePlace};
 use glam::DVec3;
 use search::{Scratch, search};
 
@@ -143,5 +146,38 @@ impl Carcass<'_> {
     fn meet_first_of_all(&self, line: &Line, scratch: &mut Scratch) {
         self.meet(line, Which::All, scratch);
         scratch.hits.truncate(1);
+    }
+}
+
+impl Line {
+    /// Where a curve in space comes as near to the line as `within`: as [`CurveView::approaches`] for the curve, with places on the line as the
+    /// second ones: segment 0, and the line's parameter as t.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction, and those of curves.
+    pub fn approaches(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<Approaches> {
+        self.check()?;
+        if !(within >= 0.0 && within.is_finite()) {
+            return Err(Error::OptionOutOfRange { option: "within", value: within });
+        }
+        // No farther than the curve, and what is near it.
+        let (along, length) = self.along();
+        let parameters = curve.points().iter().map(|&point| (point - self.origin).dot(along));
+        let [low, high] = parameters.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        let play = within + 1e-6 * (high - low);
+        let from = ((low - play) / length).max(self.from);
+        let to = ((high + play) / length).min(self.to);
+        if curve.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        if from > to {
+            return Ok(Approaches::default());
+        }
+        let ends = [from, to].map(|t| self.origin + (t * length) * along);
+        let mut found = curve.approaches(&CurveView::new(&ends, &[0, 1], false)?, within, job)?;
+        let parameter = |place: &mut CurvePlace| place.t = from + (to - from) * place.t;
+        found.places.iter_mut().for_each(|found| parameter(&mut found.b));
+        found.overlaps.iter_mut().for_each(|found| found.b.iter_mut().for_each(parameter));
+        Ok(found)
     }
 }

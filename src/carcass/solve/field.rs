@@ -31,8 +31,13 @@ impl<const N: usize> Field<N> {
     /// The least and the greatest coefficient.
     #[inline]
     pub(crate) fn range(&self) -> [f64; 2] {
-        let all = self.c.as_flattened();
-        all.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &x| [low.min(x), high.max(x)])
+        // Comparisons, not f64::min: what is NaN may be passed over, and vectors do them.
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for &x in self.c.as_flattened() {
+            low = if x < low { x } else { low };
+            high = if x > high { x } else { high };
+        }
+        [low, high]
     }
 
     /// a * self + b * other.
@@ -59,7 +64,11 @@ impl<const N: usize> Field<N> {
     #[inline]
     pub(crate) fn slope_ranges(&self) -> [[f64; 2]; 2] {
         let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        let mut add = |k: usize, x: f64| ranges[k] = [ranges[k][0].min(x), ranges[k][1].max(x)];
+        let mut add = |k: usize, x: f64| {
+            let [low, high] = &mut ranges[k];
+            *low = if x < *low { x } else { *low };
+            *high = if x > *high { x } else { *high };
+        };
         for a in 0..N {
             for b in 0..N {
                 if a + 1 < N {

@@ -7,5 +7,7 @@ mod spots;
 
 pub(crate) use curve::{Crossings, Room, crossings, halved};
 pub(crate) use field::Field;
-pub(crate) use roots::{Roots, roots, simple_roots};
+#[allow(unused_imports, reason = "not every set of searches needs it")]
+pub(crate) use roots::roots;
+pub(crate) use roots::{Roots, simple_roots};
 pub(crate) use spots::Spot;

@@ -7,7 +7,7 @@
 //! * *too small*: all values of a field are within the tolerance; parts that touch are reported as one unresolved spot. That is where
 //!   the two curves touch, or coincide.
 
-use super::Field;
+use super::field::{Field, Slope};
 use super::spots::{Open, add_spots};
 use glam::DVec2;
 
@@ -25,6 +25,7 @@ const MARGIN: f64 = 1e-12;
 pub(crate) struct Roots<const N: usize> {
     /// Parameters of simple roots, each once.
     pub(crate) simple: Vec<DVec2>,
+    #[allow(dead_code, reason = "not every set of searches needs it")]
     /// Spots that could not be resolved: where the values are least, and how far the spot reaches.
     pub(crate) unresolved: Vec<(DVec2, f64)>,
     parts: Vec<Part<N>>,
@@ -49,6 +50,7 @@ impl<const N: usize> Part<N> {
     }
 }
 
+#[allow(dead_code, reason = "not every set of searches needs it")]
 /// Adds the common roots of two fields. `noise`: values up to that, in absolute terms, may be 0; `tolerance`: parts that have no greater
 /// ones need no resolving.
 pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance: f64, found: &mut Roots<N>) {
@@ -83,9 +85,9 @@ fn search<const N: usize>(
     let known = found.simple.len();
     found.open.clear();
     found.parts.clear();
-    found.parts.push(Part { fields, from: DVec2::ZERO, size: 1.0, depth: 0 });
+    let mut next = Some(Part { fields, from: DVec2::ZERO, size: 1.0, depth: 0 });
     let mut looked_at = 0;
-    while let Some(part) = found.parts.pop() {
+    while let Some(part) = next.take().or_else(|| found.parts.pop()) {
         looked_at += 1;
         if part.fields.iter().any(|field| has_none(field, noise)) {
             continue;
@@ -138,8 +140,9 @@ fn has_none<const N: usize>(field: &Field<N>, noise: f64) -> bool {
 fn decide<const N: usize>(fields: &[Field<N>; 2], noise: f64) -> Verdict {
     let middle = fields.map(|field| field.at(0.5, 0.5));
     let determinant = middle[0].u * middle[1].v - middle[0].v * middle[1].u;
-    let scale = middle[0].u.hypot(middle[0].v) * middle[1].u.hypot(middle[1].v);
-    if determinant.abs() <= 1e-9 * scale || scale == 0.0 {
+    let square = |slope: &Slope| slope.u * slope.u + slope.v * slope.v;
+    let scale = square(&middle[0]) * square(&middle[1]);
+    if determinant * determinant <= 1e-18 * scale || scale == 0.0 {
         return Verdict::Open;
     }
     // The inverse of the Jacobian takes the fields to ones that are nearly u - u0 and v - v0.

@@ -8,6 +8,7 @@
 //! * length, [`Lengths`]: arc length and its inverse. area, [`Moments`]: integrals over what a curve encloses.
 //! * bounds: the exact bounding box.
 //! * cross: crossings with lines and planes.
+//! * approach: where two curves in space come near to each other.
 //! * meet, pair: common points of two plane curves, and of one with itself.
 //! * offset: the curve at a distance.
 //! * resample, [`Samples`]: points along a curve.
@@ -20,6 +21,7 @@
 //! that size. Lengths of 1e200 and 1e-200 are as good as others; results that f64 cannot hold, such as an area of 1e400,
 //! become infinite or 0.
 
+mod approach;
 mod area;
 mod bernstein;
 mod bounds;
@@ -39,6 +41,7 @@ mod roots;
 mod split;
 mod tree;
 
+pub use approach::{Approach, Approaches, Beside};
 pub use area::Moments;
 pub use bounds::Bounds;
 pub use cross::Crossings;
