@@ -26,6 +26,7 @@ pub(crate) struct Axis {
     /// Lines of nodes, the repeated one of a closed direction included.
     lines: usize,
     closed: bool,
+    scheme: Scheme,
     /// By the place of the interval among the nodes that it depends on.
     weights: Box<[Weights; TAPS - 1]>,
     lebesgue: f64,
@@ -39,7 +40,7 @@ impl Axis {
 
     /// `lines`: at least [`Axis::least_lines`]; of a closed direction the last one is the first one again.
     pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
-        let mut axis = Axis { lines, closed, weights: Box::new([[[0.0; TAPS]; 4]; TAPS - 1]), lebesgue: 1.0 };
+        let mut axis = Axis { lines, closed, scheme, weights: Box::new([[[0.0; TAPS]; 4]; TAPS - 1]), lebesgue: 1.0 };
         if closed {
             // All intervals are like those in the middle of a long row.
             let slopes = if lines > 5 { 5 } else { 3 };
@@ -69,8 +70,10 @@ impl Axis {
         let mut lines = [0; TAPS];
         if self.closed {
             let distinct = self.lines - 1;
-            for (k, line) in lines.iter_mut().enumerate() {
-                *line = (cell + k + 2 * distinct - 2) % distinct;
+            let mut next = if cell < 2 { cell + distinct - 2 } else { cell - 2 };
+            for line in &mut lines {
+                *line = next;
+                next = if next + 1 == distinct { 0 } else { next + 1 };
             }
             return (lines, &self.weights[2]);
         }
@@ -99,6 +102,11 @@ impl Axis {
         let (lines, points) = self.taps(cell);
         let first = if cell == line || self.closed { 0 } else { 2 };
         (lines, std::array::from_fn(|k| 3.0 * (points[first + 1][k] - points[first][k])))
+    }
+
+    /// True if the slopes of neighbouring intervals agree at their common node.
+    pub(crate) fn is_smooth(&self) -> bool {
+        self.scheme == Scheme::SixTap
     }
 
     /// All lines that a range of intervals depends on, each once.

@@ -162,8 +162,8 @@ impl<'a> Grid<'a> {
         [self.u.is_closed(), self.v.is_closed()]
     }
 
-    /// The directions u and v.
-    pub(super) fn axes(&self) -> [&Axis; 2] {
+    /// The two directions: how the cubics follow from the nodes.
+    pub(crate) fn axes(&self) -> [&Axis; 2] {
         [&self.u, &self.v]
     }
 

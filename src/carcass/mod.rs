@@ -14,6 +14,7 @@ mod evaluate;
 mod curve;
 mod grid;
 mod index;
+pub mod level;
 pub mod line;
 pub mod make;
 mod mesh;

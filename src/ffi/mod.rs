@@ -21,6 +21,7 @@
 //! | [`sheet_make`], [`sheet_ask`], [`sheet_mesh`], [`carcass_evaluate`] | other kinds of sheets, what they are, meshes of them, points on them |
 //! | [`sheet`], [`carcass`] | pieces of smooth surface; the handle of a surface with its index, places and curves on it |
 //! | [`carcass_line`], [`carcass_curve`] | lines and curves that meet surfaces; curves through points and along surfaces |
+//! | [`carcass_level`] | sections, contours and isophotes of surfaces |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -38,6 +39,7 @@ pub mod carcass;
 pub mod carcass_evaluate;
 pub mod carcass_curve;
 pub mod carcass_line;
+pub mod carcass_level;
 pub mod check;
 pub mod context;
 pub mod curve;

@@ -84,6 +84,22 @@ impl Group {
         (0..4).map(|child| self.get(child)).fold(Bounds::EMPTY, Bounds::joined)
     }
 
+    /// The least and the greatest products of points of the four boxes with a direction that is not 0; of empty ones, the least is
+    /// infinite.
+    #[inline(always)]
+    pub(crate) fn along(&self, direction: DVec3) -> [[f64; 2]; 4] {
+        let mut ranges = [[0.0; 2]; 4];
+        for (axis, by) in direction.to_array().into_iter().enumerate().filter(|&(_, by)| by != 0.0) {
+            let (low, high) = (&self.low[axis], &self.high[axis]);
+            let (from, to) = if by > 0.0 { (low, high) } else { (high, low) };
+            for (child, range) in ranges.iter_mut().enumerate() {
+                range[0] += by * f64::from(from[child]);
+                range[1] += by * f64::from(to[child]);
+            }
+        }
+        ranges
+    }
+
     /// The squares of the distances of a point from the four boxes: infinite for empty ones.
     #[inline(always)]
     pub(crate) fn distances_squared(&self, point: DVec3) -> [f64; 4] {
@@ -179,6 +195,17 @@ impl Oriented {
         // The axes are orthonormal to 1e-7 only.
         let play = 1e-6 * farthest.sqrt();
         (low - half).max(-half - high).max_element() <= play
+    }
+
+    /// The least and the greatest product of points of the box with a direction.
+    #[inline(always)]
+    pub(crate) fn along(&self, direction: DVec3) -> [f64; 2] {
+        let half = DVec3::from_array(self.half.map(f64::from));
+        let middle = self.centre().dot(direction);
+        // The axes are orthonormal to 1e-7, so that the box may reach a little farther.
+        let reach =
+            (self.frame() * direction).abs().dot(half) * (1.0 + 1e-6) + 1e-6 * half.length() * direction.length();
+        [middle - reach, middle + reach]
     }
 
     /// The corners.

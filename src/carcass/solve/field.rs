@@ -16,7 +16,7 @@ pub(crate) struct Slope {
 
 /// Value and slope of a polynomial in Bernstein form.
 #[inline(always)]
-fn polynomial<const N: usize>(c: &[f64; N], t: f64) -> [f64; 2] {
+pub(crate) fn polynomial<const N: usize>(c: &[f64; N], t: f64) -> [f64; 2] {
     let mut work = *c;
     for count in (2..N).rev() {
         for k in 0..count {

@@ -6,7 +6,7 @@ mod roots;
 mod spots;
 
 pub(crate) use curve::{Crossings, Room, crossings, halved};
-pub(crate) use field::Field;
+pub(crate) use field::{Field, polynomial};
 #[allow(unused_imports, reason = "not every set of searches needs it")]
 pub(crate) use roots::roots;
 pub(crate) use roots::{Roots, simple_roots};

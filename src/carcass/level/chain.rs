@@ -1,0 +1,183 @@
+//! Arcs, linked by the marks that they share, as strands: open ones and closed ones, in order.
+
+use super::lattice::Lattice;
+use super::search::{Arc, Found};
+use crate::alloc;
+use crate::error::Result;
+use glam::DVec2;
+use std::collections::VecDeque;
+
+/// A place on a sheet: a cell and the parameters there.
+pub(super) type Step = ([u32; 2], DVec2);
+
+/// A curve of a sheet.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Strand {
+    pub(super) level: u32,
+    pub(super) closed: bool,
+    /// From where to where among the steps.
+    pub(super) steps: [usize; 2],
+}
+
+/// The curves of a sheet, by level and lowest cell.
+#[derive(Debug, Default)]
+pub(super) struct Strands {
+    pub(super) strands: Vec<Strand>,
+    pub(super) steps: Vec<Step>,
+}
+
+const NONE: u32 = u32::MAX;
+
+/// Keys of marks and the arcs that begin there: open addressing.
+struct Table {
+    slots: Vec<(u64, u32)>,
+    shift: u32,
+}
+
+impl Table {
+    fn new(arcs: &[Arc]) -> Result<Self> {
+        let bits = usize::BITS - (2 * arcs.len()).leading_zeros();
+        let mut table = Table { slots: alloc::filled((0, NONE), 1 << bits)?, shift: u64::BITS - bits };
+        for (k, arc) in arcs.iter().enumerate() {
+            let at = table.slot(arc.keys[0]);
+            table.slots[at] = (arc.keys[0], k as u32);
+        }
+        Ok(table)
+    }
+
+    /// Where a key is, or would be.
+    fn slot(&self, key: u64) -> usize {
+        let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> self.shift) as usize;
+        while self.slots[at].1 != NONE && self.slots[at].0 != key {
+            at = (at + 1) & (self.slots.len() - 1);
+        }
+        at
+    }
+
+    fn get(&self, key: u64) -> Option<usize> {
+        let (_, arc) = self.slots[self.slot(key)];
+        (arc != NONE).then_some(arc as usize)
+    }
+}
+
+/// Links the arcs of a sheet. `apart`: whether the cells at a side have marks of their own, which are linked first.
+pub(super) fn chain(found: &mut Found, lattice: &Lattice, apart: bool) -> Result<Strands> {
+    // Cells come as the search finds them; levels one after the other within a cell.
+    found.arcs.sort_by_key(|arc| arc.level);
+    if apart {
+        stitch(&mut found.arcs, lattice)?;
+    }
+    let mut made = Strands::default();
+    let mut order = Vec::new();
+    for arcs in found.arcs.chunk_by(|a, b| a.level == b.level) {
+        let first = made.strands.len();
+        order.clear();
+        follow(arcs, &found.inner, &mut made, &mut order)?;
+        // By lowest cell.
+        let mut by: Vec<usize> = (0..order.len()).collect();
+        by.sort_unstable_by_key(|&k| order[k]);
+        let sorted: Vec<Strand> = by.into_iter().map(|k| made.strands[first + k]).collect();
+        made.strands[first..].copy_from_slice(&sorted);
+    }
+    Ok(made)
+}
+
+/// The strands of one level; `order` receives the lowest cell of each, and the key of its mark.
+fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut Strands, order: &mut Vec<([u32; 2], u64)>) -> Result<()> {
+    let table = Table::new(arcs)?;
+    let mut next = alloc::filled(NONE, arcs.len())?;
+    let mut entered = alloc::filled(false, arcs.len())?;
+    for (k, arc) in arcs.iter().enumerate() {
+        if let Some(after) = table.get(arc.keys[1]).filter(|&after| !entered[after]) {
+            next[k] = after as u32;
+            entered[after] = true;
+        }
+    }
+    let lowest = |k: usize| (arcs[k].cell, arcs[k].keys[0]);
+    let mut used = alloc::filled(false, arcs.len())?;
+    // Open ones from their beginnings, then closed ones.
+    let open = (0..arcs.len()).filter(|&k| !entered[k]);
+    for head in open.chain(0..arcs.len()) {
+        if used[head] {
+            continue;
+        }
+        let (mut least, mut last) = (head, head);
+        loop {
+            used[last] = true;
+            if lowest(last) < lowest(least) {
+                least = last;
+            }
+            if next[last] == NONE || next[last] as usize == head {
+                break;
+            }
+            last = next[last] as usize;
+        }
+        let closed = next[last] != NONE;
+        let first = made.steps.len();
+        let mut at = if closed { least } else { head };
+        loop {
+            let arc = &arcs[at];
+            alloc::push(&mut made.steps, (arc.cell, arc.ends[0]))?;
+            let [from, to] = arc.inner.map(|k| k as usize);
+            alloc::reserve(&mut made.steps, to - from)?;
+            made.steps.extend(inner[from..to].iter().map(|&place| (arc.cell, place)));
+            if arc.jumps || next[at] == NONE {
+                alloc::push(&mut made.steps, (arc.cell, arc.ends[1]))?;
+            }
+            if next[at] == NONE || (closed && next[at] as usize == least) {
+                break;
+            }
+            at = next[at] as usize;
+        }
+        let strand = Strand { level: arcs[head].level, closed, steps: [first, made.steps.len()] };
+        alloc::push(&mut made.strands, strand)?;
+        alloc::push(order, lowest(least))?;
+    }
+    Ok(())
+}
+
+/// An end of an arc on a side between cells whose fields may jump.
+#[derive(Clone, Copy)]
+struct End {
+    level: u32,
+    side: u64,
+    t: f64,
+    key: u64,
+    arc: usize,
+    exit: bool,
+}
+
+/// Links what leaves one cell with what enters the next, or the same one again: along each side, the k-th that leaves with the k-th that
+/// enters. Where the fields have no sign in common, the side itself belongs to the zero set between the two.
+fn stitch(arcs: &mut [Arc], lattice: &Lattice) -> Result<()> {
+    let mut ends = alloc::with_capacity(2 * arcs.len())?;
+    for (k, arc) in arcs.iter().enumerate() {
+        for (key, at, exit) in [(arc.keys[0], arc.ends[0], false), (arc.keys[1], arc.ends[1], true)] {
+            let side = key >> 7;
+            let inside = key >> 63 == 1;
+            if !inside && !lattice.on_edge_side(arc.cell, side) {
+                ends.push(End { level: arc.level, side, t: at[(side & 1) as usize], key, arc: k, exit });
+            }
+        }
+    }
+    ends.sort_unstable_by(|a, b| {
+        let by = |end: &End| (end.level, end.side);
+        by(a).cmp(&by(b)).then(a.t.total_cmp(&b.t)).then(a.key.cmp(&b.key))
+    });
+    let mut waiting: VecDeque<End> = VecDeque::new();
+    for side in ends.chunk_by(|a, b| (a.level, a.side) == (b.level, b.side)) {
+        waiting.clear();
+        for &end in side {
+            match waiting.front() {
+                Some(first) if first.exit != end.exit => {
+                    let (exit, entry) = if end.exit { (end, *first) } else { (*first, end) };
+                    arcs[exit.arc].keys[1] = entry.key;
+                    arcs[exit.arc].jumps = true;
+                    waiting.pop_front();
+                }
+                _ => waiting.push_back(end),
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,393 @@
+//! Curves of points whose normals make given angles with a direction: silhouettes at 90 degrees, in general isophotes.
+//!
+//! With H the component of N = S_u x S_v along the direction and P the square of what is across it, the angle is alpha where H has the sign
+//! of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90 degrees where H = 0; at 0 and 180 where both components across are 0, which is so
+//! at single points. None of it suffers from cancellation, whatever the angle.
+
+use super::normals::{Hodographs, squares};
+use super::source::{Sides, Source};
+use super::{Between, Gathered, Strands, direction, lattice, paths};
+use crate::alloc;
+use crate::carcass::cells::Cells;
+use crate::carcass::solve::{Field, Roots, roots};
+use crate::carcass::{Carcass, Paths, Place, Sheet};
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use glam::DVec3;
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// Sines and cosines smaller than that are 0.
+const SMALL: f64 = 1e-8;
+/// Cells that are one thread's work, and such works between two reports of progress.
+const CHUNK: usize = 1024;
+const CHUNKS: usize = 16;
+
+/// Normals of a sheet, seen along a direction.
+pub(super) struct Normals<'a, C> {
+    pub(super) cells: &'a C,
+    /// Two directions across the given one, and that one.
+    pub(super) frame: [DVec3; 3],
+    /// Of the greatest coordinates.
+    pub(super) reach: f64,
+    pub(super) sides: Sides,
+}
+
+impl<C> Normals<'_, C> {
+    fn hodographs<const N: usize>(&self, [i, j]: [usize; 2]) -> Hodographs<N>
+    where
+        C: Cells<N>,
+    {
+        Hodographs::new(&self.cells.patch(i, j), &self.frame)
+    }
+
+    /// By what components of normals may be wrong for rounding.
+    fn noise<const N: usize>(&self, of: &Hodographs<N>) -> f64 {
+        let [u, v] = of.speeds();
+        32.0 * f64::EPSILON * (self.reach * (u + v) + u * v)
+    }
+}
+
+/// H = 0.
+struct Silhouette<'a, C, const N: usize>(Normals<'a, C>);
+
+impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
+    type Block = ();
+    type Base = (Field<M>, f64);
+
+    fn block(&self, _: [Range<usize>; 2]) -> Option<()> {
+        Some(())
+    }
+
+    fn may_cross(&self, (): &(), cell: [usize; 2]) -> bool {
+        let of = self.0.hodographs::<N>(cell);
+        let noise = self.0.noise(&of);
+        let [low, high] = of.ranges()[2];
+        low <= noise && high >= -noise
+    }
+
+    fn base(&self, (): &(), cell: [usize; 2]) -> (Field<M>, f64) {
+        let of = self.0.hodographs::<N>(cell);
+        (of.normal(2), self.0.noise(&of))
+    }
+
+    fn levels(&self, _: &(Field<M>, f64)) -> Range<usize> {
+        0..1
+    }
+
+    fn field(&self, base: &(Field<M>, f64), _: usize) -> Field<M> {
+        base.0
+    }
+
+    fn sides(&self) -> Sides {
+        self.0.sides
+    }
+
+    fn noise(&self, base: &(Field<M>, f64)) -> f64 {
+        base.1
+    }
+}
+
+/// sin^2 alpha H^2 = cos^2 alpha P.
+struct Isophotes<'a, C, const N: usize, const H: usize> {
+    normals: Normals<'a, C>,
+    /// Sines and cosines.
+    angles: &'a [[f64; 2]],
+    unsigned: bool,
+}
+
+/// What the angles of a cell have in common.
+struct Squares<const M: usize> {
+    along: Field<M>,
+    across: Field<M>,
+    noise: f64,
+}
+
+impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for Isophotes<'_, C, N, H> {
+    type Block = ();
+    type Base = Squares<M>;
+
+    fn block(&self, _: [Range<usize>; 2]) -> Option<()> {
+        Some(())
+    }
+
+    fn may_cross(&self, (): &(), cell: [usize; 2]) -> bool {
+        let of = self.normals.hodographs::<N>(cell);
+        let noise = self.normals.noise(&of);
+        let [low, high] = angles(&of.ranges(), noise);
+        self.angles.iter().any(|&[sin, cos]| {
+            let angle = libm::atan2(sin, cos);
+            let within = |angle: f64| low <= angle && angle <= high;
+            within(angle) || (self.unsigned && within(PI - angle))
+        })
+    }
+
+    fn base(&self, (): &(), cell: [usize; 2]) -> Squares<M> {
+        let of = self.normals.hodographs::<N>(cell);
+        let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
+        let [u, v] = of.speeds();
+        let noise = 4.0 * u * v * self.normals.noise(&of);
+        Squares { along: squares(&[along]), across: squares(&[first, second]), noise }
+    }
+
+    fn levels(&self, _: &Squares<M>) -> Range<usize> {
+        0..self.angles.len()
+    }
+
+    /// Rising with the cosine of the angle, where this has the sign of cos alpha.
+    fn field(&self, base: &Squares<M>, level: usize) -> Field<M> {
+        let [sin, cos] = self.angles[level];
+        let sign = if cos < 0.0 && !self.unsigned { -1.0 } else { 1.0 };
+        base.along.combined(sign * sin * sin, &base.across, -sign * cos * cos)
+    }
+
+    fn sides(&self) -> Sides {
+        self.normals.sides
+    }
+
+    fn noise(&self, base: &Squares<M>) -> f64 {
+        base.noise
+    }
+}
+
+/// The least and the greatest angle between the third axis and vectors whose components are within ranges.
+pub(super) fn angles(ranges: &[[f64; 2]; 3], noise: f64) -> [f64; 2] {
+    let [first, second, along] = ranges.map(|[low, high]| [low - noise, high + noise]);
+    let least = |[low, high]: [f64; 2]| if low > 0.0 { low } else { (-high).max(0.0) };
+    let most = |[low, high]: [f64; 2]| high.max(-low);
+    let length = |x: f64, y: f64| (x * x + y * y).sqrt();
+    let (near, far) = (length(least(first), least(second)), length(most(first), most(second)));
+    // Away from the axis means a greater angle in front and a smaller one behind.
+    let low = libm::atan2(if along[1] > 0.0 { near } else { far }, along[1]);
+    let high = libm::atan2(if along[0] > 0.0 { far } else { near }, along[0]);
+    [low - 1e-12, high + 1e-12]
+}
+
+/// Two directions across one, and that one: right-handed.
+pub(super) fn frame(axis: DVec3) -> [DVec3; 3] {
+    let first = axis.any_orthonormal_vector();
+    [first, axis.cross(first), axis]
+}
+
+/// Which of the angles asked for are what.
+#[derive(Default)]
+struct Kinds {
+    silhouettes: Vec<u32>,
+    /// Of 0 and 180 degrees: the sign of the cosine.
+    poles: Vec<(u32, f64)>,
+    others: Vec<[f64; 2]>,
+    numbers: Vec<u32>,
+}
+
+impl Carcass<'_> {
+    /// Where the surface's normal makes given angles with a direction: curves in the order of the angles (`levels` of the paths) and of their
+    /// lowest cells. At 90 degrees they are the silhouettes of the surface seen along the direction. At 0 and 180 degrees there are points in
+    /// place of curves: paths of one point each. To the left of curves, seen from where the normals point to, angles are smaller.
+    ///
+    /// `angles`: in radians, rising, from 0 to pi; `unsigned`: a normal and its opposite are the same, and angles end at pi / 2.
+    ///
+    /// Every curve is found, as [`Carcass::section`] finds them, if the surface is regular. On sheets of patches and of the four-point
+    /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for. At
+    /// poles, where the normal is none, a curve ends or passes; a pole that may have the angle itself is listed as unresolved. O(cells).
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do not rise or are out of range;
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn isophotes(
+        &self,
+        axis: DVec3,
+        angles: &[f64],
+        unsigned: bool,
+        between: Between,
+        job: &Job<'_>,
+    ) -> Result<Paths> {
+        let axis = direction(axis, "direction")?;
+        super::rising(angles)?;
+        let most = if unsigned { 0.5 * PI } else { PI };
+        if let Some(&value) = angles.iter().find(|&&angle| !(0.0..=most + 1e-15).contains(&angle)) {
+            return Err(Error::OptionOutOfRange { option: "angles", value });
+        }
+        let kinds = Kinds::new(angles, unsigned)?;
+        let chord = self.chord(between)?;
+        let frame = frame(axis);
+        let reach = self.reach();
+        let (mut curves, mut points) = (Gathered::default(), Vec::new());
+        for k in 0..self.len() {
+            let (sheet, _) = self.indexed(k);
+            match sheet {
+                Sheet::Grid(grid) => {
+                    let smooth = grid.axes().iter().all(|axis| axis.is_smooth());
+                    let sides = if smooth { Sides::Alike } else { Sides::Apart };
+                    let of = Sought { sheet: k, cells: grid, frame, reach, sides, chord, unsigned };
+                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
+                }
+                Sheet::Cubic(cells) => {
+                    let of = Sought { sheet: k, cells, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
+                }
+                Sheet::High(cells) => {
+                    let of = Sought { sheet: k, cells, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    of.find::<8, 14, 27>(&kinds, lattice(sheet), &mut curves, &mut points, job)?;
+                }
+            }
+        }
+        let mut found = paths::paths(self, &curves.sheets, curves.unresolved, job)?;
+        paths::add_points(self, &points, &mut found)?;
+        super::leus::between(found, between)
+    }
+
+    /// The greatest coordinate.
+    pub(super) fn reach(&self) -> f64 {
+        let [low, high] = self.bounds();
+        low.abs().max(high.abs()).max_element()
+    }
+}
+
+impl Kinds {
+    fn new(angles: &[f64], unsigned: bool) -> Result<Self> {
+        let mut kinds = Kinds::default();
+        for (k, &angle) in angles.iter().enumerate() {
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            if cos.abs() < SMALL {
+                alloc::push(&mut kinds.silhouettes, k as u32)?;
+            } else if sin.abs() < SMALL {
+                alloc::push(&mut kinds.poles, (k as u32, cos))?;
+                if unsigned {
+                    alloc::push(&mut kinds.poles, (k as u32, -cos))?;
+                }
+            } else {
+                alloc::push(&mut kinds.others, [sin, cos])?;
+                alloc::push(&mut kinds.numbers, k as u32)?;
+            }
+        }
+        Ok(kinds)
+    }
+}
+
+/// What is looked for on a sheet.
+struct Sought<'a, C> {
+    sheet: usize,
+    cells: &'a C,
+    frame: [DVec3; 3],
+    reach: f64,
+    sides: Sides,
+    chord: Option<f64>,
+    unsigned: bool,
+}
+
+impl<C> Sought<'_, C> {
+    fn normals(&self) -> Normals<'_, C> {
+        Normals { cells: self.cells, frame: self.frame, reach: self.reach, sides: self.sides }
+    }
+
+    fn find<const N: usize, const H: usize, const M: usize>(
+        &self,
+        kinds: &Kinds,
+        lattice: super::Lattice,
+        curves: &mut Gathered,
+        points: &mut Vec<(u32, Place)>,
+        job: &Job<'_>,
+    ) -> Result<()>
+    where
+        C: Cells<N>,
+    {
+        let [rows, across] = lattice.blocks();
+        let block = |k: usize| [(k / across) as u32, (k % across) as u32];
+        let apart = self.sides == Sides::Apart;
+        let Sought { cells, chord, .. } = *self;
+        for &number in &kinds.silhouettes {
+            let source = Silhouette::<C, N>(self.normals());
+            let search = super::Search { cells, source: &source, lattice, chord };
+            let mut found = search.run::<N, H>(rows * across, block, job)?;
+            found.arcs.iter_mut().for_each(|arc| arc.level = number);
+            curves.add(self.sheet, found, &lattice, apart)?;
+        }
+        if !kinds.others.is_empty() {
+            let (normals, unsigned) = (self.normals(), self.unsigned);
+            let source = Isophotes::<C, N, H> { normals, angles: &kinds.others, unsigned };
+            let search = super::Search { cells, source: &source, lattice, chord };
+            let found = search.run::<N, M>(rows * across, block, job)?;
+            curves.add(self.sheet, found, &lattice, apart)?;
+            if let Some((_, strands)) = curves.sheets.last_mut() {
+                self.keep_signs(strands, &kinds.others);
+                strands.strands.iter_mut().for_each(|strand| strand.level = kinds.numbers[strand.level as usize]);
+            }
+        }
+        for &(number, sign) in &kinds.poles {
+            self.poles::<N, H>(sign, number, lattice.counts, curves, points, job)?;
+        }
+        Ok(())
+    }
+
+    /// Of the curves where sin^2 alpha H^2 = cos^2 alpha P, those on which H has the sign of cos alpha.
+    fn keep_signs<const N: usize>(&self, strands: &mut Strands, angles: &[[f64; 2]])
+    where
+        C: Cells<N>,
+    {
+        let Strands { strands, steps } = strands;
+        strands.retain(|strand| {
+            let along = steps[strand.steps[0]..strand.steps[1]].iter().map(|&([i, j], at)| {
+                self.cells.patch(i as usize, j as usize).jet(at.x, at.y).normal().dot(self.frame[2])
+            });
+            // Where the normal is none, at poles, it says nothing.
+            let most = along.fold(0.0_f64, |most, x| if x.abs() > most.abs() { x } else { most });
+            self.unsigned || most * angles[strand.level as usize][1] >= 0.0
+        });
+    }
+
+    /// The points where the normal has the direction, or the opposite one.
+    fn poles<const N: usize, const H: usize>(
+        &self,
+        sign: f64,
+        number: u32,
+        [rows, columns]: [usize; 2],
+        curves: &mut Gathered,
+        points: &mut Vec<(u32, Place)>,
+        job: &Job<'_>,
+    ) -> Result<()>
+    where
+        C: Cells<N>,
+    {
+        let normals = self.normals();
+        let count = rows * columns;
+        for first in (0..count).step_by(CHUNK * CHUNKS) {
+            job.step(first as f64 / count as f64, "contours")?;
+            let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
+                let mut all: Vec<([u32; 2], Roots)> = Vec::new();
+                for k in range {
+                    let cell = [(first + k) / columns, (first + k) % columns];
+                    let of = normals.hodographs::<N>(cell);
+                    let noise = normals.noise(&of);
+                    let [first, second, along] = of.ranges();
+                    let zero = |[low, high]: [f64; 2]| low <= noise && high >= -noise;
+                    let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
+                    if !(zero(first) && zero(second) && right) {
+                        continue;
+                    }
+                    let mut found = Roots::default();
+                    roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found);
+                    alloc::push(&mut all, (cell.map(|k| k as u32), found))?;
+                }
+                Ok(all)
+            });
+            for part in parts {
+                let part: Vec<_> = part?;
+                for (cell, found) in part {
+                    let place = |at: glam::DVec2| Place { sheet: self.sheet as u32, cell, u: at.x, v: at.y };
+                    for at in found.simple {
+                        let [i, j] = cell.map(|k| k as usize);
+                        let along = self.cells.patch(i, j).jet(at.x, at.y).normal().dot(self.frame[2]);
+                        if along * sign > 0.0 {
+                            alloc::push(points, (number, place(at)))?;
+                        }
+                    }
+                    for (at, _) in found.unresolved {
+                        alloc::push(&mut curves.unresolved, place(at))?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,305 @@
+//! Task b) of the paper as a minimum: the place whose normal makes the angle with a direction that is nearest to a given one.
+//!
+//! By branch and bound over cells and parts of them. The paper bounds the angle over a region by curvature times diameter; here the bounds
+//! are those of the components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2 theta P (see
+//! `isophote`), which tell on which side of theta all angles of a part are.
+
+use super::direction;
+use super::isophote::{Normals, angles, frame};
+use super::normals::{Hodographs, squares};
+use super::source::Sides;
+use crate::alloc;
+use crate::carcass::cells::Cells;
+use crate::carcass::solve::Field;
+use crate::carcass::{Carcass, Place, Sheet};
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use glam::{DVec2, DVec3};
+use std::f64::consts::PI;
+
+/// To which the answer is proved, in radians.
+const TOLERANCE: f64 = 1e-9;
+/// Halvings of a cell, and parts that may be looked at in one.
+const DEPTH: u32 = 40;
+const PARTS: u32 = 4096;
+/// Cells that are one thread's work, and such works between two reports of progress.
+const CHUNK: usize = 1024;
+const CHUNKS: usize = 16;
+
+/// Where a normal's angle is nearest to a given one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearestAngle {
+    /// Where it is.
+    pub place: Place,
+    /// The point.
+    pub point: DVec3,
+    /// The unit normal.
+    pub normal: DVec3,
+    /// Its angle with the direction, in radians.
+    pub angle: f64,
+    /// How far this is from the angle asked for.
+    pub deviation: f64,
+    /// No normal's angle is nearer than this.
+    pub bound: f64,
+}
+
+/// The angle asked for.
+#[derive(Clone, Copy)]
+struct Goal {
+    angle: f64,
+    unsigned: bool,
+}
+
+/// The best that was found.
+#[derive(Clone, Copy)]
+struct Best {
+    deviation: f64,
+    place: Option<Place>,
+}
+
+/// A cell that may hold something better.
+struct Candidate {
+    bound: f64,
+    sheet: u32,
+    cell: [u32; 2],
+}
+
+impl Goal {
+    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for 0.
+    fn deviation(&self, [x, y, z]: [f64; 3]) -> f64 {
+        if x == 0.0 && y == 0.0 && z == 0.0 {
+            return f64::INFINITY;
+        }
+        let along = if self.unsigned { z.abs() } else { z };
+        (libm::atan2((x * x + y * y).sqrt(), along) - self.angle).abs()
+    }
+
+    /// How near angles from `low` to `high` can be.
+    fn bound(&self, [low, high]: [f64; 2]) -> f64 {
+        let outside = |goal: f64| (low - goal).max(goal - high).max(0.0);
+        if self.unsigned { outside(self.angle).min(outside(PI - self.angle)) } else { outside(self.angle) }
+    }
+
+    /// True if the coefficients show that no angle is nearer than `by`.
+    fn is_beyond<const H: usize, const M: usize>(&self, normal: &[Field<H>; 3], by: f64) -> bool {
+        let [first, second, along] = normal;
+        let (h, p): (Field<M>, Field<M>) = (squares(&[*along]), squares(&[*first, *second]));
+        let front = along.range()[0] >= 0.0;
+        let behind = along.range()[1] <= 0.0;
+        // All angles are at least theta, or at most theta.
+        let least = |theta: f64, most: bool| {
+            if !(0.0..=PI).contains(&theta) {
+                return false;
+            }
+            let (sin, cos) = (libm::sin(theta), libm::cos(theta));
+            let [low, high] = h.combined(sin * sin, &p, -cos * cos).range();
+            match (most, cos >= 0.0) {
+                (false, true) => behind || high <= 0.0,
+                (false, false) => behind && low >= 0.0,
+                (true, true) => front && low >= 0.0,
+                (true, false) => front || high <= 0.0,
+            }
+        };
+        let outside = |goal: f64| least(goal + by, false) || least(goal - by, true);
+        outside(self.angle) && (!self.unsigned || outside(PI - self.angle))
+    }
+}
+
+/// Part of a cell.
+struct Part<const H: usize> {
+    normal: [Field<H>; 3],
+    from: DVec2,
+    size: f64,
+    depth: u32,
+    deviation: f64,
+}
+
+impl<const H: usize> Part<H> {
+    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, depth: u32, goal: &Goal) -> Self {
+        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value));
+        Part { normal, from, size, depth, deviation }
+    }
+
+    fn quarters(&self, goal: &Goal) -> [Part<H>; 4] {
+        let [first, second, along] = [0, 1, 2].map(|k| self.normal[k].quarters());
+        let half = 0.5 * self.size;
+        [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
+            let k = 2 * corner.x as usize + corner.y as usize;
+            let from = self.from + half * corner;
+            Part::new([first[k], second[k], along[k]], from, half, self.depth + 1, goal)
+        })
+    }
+}
+
+/// A sheet's normals, of which the nearest is sought.
+struct Sought<'a, C> {
+    normals: Normals<'a, C>,
+    sheet: u32,
+    goal: Goal,
+}
+
+impl<C> Sought<'_, C> {
+    /// The best at the middles of cells, and the cells that may hold something better.
+    fn candidates<const N: usize>(
+        &self,
+        [rows, columns]: [usize; 2],
+        best: &mut Best,
+        candidates: &mut Vec<Candidate>,
+        job: &Job<'_>,
+    ) -> Result<()>
+    where
+        C: Cells<N>,
+    {
+        let count = rows * columns;
+        for first in (0..count).step_by(CHUNK * CHUNKS) {
+            job.step(0.9 * first as f64 / count as f64, "angles")?;
+            let known = *best;
+            let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
+                let (mut best, mut candidates) = (known, Vec::new());
+                for k in range {
+                    let cell = [((first + k) / columns) as u32, ((first + k) % columns) as u32];
+                    self.cell::<N>(cell, &mut best, &mut candidates)?;
+                }
+                Ok((best, candidates))
+            });
+            for part in parts {
+                let (found, mut some): (Best, Vec<Candidate>) = part?;
+                if found.deviation < best.deviation {
+                    *best = found;
+                }
+                alloc::reserve(candidates, some.len())?;
+                candidates.append(&mut some);
+            }
+            candidates.retain(|candidate| candidate.bound < best.deviation);
+        }
+        Ok(())
+    }
+
+    fn cell<const N: usize>(&self, cell: [u32; 2], best: &mut Best, candidates: &mut Vec<Candidate>) -> Result<()>
+    where
+        C: Cells<N>,
+    {
+        let [i, j] = cell.map(|k| k as usize);
+        let patch = self.normals.cells.patch(i, j);
+        let of = Hodographs::new(&patch, &self.normals.frame);
+        let bound = self.goal.bound(angles(&of.ranges(), 0.0));
+        if bound >= best.deviation {
+            return Ok(());
+        }
+        let normal = patch.jet(0.5, 0.5).normal();
+        let deviation = self.goal.deviation(self.normals.frame.map(|axis| normal.dot(axis)));
+        if deviation < best.deviation {
+            *best = Best { deviation, place: Some(Place { sheet: self.sheet, cell, u: 0.5, v: 0.5 }) };
+        }
+        alloc::push(candidates, Candidate { bound, sheet: self.sheet, cell })
+    }
+
+    /// Improves the best within a cell; returns what no angle there is nearer than.
+    fn search<const N: usize, const H: usize, const M: usize>(&self, cell: [u32; 2], best: &mut Best) -> f64
+    where
+        C: Cells<N>,
+    {
+        let [i, j] = cell.map(|k| k as usize);
+        let of = Hodographs::new(&self.normals.cells.patch(i, j), &self.normals.frame);
+        let normal = std::array::from_fn(|k| of.normal::<H>(k));
+        let mut waiting = vec![Part::new(normal, DVec2::ZERO, 1.0, 0, &self.goal)];
+        let (mut bound, mut looked_at) = (f64::INFINITY, 0);
+        while let Some(part) = waiting.pop() {
+            looked_at += 1;
+            if part.deviation < best.deviation {
+                let at = part.from + 0.5 * part.size;
+                let place = Place { sheet: self.sheet, cell, u: at.x, v: at.y };
+                *best = Best { deviation: part.deviation, place: Some(place) };
+            }
+            let proved = (best.deviation - TOLERANCE).max(0.0);
+            let near = self.goal.bound(angles(&part.normal.map(|field| field.range()), 0.0));
+            if near >= proved || self.goal.is_beyond::<H, M>(&part.normal, proved) {
+                bound = bound.min(near.max(proved));
+                continue;
+            }
+            if part.depth == DEPTH || looked_at >= PARTS {
+                bound = bound.min(near);
+                continue;
+            }
+            // The most promising last, to be taken first.
+            let mut quarters = part.quarters(&self.goal);
+            quarters.sort_by(|a, b| b.deviation.total_cmp(&a.deviation));
+            waiting.extend(quarters);
+        }
+        bound
+    }
+}
+
+impl Carcass<'_> {
+    /// The place whose normal's angle with a direction is nearest to `angle`, in radians from 0 to pi; to pi / 2 if `unsigned`, a normal and
+    /// its opposite then being the same. Proved to 1e-9, unless the bound says otherwise. `None` if there is no normal at all. O(cells).
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, or an angle out of range; [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn nearest_angle(
+        &self,
+        axis: DVec3,
+        angle: f64,
+        unsigned: bool,
+        job: &Job<'_>,
+    ) -> Result<Option<NearestAngle>> {
+        let axis = direction(axis, "direction")?;
+        let most = if unsigned { 0.5 * PI } else { PI };
+        if !(0.0..=most + 1e-15).contains(&angle) {
+            return Err(Error::OptionOutOfRange { option: "angle", value: angle });
+        }
+        let (goal, frame, reach) = (Goal { angle, unsigned }, frame(axis), self.reach());
+        let mut best = Best { deviation: f64::INFINITY, place: None };
+        let mut candidates = Vec::new();
+        /// What is sought on a sheet of any kind.
+        macro_rules! sought {
+            ($k:expr, $cells:expr) => {
+                Sought { normals: Normals { cells: $cells, frame, reach, sides: Sides::Apart }, sheet: $k as u32, goal }
+            };
+        }
+        for k in 0..self.len() {
+            let (sheet, _) = self.indexed(k);
+            let counts = sheet.cells();
+            match sheet {
+                Sheet::Grid(cells) => sought!(k, cells).candidates(counts, &mut best, &mut candidates, job)?,
+                Sheet::Cubic(cells) => sought!(k, cells).candidates(counts, &mut best, &mut candidates, job)?,
+                Sheet::High(cells) => sought!(k, cells).candidates(counts, &mut best, &mut candidates, job)?,
+            }
+        }
+        let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
+        candidates.sort_by(|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
+        let mut bound = f64::INFINITY;
+        for (k, candidate) in candidates.iter().enumerate() {
+            if k % 16 == 0 {
+                job.step(0.9 + 0.1 * k as f64 / candidates.len() as f64, "angles")?;
+            }
+            if candidate.bound >= (best.deviation - TOLERANCE).max(0.0) {
+                bound = bound.min(candidate.bound);
+                break;
+            }
+            let (sheet, _) = self.indexed(candidate.sheet as usize);
+            let (number, cell) = (candidate.sheet, candidate.cell);
+            bound = bound.min(match sheet {
+                Sheet::Grid(cells) => sought!(number, cells).search::<4, 6, 11>(cell, &mut best),
+                Sheet::Cubic(cells) => sought!(number, cells).search::<4, 6, 11>(cell, &mut best),
+                Sheet::High(cells) => sought!(number, cells).search::<8, 14, 27>(cell, &mut best),
+            });
+        }
+        Ok(best.place.map(|place| {
+            let (point, normal) = self.point_and_normal(place);
+            let seen = frame.map(|axis| normal.dot(axis));
+            let found = Goal { angle: 0.0, unsigned }.deviation(seen);
+            let deviation = goal.deviation(seen);
+            NearestAngle {
+                place,
+                point,
+                normal,
+                angle: found,
+                deviation,
+                bound: bound.min(deviation).min(best.deviation),
+            }
+        }))
+    }
+}
