@@ -43,11 +43,7 @@ pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Cu
 }
 
 /// The curve of segments of equal degree, each of which begins where the one before ends.
-fn joined<const N: usize>(
-    segments: impl Iterator<Item = [DVec3; N]>,
-    count: usize,
-    closed: bool,
-) -> Result<Curve> {
+fn joined<const N: usize>(segments: impl Iterator<Item = [DVec3; N]>, count: usize, closed: bool) -> Result<Curve> {
     let mut points = alloc::with_capacity(count * (N - 1) + 1)?;
     let mut ends = alloc::with_capacity(count + 1)?;
     ends.push(0);

@@ -9,14 +9,15 @@
 mod axis;
 mod cells;
 mod closest;
+mod curve;
 mod estimate;
 mod evaluate;
-mod curve;
 mod grid;
 mod index;
 pub mod level;
 pub mod line;
 pub mod make;
+pub mod meet;
 mod mesh;
 mod model;
 mod normal;
@@ -27,8 +28,8 @@ mod sheet;
 mod solve;
 
 pub use axis::Scheme;
-pub use evaluate::{Curvatures, Local};
 pub use curve::curve_through;
+pub use evaluate::{Curvatures, Local};
 pub use grid::{Grid, MAX_NODES, Nodes};
 pub use mesh::{SurfaceMesh, SurfaceMeshOptions};
 pub use model::{Carcass, Closest, Place};

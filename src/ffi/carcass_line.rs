@@ -212,7 +212,10 @@ pub unsafe extern "C" fn gusset_carcass_first_hits(
     count: usize,
     hits: *mut gusset_surface_hit,
 ) -> gusset_status {
-    let out = input::results(hits, count, "hits").map(|out| { out.fill(bytemuck::Zeroable::zeroed()); out });
+    let out = input::results(hits, count, "hits").map(|out| {
+        out.fill(bytemuck::Zeroable::zeroed());
+        out
+    });
     guard(context, |job| {
         let (out, carcass) = (out?, read(carcass)?);
         let found = carcass.first_hits(&self::lines(lines, count)?, job)?;

@@ -22,6 +22,7 @@
 //! | [`sheet`], [`carcass`] | pieces of smooth surface; the handle of a surface with its index, places and curves on it |
 //! | [`carcass_line`], [`carcass_curve`] | lines and curves that meet surfaces; curves through points and along surfaces |
 //! | [`carcass_level`] | sections, contours and isophotes of surfaces |
+//! | [`carcass_meet`] | where two surfaces meet |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -36,10 +37,11 @@
 pub mod assembly;
 pub mod boundary;
 pub mod carcass;
-pub mod carcass_evaluate;
 pub mod carcass_curve;
-pub mod carcass_line;
+pub mod carcass_evaluate;
 pub mod carcass_level;
+pub mod carcass_line;
+pub mod carcass_meet;
 pub mod check;
 pub mod context;
 pub mod curve;

@@ -174,7 +174,8 @@ impl Search {
                 let of_segment = end == 0.0 || end == 1.0;
                 slope > play && !(of_segment && last)
             };
-            if (at[k] <= low[k] && goes_on(low[k], gradient[k])) || (at[k] >= high[k] && goes_on(high[k], -gradient[k])) {
+            if (at[k] <= low[k] && goes_on(low[k], gradient[k])) || (at[k] >= high[k] && goes_on(high[k], -gradient[k]))
+            {
                 return Ok(());
             }
         }
