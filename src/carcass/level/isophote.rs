@@ -211,7 +211,7 @@ impl Carcass<'_> {
         let kinds = Kinds::new(angles, unsigned)?;
         let chord = self.chord(between)?;
         let frame = frame(axis);
-        let reach = self.reach();
+        let reach = self.greatest_coordinate();
         let (mut curves, mut points) = (Gathered::default(), Vec::new());
         for k in 0..self.len() {
             let (sheet, _) = self.indexed(k);
@@ -238,7 +238,7 @@ impl Carcass<'_> {
     }
 
     /// The greatest coordinate.
-    pub(super) fn reach(&self) -> f64 {
+    pub(super) fn greatest_coordinate(&self) -> f64 {
         let [low, high] = self.bounds();
         low.abs().max(high.abs()).max_element()
     }
@@ -354,7 +354,7 @@ impl<C> Sought<'_, C> {
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             job.step(first as f64 / count as f64, "contours")?;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
-                let mut all: Vec<([u32; 2], Roots)> = Vec::new();
+                let mut all: Vec<([u32; 2], Roots<H>)> = Vec::new();
                 for k in range {
                     let cell = [(first + k) / columns, (first + k) % columns];
                     let of = normals.hodographs::<N>(cell);

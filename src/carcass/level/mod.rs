@@ -94,7 +94,7 @@ impl Carcass<'_> {
         finite(planes.point, "point")?;
         rising(planes.offsets)?;
         let chord = self.chord(between)?;
-        let reach = self.reach().max(planes.point.abs().max_element());
+        let reach = self.greatest_coordinate().max(planes.point.abs().max_element());
         // A few roundings of coordinates of this size.
         let noise = 64.0 * f64::EPSILON * reach;
         let mut gathered = Gathered::default();

@@ -250,7 +250,7 @@ impl Carcass<'_> {
         if !(0.0..=most + 1e-15).contains(&angle) {
             return Err(Error::OptionOutOfRange { option: "angle", value: angle });
         }
-        let (goal, frame, reach) = (Goal { angle, unsigned }, frame(axis), self.reach());
+        let (goal, frame, reach) = (Goal { angle, unsigned }, frame(axis), self.greatest_coordinate());
         let mut best = Best { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();
         /// What is sought on a sheet of any kind.

@@ -38,7 +38,7 @@ impl Carcass<'_> {
         let each = |lines: &[Line], scratch: &mut Scratch| {
             let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
             for line in lines {
-                self.meet(line, which, scratch);
+                self.search_line(line, which, scratch);
                 counts.push(scratch.hits.len() as u64);
                 alloc::append(&mut hits, &scratch.hits)?;
             }
@@ -61,7 +61,7 @@ impl Carcass<'_> {
         let mut all = alloc::with_capacity(lines.len())?;
         let each = |lines: &[Line], scratch: &mut Scratch| {
             alloc::collect(lines.iter().map(|line| {
-                self.meet(line, Which::First, scratch);
+                self.search_line(line, Which::First, scratch);
                 scratch.hits.first().copied()
             }))
         };

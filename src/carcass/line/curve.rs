@@ -121,7 +121,7 @@ impl Carcass<'_> {
     }
 
     fn straight(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) {
-        self.meet(&Line::segment(a, b), Which::All, &mut finder.lines);
+        self.search_line(&Line::segment(a, b), Which::All, &mut finder.lines);
         for hit in &finder.lines.hits {
             let ends = hit.span.map(|t| a.lerp(b, t));
             finder.finds.push(Find {

@@ -119,12 +119,12 @@ impl Carcass<'_> {
     pub fn line(&self, line: &Line, which: Which) -> Result<Vec<Hit>> {
         line.check()?;
         let mut scratch = Scratch::default();
-        self.meet(line, which, &mut scratch);
+        self.search_line(line, which, &mut scratch);
         Ok(scratch.hits)
     }
 
     /// Leaves the hits of a line that was checked in the scratch, by rising t.
-    fn meet(&self, line: &Line, which: Which, scratch: &mut Scratch) {
+    fn search_line(&self, line: &Line, which: Which, scratch: &mut Scratch) {
         scratch.hits.clear();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
@@ -144,7 +144,7 @@ impl Carcass<'_> {
     }
 
     fn meet_first_of_all(&self, line: &Line, scratch: &mut Scratch) {
-        self.meet(line, Which::All, scratch);
+        self.search_line(line, Which::All, scratch);
         scratch.hits.truncate(1);
     }
 }
