@@ -111,6 +111,8 @@ struct Polylines {
     bool ordered = true;
     /// Curves of another kind, looked at here and there: chords between these points are nobody's.
     bool sampled = false;
+    /// Cells that ours lists.
+    std::size_t unresolved = 0;
 
     void clear();
 };
@@ -150,7 +152,7 @@ std::unique_ptr<Solver> occt(const Spline &spline);
 /// The torus itself, not through nodes.
 std::unique_ptr<Solver> occt_torus(const Point &centre);
 std::unique_ptr<Solver> sisl(const Spline &spline);
-/// 0 threads: as many as the machine has.
-std::unique_ptr<Solver> gusset(const Nodes &nodes, unsigned threads);
-std::unique_ptr<Solver> gusset(const Spline &spline, unsigned threads);
+/// 0 threads: as many as the machine has. Curves keep to the surface within `chord`; 0: points are where they cross sides of cells.
+std::unique_ptr<Solver> gusset(const Nodes &nodes, unsigned threads, double chord = 0);
+std::unique_ptr<Solver> gusset(const Spline &spline, unsigned threads, double chord = 0);
 } // namespace carcass

@@ -10,7 +10,7 @@ namespace carcass {
 namespace {
 class Gusset : public Solver {
 public:
-    explicit Gusset(unsigned threads) {
+    Gusset(unsigned threads, double chord) : chord_(chord) {
         check(gusset_context_create(&context_));
         check(gusset_context_set_threads(context_, threads));
     }
@@ -58,6 +58,24 @@ public:
             hits.ends.push_back(hits.points.size());
         }
     }
+    void plane(const Plane &plane, Polylines &curves) override {
+        gusset_level_options options{};
+        options.struct_size = sizeof options;
+        options.between = chord_ > 0 ? GUSSET_BETWEEN_CHORD : GUSSET_BETWEEN_NOTHING;
+        options.chord = chord_;
+        const double offset = 0;
+        gusset_surface_paths *found = nullptr;
+        check(gusset_carcass_section(context_, carcass_, plane.origin.data(), plane.normal.data(), &offset, 1, &options, &found));
+        take(found, curves);
+    }
+    void meet(Solver &other, Polylines &curves) override {
+        gusset_intersect_options options{};
+        options.struct_size = sizeof options;
+        options.chord = chord_ > 0 ? chord_ : std::numeric_limits<double>::infinity();
+        gusset_surface_paths *found = nullptr;
+        check(gusset_carcass_intersect(context_, carcass_, dynamic_cast<Gusset &>(other).carcass_, &options, &found));
+        take(found, curves);
+    }
 
 protected:
     virtual void make_sheet() = 0;
@@ -85,6 +103,28 @@ protected:
         return made;
     }
 
+    void take(gusset_surface_paths *found, Polylines &curves) const {
+        const std::unique_ptr<gusset_surface_paths, decltype(&gusset_surface_paths_destroy)> owner(found, &gusset_surface_paths_destroy);
+        gusset_surface_paths_parts parts{};
+        parts.struct_size = sizeof parts;
+        check(gusset_surface_paths_view(found, &parts));
+        curves.clear();
+        for (std::size_t k = 0; k < parts.path_count; ++k) {
+            for (std::size_t i = parts.ends.data[k]; i < parts.ends.data[k + 1]; ++i) {
+                curves.points.push_back({parts.points[3 * i], parts.points[3 * i + 1], parts.points[3 * i + 2]});
+            }
+            // The first point again, as others have it.
+            if (parts.closed[k]) {
+                const Point first = curves.points[curves.ends.empty() ? 0 : curves.ends.back()];
+                curves.points.push_back(first);
+            }
+            curves.ends.push_back(curves.points.size());
+            curves.closed.push_back(parts.closed[k] != 0);
+        }
+        curves.unresolved = parts.unresolved_count;
+    }
+
+    double chord_;
     gusset_context *context_ = nullptr;
     gusset_sheet *sheet_ = nullptr;
     gusset_carcass *carcass_ = nullptr;
@@ -94,7 +134,7 @@ protected:
 
 class OfNodes final : public Gusset {
 public:
-    OfNodes(const Nodes &nodes, unsigned threads) : Gusset(threads), nodes_(nodes) {}
+    OfNodes(const Nodes &nodes, unsigned threads, double chord) : Gusset(threads, chord), nodes_(nodes) {}
 
 private:
     void make_sheet() override {
@@ -113,7 +153,7 @@ private:
 
 class OfSpline final : public Gusset {
 public:
-    OfSpline(const Spline &spline, unsigned threads) : Gusset(threads), spline_(spline) {}
+    OfSpline(const Spline &spline, unsigned threads, double chord) : Gusset(threads, chord), spline_(spline) {}
 
 private:
     void make_sheet() override {
@@ -134,6 +174,10 @@ private:
 };
 } // namespace
 
-std::unique_ptr<Solver> gusset(const Nodes &nodes, unsigned threads) { return std::make_unique<OfNodes>(nodes, threads); }
-std::unique_ptr<Solver> gusset(const Spline &spline, unsigned threads) { return std::make_unique<OfSpline>(spline, threads); }
+std::unique_ptr<Solver> gusset(const Nodes &nodes, unsigned threads, double chord) {
+    return std::make_unique<OfNodes>(nodes, threads, chord);
+}
+std::unique_ptr<Solver> gusset(const Spline &spline, unsigned threads, double chord) {
+    return std::make_unique<OfSpline>(spline, threads, chord);
+}
 } // namespace carcass

@@ -64,6 +64,7 @@ nlohmann::json judge_curves(const std::vector<Surface> &surfaces, const Polyline
             {"curves", curves.ends.size()},
             {"closed", open == 0},
             {"ordered", curves.ordered},
+            {"unresolved", curves.unresolved},
             {"length", total}};
 }
 } // namespace carcass

@@ -6,14 +6,16 @@
 namespace carcass {
 namespace {
 constexpr std::size_t ROWS = 51, COLUMNS = 101, QUERIES = 40, LINES = 20;
+/// About as many points as SISL has spans.
+constexpr double CHORD = 1e-5;
 const Point SHIFT = {0.7, 0.2, 0.1};
 
 /// All of them, of one torus.
 struct Toruses {
     explicit Toruses(const Point &centre)
         : surface(torus(centre)), nodes(carcass::nodes(surface, ROWS, COLUMNS)), spline(carcass::spline(nodes)) {
-        solvers["gusset"] = gusset(spline, 1);
-        solvers["gusset-nodes"] = gusset(nodes, 1);
+        solvers["gusset"] = gusset(spline, 1, CHORD);
+        solvers["gusset-nodes"] = gusset(nodes, 1, CHORD);
         solvers["sisl"] = sisl(spline);
         solvers["occt"] = occt(spline);
         solvers["occt-exact"] = occt_torus(centre);
@@ -67,7 +69,7 @@ void of_two(Bench &bench, Toruses &a, Toruses &b) {
     }
     if (bench.wants("carcass/ssi-exact")) {
         const Nodes fine_a = nodes(a.surface, 128, 256), fine_b = nodes(b.surface, 128, 256);
-        const auto ours_a = gusset(fine_a, 1), ours_b = gusset(fine_b, 1);
+        const auto ours_a = gusset(fine_a, 1, CHORD), ours_b = gusset(fine_b, 1, CHORD);
         ours_a->build();
         ours_b->build();
         bench.compare("carcass/ssi-exact", "ms", 1, {meeting_of("gusset", *ours_a, *ours_b, both), contender("occt-exact")});
