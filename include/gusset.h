@@ -1244,6 +1244,16 @@ typedef struct gusset_strip gusset_strip;
 typedef struct gusset_surface_paths gusset_surface_paths;
 
 /**
+ * Points of a surface. Opaque and immutable; it keeps nothing of the carcass.
+ */
+typedef struct gusset_surface_points gusset_surface_points;
+
+/**
+ * Cells of a surface. Opaque and immutable; it keeps nothing of the carcass.
+ */
+typedef struct gusset_surface_region gusset_surface_region;
+
+/**
  * A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
  */
 typedef struct gusset_weld gusset_weld;

@@ -107,6 +107,13 @@ pub enum Error {
         /// The coordinate.
         value: f64,
     },
+    /// A point that was asked about has a coordinate that is NaN or infinite.
+    QueryNotFinite {
+        /// Its number.
+        query: u32,
+        /// The coordinate.
+        value: f64,
+    },
     /// A section of a frame has another number of points than the first one.
     SectionsDiffer {
         /// The section.
@@ -394,6 +401,7 @@ impl fmt::Display for Error {
             Error::PointNotFinite { side, place, value } => {
                 write!(f, "point {place} of loop {side} has a coordinate that is {value}")
             }
+            Error::QueryNotFinite { query, value } => write!(f, "query {query} has a coordinate that is {value}"),
             Error::OutlineNotFinite { point, value } => {
                 write!(f, "point {point}, or a tangent there, has a coordinate that is {value}")
             }

@@ -65,6 +65,11 @@ impl Axis {
         self.closed
     }
 
+    /// True if the surface goes on with continuous tangents at both ends of interval `cell`.
+    pub(crate) fn is_smooth_around(&self, cell: usize) -> bool {
+        self.is_smooth() && (self.closed || (cell > 0 && cell + 1 < self.cells()))
+    }
+
     /// The lines that interval `cell` depends on, and their weights; lines of weight 0 may repeat others.
     pub(crate) fn taps(&self, cell: usize) -> ([usize; TAPS], &Weights) {
         let mut lines = [0; TAPS];

@@ -24,6 +24,11 @@ pub(crate) trait Cells<const N: usize>: Sync {
         across.map(|direction| Field { c: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))) })
     }
 
+    /// True if the surface goes on with continuous tangents over all sides of the cell at (i, j).
+    fn is_smooth_around(&self, _i: usize, _j: usize) -> bool {
+        false
+    }
+
     /// For each block in a row of blocks, a bound of the distance of the surface over any of its cells from the bilinear patch through
     /// the cell's corners, at equal parameters.
     fn deviations(&self, block_row: usize, bounds: &mut [f64]);

@@ -100,6 +100,21 @@ impl<'a> Nodes<'a> {
         DVec3::from_slice(&self.data[at..at + 3])
     }
 
+    /// Reads the coordinates of six nodes of a row.
+    #[inline(always)]
+    fn read(&self, i: usize, columns: &[usize; TAPS], window: &mut Window) {
+        let (first, last) = (columns[0], columns[TAPS - 1]);
+        if self.column_stride == 3 && last == first + TAPS - 1 {
+            let at = i * self.row_stride + 3 * first;
+            window.copy_from_slice(&self.data[at..at + 3 * TAPS]);
+            return;
+        }
+        for (node, &column) in window.chunks_exact_mut(3).zip(columns) {
+            let at = i * self.row_stride + column * self.column_stride;
+            node.copy_from_slice(&self.data[at..at + 3]);
+        }
+    }
+
     /// [`Error::NodeNotFinite`] for the first node with a coordinate that is NaN or infinite.
     pub(crate) fn check_finite(&self) -> Result<()> {
         for i in 0..self.rows {
@@ -170,22 +185,47 @@ impl<'a> Grid<'a> {
     /// The patch over the cell between the nodes (i, j) and (i + 1, j + 1).
     pub fn patch(&self, i: usize, j: usize) -> Patch<4> {
         let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
-        // First along the rows, then across them.
-        let mut along = [[DVec3::ZERO; 4]; TAPS];
-        for (points, &row) in along.iter_mut().zip(&rows) {
-            let nodes = columns.map(|column| self.nodes.get(row, column));
-            for (point, weights) in points.iter_mut().zip(column_weights) {
-                *point = combined(weights, &nodes);
-            }
+        // First across the rows, all coordinates of all columns at once, then along them. The outer points are nodes, or sums over one
+        // line of nodes: with the same bits for both cells that have them in common.
+        let mut nodes = [[0.0; 3 * TAPS]; TAPS];
+        for (window, &row) in nodes.iter_mut().zip(&rows) {
+            self.nodes.read(row, &columns, window);
         }
+        let (row, column) = (self.u.place(i), self.v.place(j));
+        let inner = [blended(&row_weights[1], &nodes), blended(&row_weights[2], &nodes)];
         let mut points = [[DVec3::ZERO; 4]; 4];
-        for (b, column) in (0..4).map(|b| (b, along.map(|row| row[b]))) {
-            for (a, weights) in row_weights.iter().enumerate() {
-                points[a][b] = combined(weights, &column);
-            }
+        for (points, line) in points.iter_mut().zip([&nodes[row], &inner[0], &inner[1], &nodes[row + 1]]) {
+            *points = bezier(line, column, column_weights);
         }
         Patch { points }
     }
+}
+
+/// Coordinates of six points.
+type Window = [f64; 3 * TAPS];
+
+/// The sum of lines of nodes by their weights.
+#[inline(always)]
+fn blended(weights: &[f64; TAPS], lines: &[Window; TAPS]) -> Window {
+    let mut sum = [0.0; 3 * TAPS];
+    for (weight, line) in weights.iter().zip(lines) {
+        sum.iter_mut().zip(line).for_each(|(sum, x)| *sum += weight * x);
+    }
+    sum
+}
+
+/// The Bézier points between the points `place` and `place + 1` of a line.
+#[inline(always)]
+fn bezier(line: &Window, place: usize, weights: &Weights) -> [DVec3; 4] {
+    let point = |k: usize| DVec3::new(line[3 * k], line[3 * k + 1], line[3 * k + 2]);
+    let inner = |weights: &[f64; TAPS]| {
+        let mut sum = weights[0] * point(0);
+        for k in 1..TAPS {
+            sum += weights[k] * point(k);
+        }
+        sum
+    };
+    [point(place), inner(&weights[1]), inner(&weights[2]), point(place + 1)]
 }
 
 /// The sum of the nodes by their weights.
@@ -200,7 +240,7 @@ fn combined(weights: &[f64; TAPS], nodes: &[DVec3; TAPS]) -> DVec3 {
 
 /// The four Bézier points of the interval after node `place`.
 #[inline(always)]
-fn bezier(nodes: &[DVec2; TAPS], place: usize, weights: &Weights) -> [DVec2; 4] {
+fn bezier_of_pairs(nodes: &[DVec2; TAPS], place: usize, weights: &Weights) -> [DVec2; 4] {
     let inner = |weights: &[f64; TAPS]| {
         let mut sum = weights[0] * nodes[0];
         for k in 1..TAPS {
@@ -250,17 +290,21 @@ impl Cells<4> for Grid<'_> {
                 let from = self.nodes.get(row, column) - origin;
                 *height = DVec2::new(from.dot(across[0]), from.dot(across[1]));
             }
-            *points = bezier(&heights, from_column, column_weights);
+            *points = bezier_of_pairs(&heights, from_column, column_weights);
         }
         let mut fields = [Field { c: [[0.0; 4]; 4] }; 2];
         for b in 0..4 {
             let mut column = [DVec2::ZERO; TAPS];
             column.iter_mut().zip(&along).for_each(|(height, row)| *height = row[b]);
-            for (a, pair) in bezier(&column, from_row, row_weights).into_iter().enumerate() {
+            for (a, pair) in bezier_of_pairs(&column, from_row, row_weights).into_iter().enumerate() {
                 (fields[0].c[a][b], fields[1].c[a][b]) = (pair.x, pair.y);
             }
         }
         fields
+    }
+
+    fn is_smooth_around(&self, i: usize, j: usize) -> bool {
+        self.u.is_smooth_around(i) && self.v.is_smooth_around(j)
     }
 
     /// Over a cell S = sum w_k(u) C_k(v), C_k the cubics along six rows, sum |w_k| <= L; B = (1 - u) L_i(v) + u L_i+1(v), L_k the chord of

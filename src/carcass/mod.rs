@@ -28,11 +28,12 @@ mod sheet;
 mod solve;
 
 pub use axis::Scheme;
+pub use closest::{Closest, Minima, Region};
 pub use curve::curve_through;
 pub use evaluate::{Curvatures, Local};
 pub use grid::{Grid, MAX_NODES, Nodes};
 pub use mesh::{SurfaceMesh, SurfaceMeshOptions};
-pub use model::{Carcass, Closest, Place};
+pub use model::{Carcass, Place};
 pub use normal::{Normal, NormalKind};
 pub use patch::{Jet, Patch};
 pub use patches::{MAX_DEGREE, Patches};

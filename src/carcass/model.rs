@@ -1,6 +1,5 @@
 //! A carcass: sheets of a surface, with an index for questions.
 
-use super::closest::{Scratch, search};
 use super::index::{Bounds, Pyramid};
 use super::{Jet, Sheet, each_sheet};
 use crate::alloc;
@@ -19,19 +18,6 @@ pub struct Place {
     pub u: f64,
     /// The same across.
     pub v: f64,
-}
-
-/// The nearest point of a surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Closest {
-    /// Where it is.
-    pub place: Place,
-    /// The point.
-    pub point: DVec3,
-    /// Its distance.
-    pub distance: f64,
-    /// No point of the surface is nearer than this.
-    pub bound: f64,
 }
 
 /// A surface and its index. Immutable: any number of threads may ask.
@@ -110,26 +96,18 @@ impl<'a> Carcass<'a> {
         self.sheet(place.sheet as usize).normal(i as usize, j as usize, place.u, place.v)
     }
 
+    /// The number of corners of cells of all sheets: of grids, their nodes.
+    pub fn node_count(&self) -> u64 {
+        self.sheets.iter().map(|(sheet, _)| sheet.cells().map(|count| count as u64 + 1).iter().product::<u64>()).sum()
+    }
+
+    /// The number of cells of all sheets.
+    pub fn cell_count(&self) -> u64 {
+        self.sheets.iter().map(|(sheet, _)| sheet.cells().map(|count| count as u64).iter().product::<u64>()).sum()
+    }
+
     /// Bytes of the index.
     pub fn index_bytes(&self) -> usize {
         self.sheets.iter().map(|(_, index)| index.bytes()).sum()
-    }
-
-    /// The nearest point that is no farther than `limit`.
-    pub fn closest(&self, query: DVec3, limit: f64) -> Option<Closest> {
-        let mut best: Option<Closest> = None;
-        for (k, (sheet, index)) in self.sheets.iter().enumerate() {
-            let limit = best.map_or(limit, |best| best.distance);
-            let nearest = each_sheet!(sheet, cells => {
-                search(cells, index, query, limit, self.tolerance, &mut Scratch::default())
-            });
-            if let Some(found) = nearest.filter(|found| best.is_none_or(|best| found.found.distance < best.distance)) {
-                let [i, j] = found.cell.map(|k| k as u32);
-                let place = Place { sheet: k as u32, cell: [i, j], u: found.found.place.x, v: found.found.place.y };
-                let bound = best.map_or(found.bound, |best| best.bound.min(found.bound));
-                best = Some(Closest { place, point: found.found.point, distance: found.found.distance, bound });
-            }
-        }
-        best
     }
 }

@@ -20,7 +20,7 @@ pub const GUSSET_NORMAL_LIMIT: u32 = 2;
 /// What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_surface_point {
+pub struct gusset_surface_local {
     /// The point.
     pub point: [f64; 3],
     /// S_u.
@@ -53,15 +53,15 @@ pub struct gusset_surface_point {
 }
 
 // SAFETY: plain numbers without gaps.
-unsafe impl bytemuck::Zeroable for gusset_surface_point {}
+unsafe impl bytemuck::Zeroable for gusset_surface_local {}
 // SAFETY: as above; any bits will do.
-unsafe impl bytemuck::Pod for gusset_surface_point {}
-const _: () = assert!(size_of::<gusset_surface_point>() == 264);
+unsafe impl bytemuck::Pod for gusset_surface_local {}
+const _: () = assert!(size_of::<gusset_surface_local>() == 264);
 
-impl From<Local> for gusset_surface_point {
+impl From<Local> for gusset_surface_local {
     fn from(local: Local) -> Self {
         let Local { jet, normal, curvatures } = local;
-        let mut point = gusset_surface_point {
+        let mut point = gusset_surface_local {
             point: jet.point.into(),
             u: jet.u.into(),
             v: jet.v.into(),
@@ -113,7 +113,7 @@ pub unsafe extern "C" fn gusset_carcass_evaluate(
     carcass: *const gusset_carcass,
     places: *const gusset_surface_place,
     count: usize,
-    results: *mut gusset_surface_point,
+    results: *mut gusset_surface_local,
 ) -> gusset_status {
     guard(context, |job| {
         let (carcass, places) = (read(carcass)?, surface_places(places, count)?);

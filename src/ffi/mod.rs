@@ -23,6 +23,7 @@
 //! | [`carcass_line`], [`carcass_curve`] | lines and curves that meet surfaces; curves through points and along surfaces |
 //! | [`carcass_level`] | sections, contours and isophotes of surfaces |
 //! | [`carcass_meet`] | where two surfaces meet |
+//! | [`carcass_closest`] | nearest points of surfaces, places of locally least distance, regions of cells |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -37,6 +38,7 @@
 pub mod assembly;
 pub mod boundary;
 pub mod carcass;
+pub mod carcass_closest;
 pub mod carcass_curve;
 pub mod carcass_evaluate;
 pub mod carcass_level;

@@ -233,6 +233,9 @@ impl From<Error> for Failure {
             Error::OutlineNotFinite { point, value } => {
                 (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_POINT, point.into(), value)
             }
+            Error::QueryNotFinite { query, value } => {
+                (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_POINT, query.into(), value)
+            }
             Error::SectionsDiffer { section, count, .. } => {
                 (GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section.into(), f64::from(count))
             }

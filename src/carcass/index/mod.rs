@@ -49,6 +49,12 @@ impl Level {
         })
     }
 
+    /// True if there is a block (r, c).
+    #[inline(always)]
+    pub(crate) fn has(&self, r: usize, c: usize) -> bool {
+        r < self.rows && c < self.columns
+    }
+
     /// The boxes of the children of block (r, c) of the level above.
     #[inline(always)]
     pub(crate) fn group(&self, r: usize, c: usize) -> &Group {

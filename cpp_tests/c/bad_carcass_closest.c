@@ -1,0 +1,146 @@
+/* What a host can get wrong with nearest points of surfaces, and what it gets if it does not. */
+#include "check.h"
+#include <math.h>
+
+static gusset_context *context;
+
+/* z = 0 over [0, 4] x [0, 4], nodes one apart. */
+static gusset_carcass *flat(void) {
+    static double nodes[25][3];
+    gusset_nodes view;
+    gusset_sheet *sheet = NULL;
+    gusset_carcass *carcass = NULL;
+    int k;
+    for (k = 0; k < 25; ++k) {
+        nodes[k][0] = k / 5, nodes[k][1] = k % 5, nodes[k][2] = 0;
+    }
+    memset(&view, 0, sizeof view);
+    view.struct_size = sizeof view;
+    view.nodes = nodes;
+    view.rows = view.columns = 5;
+    view.scalar = GUSSET_F64;
+    EXPECT(GUSSET_OK, gusset_sheet_from_nodes(context, &view, &sheet));
+    EXPECT(GUSSET_OK, gusset_carcass_create(context, (const gusset_sheet *const *)&sheet, 1, NULL, &carcass));
+    gusset_sheet_destroy(sheet);
+    return carcass;
+}
+
+static void closest(const gusset_carcass *carcass) {
+    const double queries[2][4] = {{1.5, 2.25, 3, NAN}, {5, 2, 0, NAN}};
+    const double nan[3] = {0, NAN, 0};
+    gusset_closest_options options = {sizeof options, 2.0, 0, 1, 0};
+    gusset_surface_point found[2];
+
+    EXPECT(GUSSET_OK, gusset_carcass_closest(context, carcass, queries[0], 2, sizeof queries[0], NULL, found));
+    CHECK(found[0].flags == (GUSSET_SURFACE_POINT_FOUND | GUSSET_SURFACE_POINT_PROVEN));
+    CHECK(fabs(found[0].distance - 3) < 1e-12 && found[0].bound <= 3 && found[0].bound > 3 - 1e-7);
+    CHECK(fabs(found[0].point[0] - 1.5) < 1e-9 && fabs(fabs(found[0].normal[2]) - 1) < 1e-12);
+    CHECK(found[0].place.row == 1 && found[0].place.column == 2 && fabs(found[0].place.v - 0.25) < 1e-9);
+    CHECK(fabs(found[1].distance - 1) < 1e-12 && found[1].place.row == 3 && found[1].place.u == 1);
+    EXPECT(GUSSET_OK, gusset_carcass_closest(context, carcass, queries[0], 2, sizeof queries[0], &options, found));
+    CHECK(found[0].flags == 0 && found[0].distance == HUGE_VAL && found[1].flags != 0);
+    EXPECT(GUSSET_OK, gusset_carcass_closest(context, carcass, NULL, 0, 0, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_closest(context, NULL, queries[0], 1, 0, NULL, found));
+    CHECK(found[0].flags == 0 && found[1].flags != 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_closest(context, carcass, NULL, 1, 0, NULL, found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_closest(context, carcass, queries[0], 1, 0, NULL, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_carcass_closest(context, carcass, queries[0], 1, 0, NULL, misaligned()));
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_carcass_closest(context, carcass, queries[0], 1, 16, NULL, found));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_carcass_closest(context, carcass, queries[0], SIZE_MAX, 0, NULL, found));
+    found[0].flags = 1;
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_carcass_closest(context, carcass, nan, 1, 0, NULL, found));
+    CHECK(found[0].flags == 0);
+    options.limit = -1;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_closest(context, carcass, queries[0], 1, 0, &options, found));
+    options.limited = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_carcass_closest(context, carcass, queries[0], 1, 0, &options, found));
+    options.limited = 0, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_carcass_closest(context, carcass, queries[0], 1, 0, &options, found));
+    options.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_carcass_closest(context, carcass, queries[0], 1, 0, &options, found));
+}
+
+static void minima(const gusset_carcass *carcass) {
+    const double query[3] = {1.5, 2.25, 3}, nan[3] = {0, NAN, 0};
+    gusset_closest_options options = {sizeof options, 0.0, 1, 0, 0};
+    gusset_surface_points_parts parts = {sizeof parts, NULL, 0, 0, 0, 0};
+    gusset_surface_points *points = NULL;
+
+    EXPECT(GUSSET_OK, gusset_carcass_minima(context, carcass, query, &options, &points));
+    EXPECT(GUSSET_OK, gusset_surface_points_view(points, &parts));
+    CHECK(parts.count == 1 && parts.complete == 1 && fabs(parts.points[0].distance - 3) < 1e-12);
+    CHECK(parts.points[0].flags == (GUSSET_SURFACE_POINT_FOUND | GUSSET_SURFACE_POINT_PROVEN));
+    gusset_surface_points_destroy(points);
+    options.limited = 1, options.limit = 1;
+    EXPECT(GUSSET_OK, gusset_carcass_minima(context, carcass, query, &options, &points));
+    EXPECT(GUSSET_OK, gusset_surface_points_view(points, &parts));
+    CHECK(parts.count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_points_view(points, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_points_view(NULL, &parts));
+    CHECK(parts.points == NULL);
+    parts.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_surface_points_view(points, &parts));
+    gusset_surface_points_destroy(points);
+    gusset_surface_points_destroy(NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_minima(context, carcass, NULL, NULL, &points));
+    CHECK(points == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_minima(context, NULL, query, NULL, &points));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_minima(context, carcass, query, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_carcass_minima(context, carcass, nan, NULL, &points));
+    options.limit = NAN;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_minima(context, carcass, query, &options, &points));
+}
+
+static void region(const gusset_carcass *carcass) {
+    const double query[3] = {0.5, 1.5, 1}, nan[3] = {0, NAN, 0};
+    gusset_surface_region_parts parts;
+    gusset_surface_region *found = NULL;
+
+    memset(&parts, 0, sizeof parts);
+    parts.struct_size = sizeof parts;
+    EXPECT(GUSSET_OK, gusset_carcass_region(context, carcass, query, 1.01, &found));
+    EXPECT(GUSSET_OK, gusset_surface_region_view(found, &parts));
+    CHECK(parts.cell_count == 1 && parts.cells[0].row == 0 && parts.cells[0].column == 1 && parts.cells[0].whole == 0);
+    CHECK(parts.word_count == 1 && parts.mask[0] == 2 && parts.sheet_count == 1 && parts.first[1] == 16);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_region_view(found, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_surface_region_view(NULL, &parts));
+    CHECK(parts.cells == NULL);
+    gusset_surface_region_destroy(found);
+    gusset_surface_region_destroy(NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_region(context, NULL, query, 1, &found));
+    CHECK(found == NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_region(context, carcass, NULL, 1, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_region(context, carcass, query, 1, NULL));
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_carcass_region(context, carcass, nan, 1, &found));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_region(context, carcass, query, -1, &found));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_region(context, carcass, query, NAN, &found));
+}
+
+static void info(const gusset_carcass *carcass) {
+    gusset_carcass_facts facts;
+    memset(&facts, 0, sizeof facts);
+    facts.struct_size = sizeof facts;
+    EXPECT(GUSSET_OK, gusset_carcass_info(carcass, &facts));
+    CHECK(facts.sheet_count == 1 && facts.cell_count == 16 && facts.node_count == 25 && facts.index_bytes > 0);
+    CHECK(facts.low[0] <= 0 && facts.high[1] >= 4 && facts.high[2] < 1e-3 && facts.tolerance > 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_info(NULL, &facts));
+    CHECK(facts.cell_count == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_info(carcass, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_carcass_info(carcass, misaligned()));
+}
+
+int main(void) {
+    const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
+    gusset_carcass *carcass;
+    if (gusset_context_create(&context) != GUSSET_OK || up.face_count != down.face_count) {
+        return 1;
+    }
+    carcass = flat();
+    closest(carcass);
+    minima(carcass);
+    region(carcass);
+    info(carcass);
+    gusset_carcass_destroy(carcass);
+    gusset_context_destroy(context);
+    return failures != 0;
+}
