@@ -190,6 +190,32 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
+ * gusset_surface_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
+ */
+#define GUSSET_SURFACE_POINT_FOUND 1
+
+/**
+ * gusset_surface_point: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
+ * would take too long, as it may next to a centre of curvature; bound is right nevertheless.
+ */
+#define GUSSET_SURFACE_POINT_PROVEN 2
+
+/**
+ * gusset_surface_point: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
+ */
+#define GUSSET_SURFACE_POINT_MANY 4
+
+/**
+ * gusset_sheet_curve: u stays and v runs: along rows.
+ */
+#define GUSSET_ALONG_ROWS 0
+
+/**
+ * gusset_sheet_curve: v stays and u runs: along columns.
+ */
+#define GUSSET_ALONG_COLUMNS 1
+
+/**
  * There is no normal: the tangents are 0, or parallel all along the lines to the point.
  */
 #define GUSSET_NORMAL_NONE 0
@@ -1111,6 +1137,11 @@ typedef struct gusset_boundary gusset_boundary;
 typedef struct gusset_carcass gusset_carcass;
 
 /**
+ * Pairs of cells. Opaque and immutable.
+ */
+typedef struct gusset_cell_pairs gusset_cell_pairs;
+
+/**
  * What a check found. Opaque and immutable; it keeps nothing of the mesh.
  */
 typedef struct gusset_check gusset_check;
@@ -1237,6 +1268,11 @@ typedef struct gusset_stream_decoder gusset_stream_decoder;
  * A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
  */
 typedef struct gusset_strip gusset_strip;
+
+/**
+ * Where lines or a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
+ */
+typedef struct gusset_surface_hits gusset_surface_hits;
 
 /**
  * Curves on a surface: what sections, contours and intersections give. Opaque and immutable.
@@ -1949,9 +1985,221 @@ typedef struct gusset_surface_paths_parts {
 } gusset_surface_paths_parts;
 
 /**
- * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
+ * What is looked for.
+ */
+typedef struct gusset_closest_options {
+    /**
+     * sizeof(gusset_closest_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * No point farther than this is looked for, if limited is 1; at least 0.
+     */
+    double limit;
+    /**
+     * Of minima: as many of the nearest; 0: all.
+     */
+    size_t most;
+    /**
+     * 1: limit is read.
+     */
+    uint32_t limited;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_closest_options;
+
+/**
+ * A point of a surface that was found for a query.
  */
 typedef struct gusset_surface_point {
+    /**
+     * Where it is on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal there, or its limit at a pole; 0 where there is none. The query is on its side if (query - point) . normal > 0.
+     */
+    double normal[3];
+    /**
+     * The distance from the query.
+     */
+    double distance;
+    /**
+     * No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
+     */
+    double bound;
+    /**
+     * GUSSET_SURFACE_POINT_...
+     */
+    uint32_t flags;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_point;
+
+/**
+ * What was found. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_points_parts {
+    /**
+     * sizeof(gusset_surface_points_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The points, the nearest first.
+     */
+    const struct gusset_surface_point *points;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * None is missing that is nearer than this.
+     */
+    double bound;
+    /**
+     * 1, or 0 if the search gave up at that distance, as it may where the distance is the same all over the surface.
+     */
+    uint32_t complete;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_points_parts;
+
+/**
+ * A cell of a region.
+ */
+typedef struct gusset_surface_cell {
+    /**
+     * The sheet.
+     */
+    uint32_t sheet;
+    /**
+     * The row of the cell.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+    /**
+     * 1 if all of the cell is within the radius.
+     */
+    uint32_t whole;
+} gusset_surface_cell;
+
+/**
+ * The cells. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_region_parts {
+    /**
+     * sizeof(gusset_surface_region_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The cells, rising by sheet, row, column.
+     */
+    const struct gusset_surface_cell *cells;
+    /**
+     * How many.
+     */
+    size_t cell_count;
+    /**
+     * A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet k, which has c columns, is
+     * b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
+     */
+    const uint64_t *mask;
+    /**
+     * How many words.
+     */
+    size_t word_count;
+    /**
+     * By sheet: its first bit; then the number of bits.
+     */
+    const uint64_t *first;
+    /**
+     * How many sheets.
+     */
+    size_t sheet_count;
+} gusset_surface_region_parts;
+
+/**
+ * What a carcass is.
+ */
+typedef struct gusset_carcass_facts {
+    /**
+     * sizeof(gusset_carcass_facts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many sheets.
+     */
+    size_t sheet_count;
+    /**
+     * How many cells, of all sheets.
+     */
+    size_t cell_count;
+    /**
+     * How many corners of cells: of sheets from nodes, the nodes.
+     */
+    size_t node_count;
+    /**
+     * Bytes of the index; the nodes are not counted.
+     */
+    size_t index_bytes;
+    /**
+     * The length to which answers are proved.
+     */
+    double tolerance;
+    /**
+     * A corner of a box round the surface: the least x, y, z.
+     */
+    double low[3];
+    /**
+     * The greatest.
+     */
+    double high[3];
+} gusset_carcass_facts;
+
+/**
+ * How the surface is drawn through nodes.
+ */
+typedef uint32_t gusset_scheme;
+
+/**
+ * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+ */
+typedef struct gusset_line {
+    /**
+     * x, y, z of the point where t is 0; finite.
+     */
+    double origin[3];
+    /**
+     * x, y, z of the direction; finite and not 0, of any length. t counts lengths of it.
+     */
+    double direction[3];
+    /**
+     * The least t: -INFINITY for lines, 0 for rays and segments.
+     */
+    double from;
+    /**
+     * The greatest t: INFINITY for lines and rays; not below `from`.
+     */
+    double to;
+} gusset_line;
+
+/**
+ * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
+ */
+typedef struct gusset_surface_local {
     /**
      * The point.
      */
@@ -2009,7 +2257,236 @@ typedef struct gusset_surface_point {
      * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
      */
     uint32_t is_curved;
-} gusset_surface_point;
+} gusset_surface_local;
+
+/**
+ * What is between the points where a curve crosses the lines of the carcass.
+ */
+typedef uint32_t gusset_between;
+
+/**
+ * How curves of a surface are given.
+ */
+typedef struct gusset_level_options {
+    /**
+     * sizeof(gusset_level_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * With GUSSET_BETWEEN_CHORD: a length above 0; no smaller one counts than the tolerance of the carcass. Otherwise not read.
+     */
+    double chord;
+    /**
+     * GUSSET_BETWEEN_...
+     */
+    gusset_between between;
+    /**
+     * With GUSSET_BETWEEN_LEUS: how many, at most 1000. Otherwise not read.
+     */
+    uint32_t points;
+    /**
+     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_level_options;
+
+/**
+ * Where the angle of a normal is nearest to the one asked for.
+ */
+typedef struct gusset_nearest_angle {
+    /**
+     * sizeof(gusset_nearest_angle), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Where it is.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal.
+     */
+    double normal[3];
+    /**
+     * Its angle with the direction, in radians.
+     */
+    double angle;
+    /**
+     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+     */
+    double deviation;
+    /**
+     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+     */
+    double bound;
+} gusset_nearest_angle;
+
+/**
+ * Which hits are wanted.
+ */
+typedef uint32_t gusset_which;
+
+/**
+ * What a hit is.
+ */
+typedef uint32_t gusset_hit;
+
+/**
+ * A point that a line or a curve and a surface have in common.
+ */
+typedef struct gusset_surface_hit {
+    /**
+     * Where on the line; of a curve the number of the segment and the parameter on it, added.
+     */
+    double t;
+    /**
+     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
+     */
+    double span[2];
+    /**
+     * Where on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z of the point of the surface.
+     */
+    double point[3];
+    /**
+     * x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * GUSSET_HIT_...
+     */
+    gusset_hit kind;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_hit;
+
+/**
+ * A place on a curve.
+ */
+typedef struct gusset_place {
+    /**
+     * Counted from 0.
+     */
+    uint32_t segment;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The parameter: 0 at the segment's first control point, 1 at its last.
+     */
+    double t;
+} gusset_place;
+
+/**
+ * The hits. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_hits_parts {
+    /**
+     * sizeof(gusset_surface_hits_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many lines were asked for; 1 for a curve.
+     */
+    size_t line_count;
+    /**
+     * How many hits there are in all.
+     */
+    size_t hit_count;
+    /**
+     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
+     */
+    const uint64_t *ends;
+    /**
+     * The hits, those of a line by rising t.
+     */
+    const struct gusset_surface_hit *hits;
+    /**
+     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
+     */
+    const struct gusset_place *on_curve;
+} gusset_surface_hits_parts;
+
+/**
+ * How intersections are wanted.
+ */
+typedef struct gusset_intersect_options {
+    /**
+     * sizeof(gusset_intersect_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
+     * INFINITY: points are only where it crosses sides of cells of either surface.
+     */
+    double chord;
+    /**
+     * A length: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0: the
+     * smaller one of the tolerances of the two carcasses.
+     */
+    double tolerance;
+} gusset_intersect_options;
+
+/**
+ * A cell of one surface and a cell of another.
+ */
+typedef struct gusset_cell_pair {
+    /**
+     * The sheet of the first surface.
+     */
+    uint32_t sheet_a;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_a;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_a;
+    /**
+     * The sheet of the second surface.
+     */
+    uint32_t sheet_b;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_b;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_b;
+} gusset_cell_pair;
+
+/**
+ * The pairs. The pointer is valid until the handle is destroyed.
+ */
+typedef struct gusset_cell_pairs_parts {
+    /**
+     * sizeof(gusset_cell_pairs_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The pairs, by sheets, then by the first surface's cells.
+     */
+    const struct gusset_cell_pair *pairs;
+    /**
+     * How many.
+     */
+    size_t count;
+} gusset_cell_pairs_parts;
 
 /**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
@@ -2173,24 +2650,6 @@ typedef struct gusset_curve_parts {
      */
     uint32_t reserved;
 } gusset_curve_parts;
-
-/**
- * A place on a curve.
- */
-typedef struct gusset_place {
-    /**
-     * Counted from 0.
-     */
-    uint32_t segment;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * The parameter: 0 at the segment's first control point, 1 at its last.
-     */
-    double t;
-} gusset_place;
 
 /**
  * The nearest point of a curve.
@@ -4076,11 +4535,6 @@ typedef struct gusset_sections_parts {
 } gusset_sections_parts;
 
 /**
- * How the surface is drawn through nodes.
- */
-typedef uint32_t gusset_scheme;
-
-/**
  * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride bytes, one after the other.
  */
 typedef struct gusset_nodes {
@@ -4640,6 +5094,62 @@ typedef struct gusset_winged_view {
      */
     struct gusset_indices loop_offsets;
 } gusset_winged_view;
+
+/**
+ * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+ */
+#define GUSSET_BETWEEN_AUTO 0
+
+/**
+ * As many points of the surface as keep the chords within `chord`.
+ */
+#define GUSSET_BETWEEN_CHORD 1
+
+/**
+ * Nothing.
+ */
+#define GUSSET_BETWEEN_NOTHING 2
+
+/**
+ * `points` points of the paper's approximation: on the cubic through four crossings. They are near the surface, not on it, and have the
+ * place of the crossing before them. Order four where crossings are evenly spaced.
+ */
+#define GUSSET_BETWEEN_LEUS 3
+
+/**
+ * All, in the order of the line.
+ */
+#define GUSSET_WHICH_ALL 0
+
+/**
+ * The first one.
+ */
+#define GUSSET_WHICH_FIRST 1
+
+/**
+ * Any one: whether there is one.
+ */
+#define GUSSET_WHICH_ANY 2
+
+/**
+ * None.
+ */
+#define GUSSET_HIT_NONE 0
+
+/**
+ * It passes through the surface: proved, but for poles, where the surface is not regular.
+ */
+#define GUSSET_HIT_CROSSING 1
+
+/**
+ * It touches the surface within the tolerance: one point, two close to each other, or none.
+ */
+#define GUSSET_HIT_TOUCH 2
+
+/**
+ * It runs in the surface, within the tolerance, all over the span.
+ */
+#define GUSSET_HIT_INSIDE 3
 
 /**
  * Along rows, from column to column.
@@ -5502,6 +6012,159 @@ gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
 
 /**
+ * The nearest points of a surface to queries, one or many.
+ *
+ * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit. points: room for
+ * count answers, in the order of the queries; cleared first. Each answer is the same to the bit whether it is asked for alone or among
+ * others, in any order, on any number of threads; of several nearest points it is that of the first sheet, row and column. What is proved is
+ * relative to the surface as declared: no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRIDE, SIZE_OVERFLOW,
+ * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED; nothing is found after an error.
+ * O(log nodes) a query but for queries near centres of curvature, which take bounded work; threads. Source: Leus, "Carcasses on
+ * smooth surfaces", task a, by branch and bound.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_closest(const struct gusset_context *context,
+                                     const struct gusset_carcass *carcass,
+                                     const double *queries,
+                                     size_t count,
+                                     size_t stride,
+                                     const struct gusset_closest_options *options,
+                                     struct gusset_surface_point *points);
+
+/**
+ * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
+ *
+ * query: x, y, z. options: NULL for the defaults: all. points: receives the result, the nearest first, for gusset_surface_points_destroy;
+ * NULL on failure. None is missed: where it cannot be proved whether there is one (the distance is the same all round, as at a
+ * focus), one point is given for all cells that touch, without GUSSET_SURFACE_POINT_PROVEN and with GUSSET_SURFACE_POINT_MANY. On open
+ * borders and creases, places count from which no way on the surface leads nearer. Errors: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
+ * (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(cells within the limit); with most, those no farther than the last.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_minima(const struct gusset_context *context,
+                                    const struct gusset_carcass *carcass,
+                                    const double *query,
+                                    const struct gusset_closest_options *options,
+                                    struct gusset_surface_points **points);
+
+/**
+ * The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_points_view(const struct gusset_surface_points *points,
+                                         struct gusset_surface_points_parts *parts);
+
+/**
+ * Frees points; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
+
+/**
+ * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
+ *
+ * query: x, y, z; radius: at least 0. region: receives all cells that have such a point, and no others but such as come within the
+ * tolerance of the radius or could not be decided in bounded work; for gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * NOT_FINITE, OUT_OF_RANGE (radius), OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_region(const struct gusset_context *context,
+                                    const struct gusset_carcass *carcass,
+                                    const double *query,
+                                    double radius,
+                                    struct gusset_surface_region **region);
+
+/**
+ * The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_region_view(const struct gusset_surface_region *region,
+                                         struct gusset_surface_region_parts *parts);
+
+/**
+ * Frees a region; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
+
+/**
+ * What a carcass is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(sheets). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_info(const struct gusset_carcass *carcass,
+                                  struct gusset_carcass_facts *facts);
+
+/**
+ * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
+ *
+ * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one again.
+ * closed: 0 or 1. scheme: GUSSET_SCHEME_... curve: receives the result, for gusset_curve_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE,
+ * SIZE_OVERFLOW, OUT_OF_MEMORY. O(count). Source: Leus, "Carcasses on smooth surfaces": points are the carcass of a curve.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_through(const struct gusset_context *context,
+                                   const double *nodes,
+                                   size_t count,
+                                   uint32_t closed,
+                                   gusset_scheme scheme,
+                                   struct gusset_curve **curve);
+
+/**
+ * A coordinate curve of a sheet, exactly: a segment for each cell.
+ *
+ * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round. parameter:
+ * 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for gusset_curve_destroy; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter), OUT_OF_MEMORY. O(cells along the curve).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_curve(const struct gusset_context *context,
+                                 const struct gusset_sheet *sheet,
+                                 uint32_t along,
+                                 double parameter,
+                                 struct gusset_curve **curve);
+
+/**
+ * Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
+ *
+ * within: a length, 0 or more; below 1e-12 of the curves' size that is taken. places: receives the places on the first curve, those on the
+ * other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be told apart; undecided is 1 if
+ * something was given up that may be near enough. For gusset_places_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for each pair of segments
+ * whose boxes are near.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_approach(const struct gusset_context *context,
+                                    const struct gusset_curve *curve,
+                                    const struct gusset_curve *other,
+                                    double within,
+                                    struct gusset_places **places);
+
+/**
+ * Where a curve in space comes as near to a line, ray or segment as `within`.
+ *
+ * line: one. The others among the places have segment 0, and the line's own parameter as t. All else as for gusset_curve_approach; also
+ * OUT_OF_RANGE for a line that is not finite or has no direction.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_approach_line(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         const struct gusset_line *line,
+                                         double within,
+                                         struct gusset_places **places);
+
+/**
  * Points, derivatives, normals and curvatures at places.
  *
  * places: count of them. results: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
@@ -5514,7 +6177,7 @@ gusset_status gusset_carcass_evaluate(const struct gusset_context *context,
                                       const struct gusset_carcass *carcass,
                                       const struct gusset_surface_place *places,
                                       size_t count,
-                                      struct gusset_surface_point *results);
+                                      struct gusset_surface_local *results);
 
 /**
  * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round; what is beyond an open side is on
@@ -5531,6 +6194,199 @@ gusset_status gusset_carcass_locate(const struct gusset_context *context,
                                     const double *parameters,
                                     size_t count,
                                     struct gusset_surface_place *places);
+
+/**
+ * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
+ * normal and the surface's.
+ *
+ * point: x, y, z of a point of the plane of offset 0. normal: x, y, z, not 0, of any length. offsets: count of them, rising, distances of the
+ * planes from the point along the normal. options: NULL for the defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL
+ * on failure. Every curve is found, also one within a cell, and on a closed surface all are closed; a corner on a plane counts as above it.
+ * Cells where a plane touches or contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no
+ * larger than the tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not
+ * finite, a normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About
+ * O(count + cells that are cut); threads. Source: Leus, "Carcasses on smooth surfaces", task d.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_section(const struct gusset_context *context,
+                                     const struct gusset_carcass *carcass,
+                                     const double *point,
+                                     const double *normal,
+                                     const double *offsets,
+                                     size_t count,
+                                     const struct gusset_level_options *options,
+                                     struct gusset_surface_paths **paths);
+
+/**
+ * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
+ * surface is; greater values are to the left, seen from where the normals point to.
+ *
+ * values: value_count of them, finite: of all sheets, one after the other, each row after row, one more row and column than there are cells;
+ * the last line of a closed direction repeats the first and is not used. levels: level_count of them, rising. Otherwise as
+ * gusset_carcass_section. Errors: as there; SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number of the
+ * value. O(values + cells that are crossed); threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_contours(const struct gusset_context *context,
+                                      const struct gusset_carcass *carcass,
+                                      const double *values,
+                                      size_t value_count,
+                                      const double *levels,
+                                      size_t level_count,
+                                      const struct gusset_level_options *options,
+                                      struct gusset_surface_paths **paths);
+
+/**
+ * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
+ * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
+ *
+ * direction: x, y, z, not 0. angles: count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are unsigned. Otherwise as
+ * gusset_carcass_section. Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side between them;
+ * poles that may have the angle are listed as unresolved. Errors: as there. O(cells); threads. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_isophotes(const struct gusset_context *context,
+                                       const struct gusset_carcass *carcass,
+                                       const double *direction,
+                                       const double *angles,
+                                       size_t count,
+                                       const struct gusset_level_options *options,
+                                       struct gusset_surface_paths **paths);
+
+/**
+ * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
+ *
+ * direction: x, y, z, not 0. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL for the defaults; what is between
+ * crossings is not used. nearest: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells); threads. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_nearest_angle(const struct gusset_context *context,
+                                           const struct gusset_carcass *carcass,
+                                           const double *direction,
+                                           double angle,
+                                           const struct gusset_level_options *options,
+                                           struct gusset_nearest_angle *nearest);
+
+/**
+ * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
+ *
+ * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line touches the
+ * surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none. which:
+ * GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
+ * threads. A carcass may be asked from many threads. Source: Leus, "Carcasses on smooth surfaces", task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_lines(const struct gusset_context *context,
+                                   const struct gusset_carcass *carcass,
+                                   const struct gusset_line *lines,
+                                   size_t count,
+                                   gusset_which which,
+                                   struct gusset_surface_hits **hits);
+
+/**
+ * The first hit of each of many lines, rays or segments: that of least t, which gusset_carcass_lines gives first.
+ *
+ * hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where there is none, and everywhere on failure.
+ * Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About O(log cells) a line; threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_first_hits(const struct gusset_context *context,
+                                        const struct gusset_carcass *carcass,
+                                        const struct gusset_line *lines,
+                                        size_t count,
+                                        struct gusset_surface_hit *hits);
+
+/**
+ * Where a curve in space meets a surface, in the order of the curve.
+ *
+ * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits: receives the
+ * result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ * EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve comes near to;
+ * bounded for each segment and cell that run in each other; threads. Source: Leus, task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_curve(const struct gusset_context *context,
+                                   const struct gusset_carcass *carcass,
+                                   const struct gusset_curve *curve,
+                                   gusset_which which,
+                                   struct gusset_surface_hits **hits);
+
+/**
+ * The hits, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_hits_view(const struct gusset_surface_hits *hits,
+                                       struct gusset_surface_hits_parts *parts);
+
+/**
+ * Frees hits; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
+
+/**
+ * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
+ *
+ * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths: receives the
+ * curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at `others` are the same
+ * but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of a where the two
+ * touch, coincide, or meet in a single point are listed as unresolved, and curves may end there. Intersections of one surface with itself
+ * are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_RANGE (chord, tolerance), TOO_LARGE
+ * above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of cells that may meet, with a limit for each; threads; the
+ * same bits for any number of them. The carcasses may be in use by other threads. Source: Leus, "Carcasses on smooth surfaces", task e; the
+ * proofs are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_intersect(const struct gusset_context *context,
+                                       const struct gusset_carcass *a,
+                                       const struct gusset_carcass *b,
+                                       const struct gusset_intersect_options *options,
+                                       struct gusset_surface_paths **paths);
+
+/**
+ * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
+ *
+ * within: a length; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs, and
+ * some for each level of the indices; 24 bytes a pair. The carcasses may be in use by other threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_candidates(const struct gusset_context *context,
+                                        const struct gusset_carcass *a,
+                                        const struct gusset_carcass *b,
+                                        double within,
+                                        struct gusset_cell_pairs **pairs);
+
+/**
+ * The pairs, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_cell_pairs_view(const struct gusset_cell_pairs *pairs,
+                                     struct gusset_cell_pairs_parts *parts);
+
+/**
+ * Frees pairs of cells; NULL is allowed.
+ */
+GUSSET_API void gusset_cell_pairs_destroy(struct gusset_cell_pairs *pairs);
 
 /**
  * Checks a mesh. What it finds is no error.
