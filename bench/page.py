@@ -70,25 +70,27 @@ that is there, and times to encode and decode. Draco (DracoPy) takes the triangl
     "carcass": """## Carcasses
 
 Questions about smooth surfaces. The torus has radii 1 and 0.4, with 708 x 1413 nodes (`1e6`), 2236 x 4473 (`1e7`) or 101 x 101
-(`1e4`); `wavy` is the open sheet z = 0.2 sin 5x cos 4y with 1000 x 1000. The peers CGAL, Embree and parry3d-f64 (the crate) take two
-triangles for each cell of the same nodes; for `equal-accuracy` ours has 25 x 49 nodes and the peers the two million triangles, with
-the same distance from the torus. All answer one question after the other in one thread: ours in one call, `sorted` for all in
-Morton's order, else at random.
+(`1e4`); `wavy` is the open sheet z = 0.2 sin 5x cos 4y with 1000 x 1000. The peers CGAL, Embree and parry3d-f64 (the crate)
+take two triangles for each cell of the same nodes; for `equal-accuracy` ours has 25 x 49 nodes and the peers the two million
+triangles, with the same distance from the torus. All answer one question after the other in one thread: ours in one call,
+`sorted` for all in Morton's order, else at random.
 
-`build`: from the arrays that each takes to where it can be asked. `cgal` is the tree with its points, which closest points need,
-`cgal-tree` without. `gusset-automatic` and `embree-automatic` have as many threads as the machine. `near`: queries within 0.02 of
-the surface, or a little more; `far`: in its box, doubled. `line`: all intersections of a line, for Embree by a filter that lets every hit
-pass, for parry by a walk through its hierarchy; `ray`: the first. `plane`: an oblique plane; `cgal` is Polygon_mesh_slicer, its tree
-made before, and `cgal-segments` all_intersections, which gives segments in no order; ours gives points where the section crosses sides of cells,
-`gusset-chord`, and for equal accuracy ours at all, more of them, so that chords are within 7e-6 of the surface. `memory`: bytes of the index for each node,
-beside nodes or triangles; `memory-equal-accuracy`: in all, with them. `threads`: ours by as many threads as the machine has, beside one.
-Embree computes in single precision.
+`build`: from the arrays that each takes to where it can be asked. `cgal` is the tree with its points, which closest points
+need, `cgal-tree` without. `gusset-automatic` and `embree-automatic` have as many threads as the machine. `near`: queries within
+0.02 of the surface, or a little more; `far`: in its box, doubled. `line`: all intersections of a line, for Embree by a filter
+that lets every hit pass, for parry by a walk through its hierarchy; `ray`: the first. `plane`: an oblique plane; `cgal` is
+Polygon_mesh_slicer, its tree made before, and `cgal-segments` all_intersections, which gives segments in no order; ours gives
+points where the section crosses sides of cells, `gusset-chord`, and for equal accuracy ours at all, more of them, so that
+chords are within 7e-6 of the surface. `memory`: bytes of the index for each node, beside nodes or triangles;
+`memory-equal-accuracy`: in all, with them. `threads`: ours by as many threads as the machine has, beside one. Embree computes
+in single precision.
 
-`spline`: beside kernels of CAD, on a bicubic C2 spline through the same 51 x 101 nodes of the torus; `occt-exact` is the torus itself
-as rational patches, `gusset-nodes` ours through the nodes themselves. SISL: s1954, s1856, s1851 with s1314, s1859 with s1310. Open CASCADE: GeomAPI_ProjectPointOnSurf with
-the surface given before (`-anew`: with each point), IntCS and IntSS; `occt` is Debian's from C++, `ocp` cadquery-ocp from Python,
-in a process of its own after the others. `ssi`: with the torus moved by (0.7, 0.2, 0.1); for `ssi-exact` ours has 128 x 256 nodes,
-so as to be nearer the torus than Open CASCADE. Chords of ours are within 1e-5 of the surfaces.""",
+`spline`: beside kernels of CAD, on a bicubic C2 spline through the same 51 x 101 nodes of the torus; `occt-exact` is the torus
+itself as rational patches, `gusset-nodes` ours through the nodes themselves. SISL: s1954, s1856, s1851 with s1314, s1859 with
+s1310. Open CASCADE: GeomAPI_ProjectPointOnSurf with the surface given before (`-anew`: with each point), IntCS and IntSS;
+`occt` is Debian's from C++, `ocp` cadquery-ocp from Python, in a process of its own after the others. `ssi`: with the torus
+moved by (0.7, 0.2, 0.1); for `ssi-exact` ours has 97 x 193 nodes, so as to be nearer the torus than Open CASCADE. Chords of
+ours are within 1e-5 of the surfaces.""",
     "assemble": "## Assembly",
     "meridians": "## The paper's rule by index\n\nBeside its loops as printed, mended, and beside the bare closed form.",
 }
@@ -100,11 +102,13 @@ of the strip.
 
 
 ACCURACIES = {
-    "max_error": "largest error", "chord_error": "of chords", "wrong": "wrong", "queries": "of", "hits": "hits", "curves": "curves",
+    "max_error": "largest error", "chord_error": "of chords", "wrong": "wrong", "queries": "of", "unproven": "unproven",
+    "unproven_error": "their error", "hits": "hits", "curves": "curves",
     "points": "points", "closed": "closed", "ordered": "ordered",
     "unresolved": "unresolved"}
 ACCURACY_CAPTION = """
-Beside the formula of the surface. Closest points: the error of the distance; wrong: by more than 0.002. Lines: how far the hits are
+Beside the formula of the surface. Closest points: the error of the distance; wrong: by more than 0.002; unproven: those of
+which it is said that they may not be the nearest, which count in neither. Lines: how far the hits are
 from the surface; wrong: not as many hits as there are. Curves: how far their points are from the surface or from both surfaces, and
 the same for the middles between points, where these are the answer.
 """

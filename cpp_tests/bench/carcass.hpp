@@ -132,6 +132,8 @@ public:
     /// The bytes of the index, from one who allocates past malloc.
     virtual std::size_t bytes() const { return 0; }
     virtual void closest(const Points &queries, Points &feet);
+    /// Of the last closest points: those of which it says itself that they may not be the nearest.
+    virtual std::vector<std::size_t> unproven() const { return {}; }
     /// All intersections.
     virtual void lines(const std::vector<Line> &lines, Hits &hits);
     /// The first of each ray.

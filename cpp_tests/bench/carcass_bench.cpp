@@ -4,15 +4,28 @@
 
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <numeric>
 
 namespace carcass {
 namespace {
-void run(const Contender &contender, double scale, Outcome &outcome) {
+/// Milliseconds of all threads.
+double of_processor(const std::function<void()> &work) {
+    const auto now = [] {
+        std::timespec time{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+        return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+    };
+    const double start = now();
+    work();
+    return now() - start;
+}
+
+void run(const Contender &contender, double scale, bool by_processor, Outcome &outcome) {
     try {
         contender.prepare();
-        outcome.times.push_back(scale * milliseconds(contender.work));
+        outcome.times.push_back(scale * (by_processor ? of_processor(contender.work) : milliseconds(contender.work)));
     } catch (const std::exception &error) {
         outcome.failed = error.what();
     }
@@ -24,11 +37,11 @@ void Bench::compare(const std::string &id, const std::string &unit, double scale
     for (std::size_t k = 0; k < contenders.size(); ++k) {
         outcomes[k].failed = contenders[k].skipped;
     }
-    for (int turn = 0; turn < runs_; ++turn) {
+    for (int turn = 0; turn < options_.runs; ++turn) {
         for (std::size_t k = 0; k < contenders.size(); ++k) {
             const double spent = std::accumulate(outcomes[k].times.begin(), outcomes[k].times.end(), 0.0) / scale;
-            if (outcomes[k].failed.empty() && spent < patience_) {
-                run(contenders[k], scale, outcomes[k]);
+            if (outcomes[k].failed.empty() && spent < options_.patience) {
+                run(contenders[k], scale, options_.by_processor, outcomes[k]);
             }
         }
     }

@@ -28,11 +28,22 @@ struct Outcome {
 
 class Bench {
 public:
-    Bench(int runs, double patience, std::string only, bool slow)
-        : runs_(runs), patience_(patience), only_(std::move(only)), slow_(slow) {}
+    struct Options {
+        int runs = 7;
+        /// Milliseconds after which one that is slow has no more runs.
+        double patience = 1500;
+        /// Time of the processor in place of time: where others keep the machine busy. It says nothing of threads.
+        bool by_processor = false;
+        /// Also what takes half a minute a run.
+        bool slow = false;
+        /// Cases whose names contain this.
+        std::string only = {};
+    };
 
-    bool wants(const std::string &id) const { return id.find(only_) != std::string::npos; }
-    bool slow() const { return slow_; }
+    explicit Bench(Options options) : options_(std::move(options)) {}
+
+    bool wants(const std::string &id) const { return id.find(options_.only) != std::string::npos; }
+    bool slow() const { return options_.slow; }
 
     /// The first contender against all others, by turns: each as many runs as were asked for, or as have patience. Times are in
     /// milliseconds times `scale`.
@@ -42,10 +53,7 @@ public:
     void write(const std::string &path) const;
 
 private:
-    int runs_;
-    double patience_;
-    std::string only_;
-    bool slow_;
+    Options options_;
     nlohmann::json report_ = nlohmann::json::array();
 };
 } // namespace carcass

@@ -28,7 +28,9 @@ Contender building(const std::string &name, Solver &solver) {
 }
 
 /// A plane across, along nothing.
-Plane across(const Surface &surface) { return {0.5 * (surface.low + surface.high) + Point{0.05, 0.1, 0.02}, {0.3, 0.5, 0.8124038404635961}}; }
+Plane across(const Surface &surface) {
+    return {0.5 * (surface.low + surface.high) + Point{0.05, 0.1, 0.02}, {0.3, 0.5, 0.8124038404635961}};
+}
 
 /// Everything that is asked about a surface, of `ours` on the stage `few` and of the peers on the stage `many`.
 class Asking {
@@ -104,17 +106,17 @@ void everything(Bench &bench, Stage &few, Stage &many, const std::string &suffix
 /// Bytes of the index for each node, and of all in the case of equal accuracy.
 void memory(Bench &bench, Stage &few, Stage &many) {
     const double count = static_cast<double>(many.nodes.points.size());
-    const auto whole = [](Stage &stage, bool triangles) {
-        return triangles ? 24.0 * static_cast<double>(stage.triangles().points.size()) + 4.0 * static_cast<double>(stage.triangles().corners.size())
-                         : 24.0 * static_cast<double>(stage.nodes.points.size());
+    const auto whole = [](const Triangles &mesh) {
+        return static_cast<double>(mesh.points.size() * sizeof(Point) + mesh.corners.size() * sizeof(uint32_t));
     };
+    const double nodes = static_cast<double>(few.nodes.points.size() * sizeof(Point));
     for (const std::string who : {"cgal", "cgal-tree", "embree", "parry"}) {
         if (bench.wants("carcass/memory")) {
             bench.enter("carcass/memory", who, known(many.bytes("gusset") / count), known(many.bytes(who) / count), "B");
         }
         if (bench.wants("carcass/memory-equal-accuracy")) {
-            bench.enter("carcass/memory-equal-accuracy", who, known((few.bytes("gusset") + whole(few, false)) / 1024),
-                        known((many.bytes(who) + whole(many, true)) / 1024), "KiB");
+            bench.enter("carcass/memory-equal-accuracy", who, known((few.bytes("gusset") + nodes) / 1024),
+                        known((many.bytes(who) + whole(many.triangles())) / 1024), "KiB");
         }
     }
 }
@@ -179,7 +181,8 @@ double Stage::bytes(const std::string &who) { return built(who).bytes; }
 
 Contender feet_of(const std::string &name, Solver &solver, const Surface &surface, const Points &queries) {
     const auto feet = std::make_shared<Points>();
-    return {name, [&, feet] { solver.closest(queries, *feet); }, [] {}, [&, feet] { return judge_feet(surface, queries, *feet); }};
+    return {name, [&, feet] { solver.closest(queries, *feet); }, [] {},
+            [&, feet] { return judge_feet(surface, queries, *feet, solver.unproven()); }};
 }
 
 Contender hits_of(const std::string &name, Solver &solver, const Surface &surface, const std::vector<Line> &lines, bool first_only) {

@@ -32,6 +32,15 @@ public:
             feet.push_back({one.point[0], one.point[1], one.point[2]});
         }
     }
+    std::vector<std::size_t> unproven() const override {
+        std::vector<std::size_t> made;
+        for (std::size_t k = 0; k < found_.size(); ++k) {
+            if (!(found_[k].flags & GUSSET_SURFACE_POINT_PROVEN)) {
+                made.push_back(k);
+            }
+        }
+        return made;
+    }
     void lines(const std::vector<Line> &lines, Hits &hits) override {
         const std::vector<gusset_line> asked = given(lines, -std::numeric_limits<double>::infinity());
         gusset_surface_hits *found = nullptr;

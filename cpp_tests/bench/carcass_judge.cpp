@@ -9,18 +9,24 @@ namespace {
 constexpr double WRONG = 2e-3;
 } // namespace
 
-nlohmann::json judge_feet(const Surface &surface, const Points &queries, const Points &feet) {
-    double worst = 0;
+nlohmann::json judge_feet(const Surface &surface, const Points &queries, const Points &feet, const std::vector<std::size_t> &unproven) {
+    double worst = 0, worst_unproven = 0;
     std::size_t wrong = 0;
     for (std::size_t k = 0; k < queries.size(); ++k) {
-        const double error = length(feet[k] - queries[k]) - surface.distance(queries[k], feet[k]);
-        if (std::abs(error) > WRONG) {
+        const double error = std::abs(length(feet[k] - queries[k]) - surface.distance(queries[k], feet[k]));
+        if (std::binary_search(unproven.begin(), unproven.end(), k)) {
+            worst_unproven = std::max(worst_unproven, error);
+        } else if (error > WRONG) {
             ++wrong;
         } else {
-            worst = std::max(worst, std::abs(error));
+            worst = std::max(worst, error);
         }
     }
-    return {{"max_error", worst}, {"wrong", wrong}, {"queries", queries.size()}};
+    nlohmann::json quality = {{"max_error", worst}, {"wrong", wrong}, {"queries", queries.size()}, {"unproven", unproven.size()}};
+    if (!unproven.empty()) {
+        quality["unproven_error"] = worst_unproven;
+    }
+    return quality;
 }
 
 nlohmann::json judge_hits(const Surface &surface, const std::vector<Line> &lines, const Hits &hits, bool first_only) {

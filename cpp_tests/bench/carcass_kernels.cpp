@@ -65,10 +65,11 @@ void of_two(Bench &bench, Toruses &a, Toruses &b) {
         const Triangles fine_a = triangles(nodes(a.surface, 354, 707)), fine_b = triangles(nodes(b.surface, 354, 707));
         const auto cgal_a = cgal(fine_a), cgal_b = cgal(fine_b);
         bench.compare("carcass/ssi", "ms", 1,
-                      {contender("gusset"), contender("sisl"), contender("occt"), contender("gusset-nodes"), meeting_of("cgal-500k-triangles", *cgal_a, *cgal_b, both)});
+                      {contender("gusset"), contender("sisl"), contender("occt"), contender("gusset-nodes"),
+                       meeting_of("cgal-500k-triangles", *cgal_a, *cgal_b, both)});
     }
     if (bench.wants("carcass/ssi-exact")) {
-        const Nodes fine_a = nodes(a.surface, 128, 256), fine_b = nodes(b.surface, 128, 256);
+        const Nodes fine_a = nodes(a.surface, 97, 193), fine_b = nodes(b.surface, 97, 193);
         const auto ours_a = gusset(fine_a, 1, CHORD), ours_b = gusset(fine_b, 1, CHORD);
         ours_a->build();
         ours_b->build();

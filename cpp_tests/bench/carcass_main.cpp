@@ -7,22 +7,21 @@
 
 int main(int argc, char **argv) {
     CLI::App app("Carcasses beside trees of triangles and kernels of CAD; ratio = peer / ours");
-    std::string only, out = "carcass.json", questions;
-    int runs = 7;
-    double patience = 1500;
-    bool slow = false;
-    app.add_option("--only", only, "cases whose names contain this");
-    app.add_option("--runs", runs, "runs of each; medians are reported")->check(CLI::Range(1, 1000));
-    app.add_option("--patience", patience, "milliseconds after which one that is slow has no more runs");
+    carcass::Bench::Options options;
+    std::string out = "carcass.json", questions;
+    app.add_option("--only", options.only, "cases whose names contain this");
+    app.add_option("--runs", options.runs, "runs of each; medians are reported")->check(CLI::Range(1, 1000));
+    app.add_option("--patience", options.patience, "milliseconds after which one that is slow has no more runs");
+    app.add_flag("--processor", options.by_processor, "time of the processor, all threads together: for a machine that is busy");
     app.add_option("--out", out, "the report");
     app.add_option("--questions", questions, "also write what the kernels of CAD are asked into this file");
-    app.add_flag("--slow", slow, "also what takes half a minute a run");
+    app.add_flag("--slow", options.slow, "also what takes half a minute a run");
     CLI11_PARSE(app, argc, argv);
     try {
         if (!questions.empty()) {
             carcass::write_questions(questions);
         }
-        carcass::Bench bench(runs, patience, only, slow);
+        carcass::Bench bench(options);
         carcass::same_nodes(bench);
         carcass::many_nodes(bench);
         carcass::kernels(bench);

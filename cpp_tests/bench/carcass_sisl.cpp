@@ -58,7 +58,8 @@ public:
             Point query = q;
             Found found;
             int status = 0;
-            s1954(surface_, query.data(), 3, UNUSED, RESOLUTION, &found.point_count, &found.first, &found.curve_count, &found.curves, &status);
+            s1954(surface_, query.data(), 3, UNUSED, RESOLUTION, &found.point_count, &found.first, &found.curve_count, &found.curves,
+                  &status);
             check("s1954", status);
             Point best{};
             double least = std::numeric_limits<double>::infinity();
@@ -111,7 +112,8 @@ public:
         SISLSurf *with = dynamic_cast<Sisl &>(other).surface_;
         Found found;
         int status = 0;
-        s1859(surface_, with, UNUSED, RESOLUTION, &found.point_count, &found.first, &found.second, &found.curve_count, &found.curves, &status);
+        s1859(surface_, with, UNUSED, RESOLUTION, &found.point_count, &found.first, &found.second, &found.curve_count, &found.curves,
+              &status);
         check("s1859", status);
         curves.clear();
         curves.sampled = true;
