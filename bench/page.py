@@ -81,7 +81,7 @@ need, `cgal-tree` without. `gusset-automatic` and `embree-automatic` have as man
 that lets every hit pass, for parry by a walk through its hierarchy; `ray`: the first. `plane`: an oblique plane; `cgal` is
 Polygon_mesh_slicer, its tree made before, and `cgal-segments` all_intersections, which gives segments in no order; ours gives
 points where the section crosses sides of cells, `gusset-chord`, and for equal accuracy ours at all, more of them, so that
-chords are within 7e-6 of the surface. `memory`: bytes of the index for each node, beside nodes or triangles;
+chords are within 8e-7 of the surface. `memory`: bytes of the index for each node, beside nodes or triangles;
 `memory-equal-accuracy`: in all, with them. `threads`: ours by as many threads as the machine has, beside one. Embree computes
 in single precision.
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -111,8 +112,8 @@ struct Polylines {
     bool ordered = true;
     /// Curves of another kind, looked at here and there: chords between these points are nobody's.
     bool sampled = false;
-    /// Cells that ours lists.
-    std::size_t unresolved = 0;
+    /// How many places it could not resolve, if it says such things.
+    std::optional<std::size_t> unresolved;
 
     void clear();
 };
@@ -132,8 +133,8 @@ public:
     /// The bytes of the index, from one who allocates past malloc.
     virtual std::size_t bytes() const { return 0; }
     virtual void closest(const Points &queries, Points &feet);
-    /// Of the last closest points: those of which it says itself that they may not be the nearest.
-    virtual std::vector<std::size_t> unproven() const { return {}; }
+    /// Of the last closest points: those that it does not say are proved to be the nearest, if it says such things.
+    virtual std::optional<std::vector<std::size_t>> unproven() const { return {}; }
     /// All intersections.
     virtual void lines(const std::vector<Line> &lines, Hits &hits);
     /// The first of each ray.

@@ -32,7 +32,7 @@ public:
             feet.push_back({one.point[0], one.point[1], one.point[2]});
         }
     }
-    std::vector<std::size_t> unproven() const override {
+    std::optional<std::vector<std::size_t>> unproven() const override {
         std::vector<std::size_t> made;
         for (std::size_t k = 0; k < found_.size(); ++k) {
             if (!(found_[k].flags & GUSSET_SURFACE_POINT_PROVEN)) {

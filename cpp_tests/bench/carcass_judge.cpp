@@ -9,12 +9,13 @@ namespace {
 constexpr double WRONG = 2e-3;
 } // namespace
 
-nlohmann::json judge_feet(const Surface &surface, const Points &queries, const Points &feet, const std::vector<std::size_t> &unproven) {
+nlohmann::json judge_feet(const Surface &surface, const Points &queries, const Points &feet,
+                          const std::optional<std::vector<std::size_t>> &unproven) {
     double worst = 0, worst_unproven = 0;
     std::size_t wrong = 0;
     for (std::size_t k = 0; k < queries.size(); ++k) {
         const double error = std::abs(length(feet[k] - queries[k]) - surface.distance(queries[k], feet[k]));
-        if (std::binary_search(unproven.begin(), unproven.end(), k)) {
+        if (unproven && std::binary_search(unproven->begin(), unproven->end(), k)) {
             worst_unproven = std::max(worst_unproven, error);
         } else if (error > WRONG) {
             ++wrong;
@@ -22,8 +23,9 @@ nlohmann::json judge_feet(const Surface &surface, const Points &queries, const P
             worst = std::max(worst, error);
         }
     }
-    nlohmann::json quality = {{"max_error", worst}, {"wrong", wrong}, {"queries", queries.size()}, {"unproven", unproven.size()}};
-    if (!unproven.empty()) {
+    nlohmann::json quality = {{"max_error", worst}, {"wrong", wrong}, {"queries", queries.size()}};
+    if (unproven) {
+        quality["unproven"] = unproven->size();
         quality["unproven_error"] = worst_unproven;
     }
     return quality;
@@ -64,13 +66,16 @@ nlohmann::json judge_curves(const std::vector<Surface> &surfaces, const Polyline
         begin = end;
     }
     const auto open = static_cast<std::size_t>(std::count(curves.closed.begin(), curves.closed.end(), false));
-    return {{"max_error", worst},
-            {"chord_error", curves.sampled ? nlohmann::json() : nlohmann::json(chord)},
-            {"points", curves.points.size()},
-            {"curves", curves.ends.size()},
-            {"closed", open == 0},
-            {"ordered", curves.ordered},
-            {"unresolved", curves.unresolved},
-            {"length", total}};
+    nlohmann::json quality = {{"max_error", worst},
+                              {"chord_error", curves.sampled ? nlohmann::json() : nlohmann::json(chord)},
+                              {"points", curves.points.size()},
+                              {"curves", curves.ends.size()},
+                              {"closed", open == 0},
+                              {"ordered", curves.ordered},
+                              {"length", total}};
+    if (curves.unresolved) {
+        quality["unresolved"] = *curves.unresolved;
+    }
+    return quality;
 }
 } // namespace carcass

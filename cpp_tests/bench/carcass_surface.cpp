@@ -298,7 +298,7 @@ void Polylines::clear() {
     points.clear();
     ordered = true;
     sampled = false;
-    unresolved = 0;
+    unresolved.reset();
 }
 
 void Solver::closest(const Points &, Points &) { throw std::runtime_error("has no closest points"); }
