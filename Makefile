@@ -14,7 +14,7 @@ incdir  := $(DESTDIR)$(PREFIX)/include
 build_packages := cmake g++ pkg-config
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev
 test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind
-bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libocct-modeling-algorithms-dev libsisl-dev nlohmann-json3-dev python3-venv
+bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
 .PHONY: help build test check exhaustive demo bench install stage clean

@@ -6,6 +6,7 @@ import sys
 import time
 from pathlib import Path
 
+import carcass
 import meshes
 import outlines
 from cases import BOUNDARIES, OUTLINES, Cases
@@ -15,7 +16,7 @@ from page import write_page
 from report import Report
 
 
-def in_cpp(report, tools, folder, only):
+def in_cpp(report, tools, folder, only, slow):
     """The hosts in C++, on the same meshes by way of files."""
     wanted = []
     for name, mesh in BOUNDARIES.items():
@@ -40,6 +41,8 @@ def in_cpp(report, tools, folder, only):
         sys.stdout.flush()
         subprocess.run([tools / "nets", "--only", only, "--out", out], check=True)
         report.merge(out)
+    if carcass.wanted(only):
+        carcass.run(report, tools, folder, only, slow)
 
 
 def main():
@@ -60,7 +63,7 @@ def main():
         Cases(library, None, options.tools, folder, "", True).apart(options.apart)
         return
     report = Report()
-    in_cpp(report, options.tools, folder, options.only)
+    in_cpp(report, options.tools, folder, options.only, options.slow)
     Cases(library, report, options.tools, folder, options.only, options.slow).run()
     report.write(options.out)
     print(f"the report is {options.out}; it took {(time.time() - start) / 60:.0f} min")

@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 stage=$1 only=$2 slow=$3
 shift 3
 scripts/install-packages.sh "$@"
+CARGO_TARGET_DIR=build/parry cargo build -q --release --locked --manifest-path bench/parry/Cargo.toml
 cmake -S cpp_tests/bench -B build/bench -DGUSSET_PREFIX="$stage" >build/bench.log 2>&1 &&
   env -u MAKELEVEL -u MAKEFLAGS cmake --build build/bench --parallel 2 >>build/bench.log 2>&1 ||
   { tail -n 40 build/bench.log; exit 1; }
@@ -23,6 +24,23 @@ if ! cmp -s bench/pins.txt "$venv/pins.txt"; then
   done
   cp bench/pins.txt "$venv/pins.txt"
 fi
+# Open CASCADE from Python brings a gigabyte along: only for those who ask for it.
+ocp() {
+  local venv=build/bench-$1
+  cmp -s bench/pins.txt "$venv/pins.txt" && return
+  echo "gusset: about to install from PyPI into $venv: $2"
+  rm -rf "$venv"
+  python3 -m venv "$venv"
+  "$venv/bin/pip" install -q --disable-pip-version-check --only-binary :all: "$2" >"$venv/log" 2>&1 ||
+    { rm "$venv/bin/python"; echo "gusset: $2 cannot be installed for $(python3 --version), and will be reported as absent: $venv/log"; }
+  cp bench/pins.txt "$venv/pins.txt"
+}
+case $only in
+  '' | *carcass* | *spline* | *ssi*)
+    ocp ocp-7.8.1 "$(grep ^cadquery-ocp bench/pins.txt)"
+    ocp ocp-newest cadquery-ocp
+    ;;
+esac
 
 mkdir -p target/bench
 options=(--only "$only")
