@@ -26,6 +26,9 @@ impl Carcass<'_> {
     /// True if a direction is not along the surface next to a place, away from the sides of its cell: what could not be resolved there is
     /// no touch but a place where the parameters are not regular, a pole.
     pub(super) fn passes(&self, place: Place, direction: DVec3) -> bool {
+        if self.jet(place).unit_normal().is_none() {
+            return self.normal(place).dot(direction).abs() > 1e-4;
+        }
         let inwards = |x: f64| x + 1e-3 * (0.5 - x).signum();
         let near = Place { u: inwards(place.u), v: inwards(place.v), ..place };
         self.normal(near).dot(direction).abs() > 1e-2

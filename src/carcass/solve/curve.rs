@@ -18,7 +18,7 @@ use glam::{DMat3, DVec2, DVec3};
 const DEPTH: u32 = 96;
 /// Pairs that may be looked at: a curve in a surface would take them without end.
 const PAIRS: usize = 2048;
-/// Pairs wider than this, of the whole, are halved even if they are flat: to tell where a common part begins and ends.
+/// Pairs with more of the curve than this are halved even if they are flat: to tell where a common part begins and ends.
 const WIDE: f64 = 1.0 / 16.0;
 /// How far outside a pair a meeting may be found, as a fraction of it, besides rounding: those on borders are found from both sides.
 const MARGIN: f64 = 1e-12;
@@ -103,7 +103,7 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
                 }
             }
             Verdict::Open { flat } => {
-                let done = flat && pair.size.max_element() <= WIDE;
+                let done = flat && pair.size.x <= WIDE;
                 if done || pair.depth == DEPTH || looked_at >= PAIRS {
                     room.open.push(pair.open());
                 } else {

@@ -191,7 +191,7 @@ impl Search {
         for k in 0..2 {
             let (at_low, at_high) = (at[k] <= low[k], at[k] >= high[k]);
             let falls = if at_low { gradient[k] } else { -gradient[k] };
-            if !(at_low || at_high) || falls <= 1e-12 * whole[k].size() * gap.length() {
+            if gap.length() <= NOISE || !(at_low || at_high) || falls <= 1e-12 * whole[k].size() * gap.length() {
                 continue;
             }
             // At an inner end of a part the next part has it; at a joint the next segment, if it goes down there.
@@ -397,6 +397,16 @@ fn judge(p: &Part, q: &Part) -> Verdict {
     let x = a.length_squared() + gap.dot(aa) - play(a, ra, a, ra) - play(gap, spread, aa, raa);
     let y = b.length_squared() - gap.dot(bb) - play(b, rb, b, rb) - play(gap, spread, bb, rbb);
     let z = a.dot(b).abs() + play(a, ra, b, rb);
+    // Where the Hessian is indefinite, there is no least distance but at ends of segments.
+    let inner = [p, q].iter().all(|part| part.from > 0.0 && part.to < 1.0);
+    let [most_x, most_y] = [
+        a.length_squared() + gap.dot(aa) + play(a, ra, a, ra) + play(gap, spread, aa, raa),
+        b.length_squared() - gap.dot(bb) + play(b, rb, b, rb) + play(gap, spread, bb, rbb),
+    ];
+    let least_z = (a.dot(b).abs() - play(a, ra, b, rb)).max(0.0);
+    if inner && (most_x < 0.0 || most_y < 0.0 || most_x * most_y < least_z * least_z) {
+        return Verdict::None;
+    }
     let convex = x > 0.0 && y > 0.0 && x * y > z * z * (1.0 + 1e-9);
     let at_end = (held[0] && (y > 0.0 || held[1])) || (held[1] && x > 0.0);
     if convex || at_end { Verdict::One } else { Verdict::Open }
@@ -438,20 +448,17 @@ fn descend(whole: [&Part; 2], start: DVec2, low: DVec2, high: DVec2) -> (DVec2, 
             (true, false) => (y > 0.0).then(|| DVec2::new(0.0, gradient.y / y)),
             (true, true) => None,
         };
-        let damped = || solve(gauss.map(|x| 1.000_001 * x));
-        let Some(step) = solve(full).or_else(damped).filter(|step| step.is_finite()) else { break };
-        let mut length = 1.0;
-        let next = loop {
-            let there = (at - length * step).clamp(low, high);
-            let (p, q) = jets(there);
-            if there == at || length < 1e-3 {
-                break None;
-            }
-            if p[0].distance_squared(q[0]) < gap.length_squared() {
-                break Some((there, p, q));
-            }
-            length *= 0.25;
+        // Newton's step, or where that does not go down Gauss's, which along valleys is damped.
+        let shorter = |step: DVec2| {
+            let lengths = [1.0, 0.25, 0.0625, 0.015_625, 0.004];
+            lengths.into_iter().map(move |length| (at - length * step).clamp(low, high))
         };
+        let steps = [full, gauss.map(|x| 1.000_001 * x), gauss.map(|x| 1.2 * x)].into_iter().filter_map(solve);
+        let next = steps.filter(|step| step.is_finite()).flat_map(shorter).find_map(|there| {
+            let (p, q) = jets(there);
+            let down = there != at && p[0].distance_squared(q[0]) < gap.length_squared();
+            down.then_some((there, p, q))
+        });
         let Some((there, p, q)) = next else { break };
         (at, a, b) = (there, p, q);
     }
