@@ -83,7 +83,7 @@ impl CurveNet<'_> {
 
     /// The diagonal of the box of all curves, and the largest of their coordinates.
     fn extent(&self) -> (f64, f64) {
-        let points = || self.rows.iter().chain(self.columns).flat_map(|curve| curve.points());
+        let points = || self.rows.iter().chain(self.columns).flat_map(CurveView::points);
         let bounds = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (low, high) = points().fold(bounds, |(low, high), &p| (low.min(p), high.max(p)));
         (low.distance(high), low.abs().max(high.abs()).max_element())
@@ -181,7 +181,7 @@ impl<const N: usize> Gordon<N> {
     /// The patches over all cells.
     pub(super) fn patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
         if self.rows.is_empty() {
-            return self.skin(&self.columns, &self.points[1], self.closed[1], job).map(transposed);
+            return self.skin(&self.columns, &self.points[1], self.closed[1], job).map(|patches| transposed(&patches));
         }
         if self.columns.is_empty() {
             return self.skin(&self.rows, &self.points[0], self.closed[0], job);
@@ -232,11 +232,11 @@ impl<const N: usize> Gordon<N> {
             job.step(k as f64 / last as f64, "making patches")?;
             let piece = blend.piece(k);
             let across = piece.weights::<N>([0.0, 1.0]);
-            for j in 0..v.count() {
+            patches.extend((0..v.count()).map(|j| {
                 let rows = piece.lines.map(|k| &refined[k][j]);
                 let point = |a: usize, b: usize| combined(&across[a], &rows.map(|row| row[b]));
-                patches.push(Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) });
-            }
+                Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
+            }));
         }
         Ok(Patches::of(patches, last, v.count()))
     }
@@ -409,7 +409,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
 fn positive(mut lengths: Vec<f64>) -> Vec<f64> {
     let sum: f64 = lengths.iter().sum();
     let mean = if sum > 0.0 { sum / lengths.len() as f64 } else { 1.0 };
-    lengths.iter_mut().filter(|length| !(**length > 1e-6 * mean)).for_each(|length| *length = mean);
+    lengths.iter_mut().filter(|length| length.is_nan() || **length <= 1e-6 * mean).for_each(|length| *length = mean);
     lengths
 }
 
@@ -424,7 +424,7 @@ fn room<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
 }
 
 /// u and v exchanged.
-fn transposed<const N: usize>(patches: Patches<N>) -> Patches<N> {
+fn transposed<const N: usize>(patches: &Patches<N>) -> Patches<N> {
     let [rows, columns] = patches.cells();
     let turned = (0..columns * rows).map(|k| patches.get(k % rows, k / rows).transposed()).collect();
     Patches::of(turned, columns, rows)
