@@ -292,8 +292,8 @@ impl Carcass<'_> {
     ///
     /// Every curve is found, as [`Carcass::section`] finds them, if the surface is regular. On sheets of patches and of the four-point
     /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for; where
-    /// that goes on for more than a cell they end, and the ends and the sides are listed as unresolved. At poles, where the normal is none, a curve ends
-    /// or passes; a pole that may have the angle itself is listed as unresolved. O(cells).
+    /// that goes on for more than a cell they end, and the ends and the sides are listed as unresolved. At poles, where the normal is none,
+    /// a curve ends or passes; a pole that may have the angle itself is listed as unresolved. O(cells).
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do not rise or are out of range;
