@@ -2,9 +2,9 @@
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, Cells};
-use super::solve::Field;
 use super::displacements::Displacements;
 use super::index::Bounds;
+use super::solve::Field;
 use super::{Patch, Scheme};
 use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
@@ -233,16 +233,6 @@ fn bezier(line: &Window, place: usize, weights: &Weights) -> [DVec3; 4] {
         terms.fold(DVec3::ZERO, |sum, term| sum + term)
     };
     [point(place), inner(&weights[1]), inner(&weights[2]), point(place + 1)]
-}
-
-/// The sum of the nodes by their weights.
-#[inline]
-fn combined(weights: &[f64; TAPS], nodes: &[DVec3; TAPS]) -> DVec3 {
-    let mut sum = weights[0] * nodes[0];
-    for k in 1..TAPS {
-        sum += weights[k] * nodes[k];
-    }
-    sum
 }
 
 /// The four Bézier points of the interval after node `place`.

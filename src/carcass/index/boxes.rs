@@ -270,7 +270,8 @@ mod tests {
         let directions =
             [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1e-17, 1e-16), DVec3::new(3.0, 1e-9, 0.0), u, 3.0000001 * u];
         for (a, b) in (0..36).map(|k| (directions[k / 6], directions[k % 6])) {
-            let found = Oriented::round(&points, a, b, 0.0);
+            let exactly = Bounds { low: DVec3::ZERO, high: DVec3::ZERO };
+            let found = Oriented::round(&points, a, b, exactly);
             let frame = found.frame();
             assert!(
                 (frame * frame.transpose() - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-6),
