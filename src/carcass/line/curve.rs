@@ -76,7 +76,7 @@ impl Carcass<'_> {
         if let Some(segment) = curve.segments().find(|segment| segment.len() > MOST + 1) {
             return Err(Error::OptionOutOfRange { option: "degree", value: (segment.len() - 1) as f64 });
         }
-        let numbers = curve.points().iter().flat_map(|point| point.to_array());
+        let numbers = curve.points().iter().flat_map(|&point| <[f64; 3]>::from(point));
         if let Some(value) = { numbers }.find(|x| x.abs() > LARGEST) {
             return Err(Error::OptionOutOfRange { option: "curve", value });
         }
