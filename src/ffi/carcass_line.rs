@@ -212,10 +212,10 @@ pub unsafe extern "C" fn gusset_carcass_first_hits(
     count: usize,
     hits: *mut gusset_surface_hit,
 ) -> gusset_status {
-    let out = input::results(hits, count, "hits").map(|out| {
+    let mut out = input::results(hits, count, "hits");
+    if let Ok(out) = &mut out {
         out.fill(bytemuck::Zeroable::zeroed());
-        out
-    });
+    }
     guard(context, |job| {
         let (out, carcass) = (out?, read(carcass)?);
         let found = carcass.first_hits(&self::lines(lines, count)?, job)?;

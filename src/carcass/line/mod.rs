@@ -56,7 +56,7 @@ impl Line {
     /// That it is finite and has a direction.
     fn check(&self) -> Result<()> {
         let bad = |value: f64, option| Err(Error::OptionOutOfRange { option, value });
-        if let Some(value) = self.origin.to_array().into_iter().find(|x| !(x.abs() <= LARGEST)) {
+        if let Some(value) = self.origin.to_array().into_iter().find(|x| x.is_nan() || x.abs() > LARGEST) {
             return bad(value, "origin");
         }
         if let Some(value) = self.direction.to_array().into_iter().find(|x| !x.is_finite()) {

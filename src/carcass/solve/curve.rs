@@ -335,11 +335,11 @@ fn velocity<const M: usize>(points: &[DVec3; M], t: f64) -> DVec3 {
 /// The halves of a curve.
 pub(crate) fn halved<const M: usize>(points: &[DVec3; M]) -> [[DVec3; M]; 2] {
     let (mut low, mut high) = (*points, *points);
-    for k in 1..M {
+    for (k, first) in low.iter_mut().enumerate().skip(1) {
         for a in 0..M - k {
             high[a] = 0.5 * (high[a] + high[a + 1]);
         }
-        low[k] = high[0];
+        *first = high[0];
     }
     [low, high]
 }

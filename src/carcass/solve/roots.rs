@@ -25,7 +25,6 @@ const MARGIN: f64 = 1e-12;
 pub(crate) struct Roots<const N: usize> {
     /// Parameters of simple roots, each once.
     pub(crate) simple: Vec<DVec2>,
-    #[allow(dead_code, reason = "not every set of searches needs it")]
     /// Spots that could not be resolved: where the values are least, and how far the spot reaches.
     pub(crate) unresolved: Vec<(DVec2, f64)>,
     parts: Vec<Part<N>>,
@@ -50,7 +49,6 @@ impl<const N: usize> Part<N> {
     }
 }
 
-#[allow(dead_code, reason = "not every set of searches needs it")]
 /// Adds the common roots of two fields. `noise`: values up to that, in absolute terms, may be 0; `tolerance`: parts that have no greater
 /// ones need no resolving.
 pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance: f64, found: &mut Roots<N>) {
