@@ -76,7 +76,7 @@ fn the_hull_passes_every_point_of_its_stations() {
         .collect();
     let fore: Vec<Vec<DVec3>> = stations[forecastle..].iter().map(|station| filled(station, 16)).collect();
     let sheet = |rows: &[Vec<DVec3>]| {
-        let data: Vec<f64> = rows.iter().flatten().flat_map(|point| point.to_array()).collect();
+        let data: Vec<f64> = rows.iter().flatten().flat_map(DVec3::to_array).collect();
         let nodes = Nodes::strided(data, rows.len(), rows[0].len(), 0, 0).unwrap();
         Sheet::Grid(Grid::new(nodes, [false, false], Scheme::SixTap).unwrap())
     };

@@ -395,7 +395,7 @@ fn coons_patches_poles_and_skins() {
             let count = 4 + k % 3;
             through(
                 &(0..=count)
-                    .map(|i| wigley(0.45 - 0.1 * k as f64, -0.06 * (1.0 - i as f64 / count as f64)))
+                    .map(|i| wigley(0.45 - 0.1 * f64::from(k), -0.06 * (1.0 - f64::from(i) / f64::from(count))))
                     .collect::<Vec<_>>(),
                 false,
             )
