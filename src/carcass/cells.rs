@@ -1,8 +1,8 @@
 //! What searches need to know of a sheet: its cells, their corners, their patches, and how far they are from flat.
 
 use super::Patch;
-use super::solve::Field;
 use super::index::Bounds;
+use super::solve::Field;
 use glam::DVec3;
 use std::ops::Range;
 

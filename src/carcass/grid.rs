@@ -2,9 +2,9 @@
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, Cells};
-use super::solve::Field;
 use super::displacements::Displacements;
 use super::index::Bounds;
+use super::solve::Field;
 use super::{Patch, Scheme};
 use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};

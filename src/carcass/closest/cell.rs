@@ -22,7 +22,13 @@ pub(crate) struct Found {
 impl Found {
     fn new(foot: &Foot, bound: f64) -> Found {
         let Foot { place, jet, distance } = *foot;
-        Found { place, point: jet.point, normal: jet.unit_normal().unwrap_or_default(), distance, bound: bound.min(distance) }
+        Found {
+            place,
+            point: jet.point,
+            normal: jet.unit_normal().unwrap_or_default(),
+            distance,
+            bound: bound.min(distance),
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Sides between cells along which normals jump past an angle: they belong to the isophote themselves, and no cell shows it.
 
 use super::Lattice;
-use super::isophote::Normals;
+use super::seen::Normals;
 use crate::alloc;
 use crate::carcass::cells::Cells;
 use crate::error::Result;
