@@ -1,17 +1,25 @@
 //! Sides between cells along which normals jump past an angle: they belong to the isophote themselves, and no cell shows it.
 
 use super::Lattice;
-use super::isophote::Normals;
+use super::seen::Normals;
 use crate::alloc;
 use crate::carcass::cells::Cells;
 use crate::error::Result;
 use crate::job::Job;
 use glam::DVec2;
 
-/// The two sides of a cell that its neighbours are behind: where these are, and the corners, in the cell and in the neighbour.
-const SIDES: [([usize; 2], [[f64; 2]; 2], [[f64; 2]; 2]); 2] = [
-    ([1, 0], [[1.0, 0.0], [1.0, 1.0]], [[0.0, 0.0], [0.0, 1.0]]),
-    ([0, 1], [[0.0, 1.0], [1.0, 1.0]], [[0.0, 0.0], [1.0, 0.0]]),
+/// A side of a cell that a neighbour is behind.
+struct Side {
+    /// The steps to the neighbour.
+    after: [bool; 2],
+    /// The corners, in the cell and in the neighbour.
+    own: [[f64; 2]; 2],
+    others: [[f64; 2]; 2],
+}
+
+const SIDES: [Side; 2] = [
+    Side { after: [true, false], own: [[1.0, 0.0], [1.0, 1.0]], others: [[0.0, 0.0], [0.0, 1.0]] },
+    Side { after: [false, true], own: [[0.0, 1.0], [1.0, 1.0]], others: [[0.0, 0.0], [1.0, 0.0]] },
 ];
 
 /// Adds the middles of sides at whose ends the angle is less than one of `angles` in one cell and greater in the other.
@@ -32,8 +40,8 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
     for i in 0..rows {
         job.step(i as f64 / rows as f64, "creases")?;
         for j in 0..columns {
-            for (after, own, others) in SIDES {
-                let (behind, end) = lattice.owner([i, j], after.map(|step| step == 1));
+            for Side { after, own, others } in SIDES {
+                let (behind, end) = lattice.owner([i, j], after);
                 if end != [false; 2] {
                     continue;
                 }

@@ -5,14 +5,15 @@
 //! at single points. None of it suffers from cancellation, whatever the angle.
 
 use super::creases::creases;
-use super::normals::{Hodographs, cross, squares};
+use super::normals::squares;
 use super::search::Found;
+use super::seen::{Corners, Normals, angles, frame};
 use super::source::{Sides, Source};
 use super::{Between, Gathered, Lattice, Strands, direction, lattice, paths};
 use crate::alloc;
-use crate::carcass::cells::{BLOCK, Cells};
+use crate::carcass::cells::Cells;
 use crate::carcass::index::Pyramid;
-use crate::carcass::solve::{Field, Roots, roots};
+use crate::carcass::solve::Field;
 use crate::carcass::{Carcass, Paths, Place, Sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -26,119 +27,6 @@ const SMALL: f64 = 1e-8;
 /// Blocks that are one thread's work, and such works between two reports of progress.
 const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
-
-/// Normals of a sheet, seen along a direction.
-pub(super) struct Normals<'a, C> {
-    pub(super) cells: &'a C,
-    pub(super) index: &'a Pyramid,
-    /// Two directions across the given one, and that one.
-    pub(super) frame: [DVec3; 3],
-    /// Of the greatest coordinates.
-    pub(super) reach: f64,
-    pub(super) sides: Sides,
-}
-
-/// The corners of a block's cells, seen in the frame.
-pub(super) struct Corners {
-    at: [[DVec3; BLOCK + 1]; BLOCK + 1],
-    start: [usize; 2],
-    /// By how much control vectors of S_u and S_v differ from the sides of the quadrilateral at most.
-    play: f64,
-}
-
-impl Corners {
-    /// Ranges of the components of N over a cell.
-    #[inline]
-    pub(super) fn ranges(&self, [i, j]: [usize; 2]) -> [[f64; 2]; 3] {
-        let (r, c) = (i - self.start[0], j - self.start[1]);
-        let [[p00, p01], [p10, p11]] = [[self.at[r][c], self.at[r][c + 1]], [self.at[r + 1][c], self.at[r + 1][c + 1]]];
-        let range = |a: DVec3, b: DVec3| {
-            let (low, high) = (a.min(b) - self.play, a.max(b) + self.play);
-            [0, 1, 2].map(|k| [low[k], high[k]])
-        };
-        cross(range(p10 - p00, p11 - p01), range(p01 - p00, p11 - p10))
-    }
-}
-
-impl<C> Normals<'_, C> {
-    /// What tells most cells apart without making their patches.
-    ///
-    /// With c the control points of the difference of surface and bilinear patch, S_u differs from a side of the quadrilateral, or from what
-    /// is between two, by n |c_a+1 - c_a| <= 2 n max |c|, n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4
-    /// (L A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its weights, which is nowhere more than 1.42
-    /// L: by 2 deviations at most.
-    pub(super) fn corners<const N: usize>(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners
-    where
-        C: Cells<N>,
-    {
-        let deviation = self.index.deviation(rows.start / BLOCK, columns.start / BLOCK);
-        let mut at = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
-        let origin = self.index.origin();
-        for (r, row) in at.iter_mut().enumerate().take(rows.len() + 1) {
-            for (c, corner) in row.iter_mut().enumerate().take(columns.len() + 1) {
-                let point = self.cells.corner(rows.start + r, columns.start + c) - origin;
-                *corner = DVec3::from_array(self.frame.map(|axis| axis.dot(point)));
-            }
-        }
-        let play = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.reach;
-        Corners { at, start: [rows.start, columns.start], play }
-    }
-
-    /// The corners of block k, and its cells, row after row.
-    pub(super) fn block<const N: usize>(
-        &self,
-        lattice: &Lattice,
-        k: usize,
-    ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>)
-    where
-        C: Cells<N>,
-    {
-        let [_, across] = lattice.blocks();
-        let [rows, columns] = lattice.block([(k / across) as u32, (k % across) as u32]);
-        let corners = self.corners(&[rows.clone(), columns.clone()]);
-        (corners, rows.flat_map(move |i| columns.clone().map(move |j| [i, j])))
-    }
-
-    fn hodographs<const N: usize>(&self, [i, j]: [usize; 2]) -> Hodographs<N>
-    where
-        C: Cells<N>,
-    {
-        Hodographs::new(&self.cells.patch(i, j), &self.frame)
-    }
-
-    /// Where in a cell both components across are 0 and the one along may have the given sign: simple roots, and what is unresolved.
-    fn roots<const N: usize, const H: usize>(
-        &self,
-        corners: &Corners,
-        cell: [usize; 2],
-        sign: f64,
-    ) -> Option<(Vec<DVec2>, Vec<DVec2>)>
-    where
-        C: Cells<N>,
-    {
-        let zero = |[low, high]: [f64; 2], noise: f64| low <= noise && high >= -noise;
-        let [x, y, _] = corners.ranges(cell);
-        if !(zero(x, 0.0) && zero(y, 0.0)) {
-            return None;
-        }
-        let of = self.hodographs::<N>(cell);
-        let noise = self.noise(&of);
-        let [x, y, along] = of.ranges();
-        let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
-        if !(zero(x, noise) && zero(y, noise) && right) {
-            return None;
-        }
-        let mut found = Roots::default();
-        roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found);
-        Some((found.simple, found.unresolved.into_iter().map(|(place, _)| place).collect()))
-    }
-
-    /// By what components of normals may be wrong for rounding.
-    fn noise<const N: usize>(&self, of: &Hodographs<N>) -> f64 {
-        let [u, v] = of.speeds();
-        32.0 * f64::EPSILON * (self.reach * (u + v) + u * v)
-    }
-}
 
 /// H = 0.
 struct Silhouette<'a, C, const N: usize>(Normals<'a, C>);
@@ -246,25 +134,6 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
     fn noise(&self, base: &Squares<M>) -> f64 {
         base.noise
     }
-}
-
-/// The least and the greatest angle between the third axis and vectors whose components are within ranges.
-pub(super) fn angles(ranges: &[[f64; 2]; 3], noise: f64) -> [f64; 2] {
-    let [first, second, along] = ranges.map(|[low, high]| [low - noise, high + noise]);
-    let least = |[low, high]: [f64; 2]| if low > 0.0 { low } else { (-high).max(0.0) };
-    let most = |[low, high]: [f64; 2]| high.max(-low);
-    let length = |x: f64, y: f64| (x * x + y * y).sqrt();
-    let (near, far) = (length(least(first), least(second)), length(most(first), most(second)));
-    // Away from the axis means a greater angle in front and a smaller one behind.
-    let low = libm::atan2(if along[1] > 0.0 { near } else { far }, along[1]);
-    let high = libm::atan2(if along[0] > 0.0 { far } else { near }, along[0]);
-    [low - 1e-12, high + 1e-12]
-}
-
-/// Two directions across one, and that one: right-handed.
-pub(super) fn frame(axis: DVec3) -> [DVec3; 3] {
-    let first = axis.any_orthonormal_vector();
-    [first, axis.cross(first), axis]
 }
 
 /// Which of the angles asked for are what.

@@ -18,6 +18,7 @@ mod paths;
 mod planes;
 mod refine;
 mod search;
+mod seen;
 mod side;
 mod source;
 

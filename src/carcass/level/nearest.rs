@@ -4,8 +4,8 @@
 //! are those of the components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2 theta P (see
 //! `isophote`), which tell on which side of theta all angles of a part are.
 
-use super::isophote::{Normals, angles, frame};
 use super::normals::{Hodographs, squares};
+use super::seen::{Normals, angles, frame};
 use super::source::Sides;
 use super::{Lattice, direction, lattice};
 use crate::alloc;
