@@ -23,7 +23,7 @@ struct Face {
 
 /// Colours, darker to lighter: a class of the drawing for each.
 inline const std::array<std::array<double, 3>, 3> paints{{{66, 104, 146}, {186, 78, 56}, {216, 205, 180}}};
-inline const int shades = 48;
+inline const int shades = 90;
 
 /// The part of a polygon on one side of the level: sign 1 above it, -1 below.
 inline std::vector<Point3> part(const std::vector<Point3> &polygon, double level, double sign) {
@@ -174,9 +174,11 @@ inline void draw(std::ostream &svg, const View &view, const Hull &hull, const st
         svg << "</g>\n<g stroke='#14202b' stroke-width='15'>\n";
         draw_seen(svg, view, side.silhouette(view.eye, chord), solid, reach);
         svg << "</g>\n<g stroke='#14202b' stroke-width='9'>\n";
-        for (const gusset::Sheet &sheet : k == 0 ? hull.port : hull.starboard) {
-            for (const gusset::Curve &edge : borders(sheet)) {
-                draw_seen(svg, view, edge.sample(gusset::Sample::step, 0.004 * length).points(), {}, false, solid, 5 * reach);
+        for (const auto *pieces : {k == 0 ? &hull.port : &hull.starboard, &hull.transom}) {
+            for (const gusset::Sheet &sheet : *pieces) {
+                for (const gusset::Curve &edge : borders(sheet)) {
+                    draw_seen(svg, view, edge.sample(gusset::Sample::step, 0.004 * length).points(), {}, false, solid, 5 * reach);
+                }
             }
         }
         svg << "</g>\n";
