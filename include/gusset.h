@@ -190,31 +190,6 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
- * There is no normal: the tangents are 0, or parallel all along the lines to the point.
- */
-#define GUSSET_NORMAL_NONE 0
-
-/**
- * The normal of the plane that the tangents span.
- */
-#define GUSSET_NORMAL_REGULAR 1
-
-/**
- * The limit along the coordinate line, where the tangents do not span a plane: at poles.
- */
-#define GUSSET_NORMAL_LIMIT 2
-
-/**
- * gusset_sheet_curve: u stays and v runs: along rows.
- */
-#define GUSSET_ALONG_ROWS 0
-
-/**
- * gusset_sheet_curve: v stays and u runs: along columns.
- */
-#define GUSSET_ALONG_COLUMNS 1
-
-/**
  * gusset_surface_closest: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
  */
 #define GUSSET_SURFACE_POINT_FOUND 1
@@ -229,6 +204,31 @@
  * gusset_surface_closest: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
  */
 #define GUSSET_SURFACE_POINT_MANY 4
+
+/**
+ * gusset_sheet_curve: u stays and v runs: along rows.
+ */
+#define GUSSET_ALONG_ROWS 0
+
+/**
+ * gusset_sheet_curve: v stays and u runs: along columns.
+ */
+#define GUSSET_ALONG_COLUMNS 1
+
+/**
+ * There is no normal: the tangents are 0, or parallel all along the lines to the point.
+ */
+#define GUSSET_NORMAL_NONE 0
+
+/**
+ * The normal of the plane that the tangents span.
+ */
+#define GUSSET_NORMAL_REGULAR 1
+
+/**
+ * The limit along the coordinate line, where the tangents do not span a plane: at poles.
+ */
+#define GUSSET_NORMAL_LIMIT 2
 
 /**
  * Every edge has exactly two faces.
@@ -1985,451 +1985,6 @@ typedef struct gusset_surface_paths_parts {
 } gusset_surface_paths_parts;
 
 /**
- * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
- */
-typedef struct gusset_surface_point {
-    /**
-     * The point.
-     */
-    double point[3];
-    /**
-     * S_u.
-     */
-    double u[3];
-    /**
-     * S_v.
-     */
-    double v[3];
-    /**
-     * S_uu.
-     */
-    double uu[3];
-    /**
-     * S_uv.
-     */
-    double uv[3];
-    /**
-     * S_vv.
-     */
-    double vv[3];
-    /**
-     * The unit normal, to the side of S_u x S_v; 0 if there is none.
-     */
-    double normal[3];
-    /**
-     * Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
-     * tip of a cone, which has no normal.
-     */
-    double spread;
-    /**
-     * The principal curvatures, the greater first: positive where the surface bends towards the normal.
-     */
-    double principal[2];
-    /**
-     * Their directions: two unit tangents, x, y, z each.
-     */
-    double directions[6];
-    /**
-     * The mean curvature.
-     */
-    double mean;
-    /**
-     * The Gaussian curvature.
-     */
-    double gaussian;
-    /**
-     * GUSSET_NORMAL_...
-     */
-    uint32_t normal_kind;
-    /**
-     * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
-     */
-    uint32_t is_curved;
-} gusset_surface_point;
-
-/**
- * How the surface is drawn through nodes.
- */
-typedef uint32_t gusset_scheme;
-
-/**
- * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
- */
-typedef struct gusset_line {
-    /**
-     * x, y, z of the point where t is 0; finite.
-     */
-    double origin[3];
-    /**
-     * x, y, z of the direction; finite and not 0, of any length. t counts lengths of it.
-     */
-    double direction[3];
-    /**
-     * The least t: -INFINITY for lines, 0 for rays and segments.
-     */
-    double from;
-    /**
-     * The greatest t: INFINITY for lines and rays; not below `from`.
-     */
-    double to;
-} gusset_line;
-
-/**
- * Which hits are wanted.
- */
-typedef uint32_t gusset_which;
-
-/**
- * What a hit is.
- */
-typedef uint32_t gusset_hit;
-
-/**
- * A point that a line or a curve and a surface have in common.
- */
-typedef struct gusset_surface_hit {
-    /**
-     * Where on the line; of a curve the number of the segment and the parameter on it, added.
-     */
-    double t;
-    /**
-     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
-     */
-    double span[2];
-    /**
-     * Where on the surface.
-     */
-    struct gusset_surface_place place;
-    /**
-     * x, y, z of the point of the surface.
-     */
-    double point[3];
-    /**
-     * x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
-     */
-    double normal[3];
-    /**
-     * GUSSET_HIT_...
-     */
-    gusset_hit kind;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_surface_hit;
-
-/**
- * A place on a curve.
- */
-typedef struct gusset_place {
-    /**
-     * Counted from 0.
-     */
-    uint32_t segment;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * The parameter: 0 at the segment's first control point, 1 at its last.
-     */
-    double t;
-} gusset_place;
-
-/**
- * The hits. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_hits_parts {
-    /**
-     * sizeof(gusset_surface_hits_parts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many lines were asked for; 1 for a curve.
-     */
-    size_t line_count;
-    /**
-     * How many hits there are in all.
-     */
-    size_t hit_count;
-    /**
-     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
-     */
-    const uint64_t *ends;
-    /**
-     * The hits, those of a line by rising t.
-     */
-    const struct gusset_surface_hit *hits;
-    /**
-     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
-     */
-    const struct gusset_place *on_curve;
-} gusset_surface_hits_parts;
-
-/**
- * What a cell region is like.
- */
-typedef struct gusset_region_report {
-    /**
-     * sizeof(gusset_region_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many cells it has.
-     */
-    uint64_t cells;
-    /**
-     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
-     * is in several parts.
-     */
-    uint64_t integer_diameter;
-    /**
-     * Vertices less edges plus cells: 1 for a region in one part without holes.
-     */
-    int64_t euler;
-    /**
-     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
-     * infinite if the region is in several parts.
-     */
-    double diameter;
-} gusset_region_report;
-
-/**
- * What distances are measured from, or angles.
- */
-typedef uint32_t gusset_mask_object;
-
-/**
- * What the paper's search looks for, and how.
- */
-typedef struct gusset_mask_task {
-    /**
-     * sizeof(gusset_mask_task), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_MASK_...
-     */
-    gusset_mask_object object;
-    /**
-     * 0: cells that may have something within `within`. 1: cells that may have the nearest.
-     */
-    uint32_t least;
-    /**
-     * A point of the object; not read for angles.
-     */
-    double point[3];
-    /**
-     * Its direction, of any length but 0; not read for points.
-     */
-    double direction[3];
-    /**
-     * A distance, 0 or more, in the unit of the nodes, for angles in radians; not read for the nearest.
-     */
-    double within;
-    /**
-     * Of GUSSET_MASK_ANGLE: the angle, 0 to pi.
-     */
-    double angle;
-    /**
-     * Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
-     * gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
-     */
-    double curvature;
-    /**
-     * Of GUSSET_MASK_ANGLE: 1 if normals of the other side will do as well.
-     */
-    uint32_t unsigned_normals;
-    /**
-     * 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
-     */
-    uint32_t by_rings;
-    /**
-     * 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
-     */
-    uint32_t by_rows;
-    /**
-     * 1: lines of nodes that a block covers from side to side are not left out at once.
-     */
-    uint32_t keep_lines;
-} gusset_mask_task;
-
-/**
- * What the search did.
- */
-typedef struct gusset_mask_report {
-    /**
-     * sizeof(gusset_mask_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many cells are left.
-     */
-    uint64_t cells;
-    /**
-     * How many nodes were looked at.
-     */
-    uint64_t evaluations;
-    /**
-     * How many blocks of cells were excluded.
-     */
-    uint64_t blocks;
-    /**
-     * How many lines of cells were left out at once.
-     */
-    uint64_t dropped;
-    /**
-     * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
-     */
-    double least;
-    /**
-     * The row of that node.
-     */
-    uint32_t row;
-    /**
-     * Its column.
-     */
-    uint32_t column;
-} gusset_mask_report;
-
-/**
- * How intersections are wanted.
- */
-typedef struct gusset_intersect_options {
-    /**
-     * sizeof(gusset_intersect_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
-     * INFINITY: points are only where it crosses sides of cells of either surface.
-     */
-    double chord;
-    /**
-     * A length: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0: the
-     * smaller one of the tolerances of the two carcasses.
-     */
-    double tolerance;
-} gusset_intersect_options;
-
-/**
- * A cell of one surface and a cell of another.
- */
-typedef struct gusset_cell_pair {
-    /**
-     * The sheet of the first surface.
-     */
-    uint32_t sheet_a;
-    /**
-     * The row of its cell.
-     */
-    uint32_t row_a;
-    /**
-     * The column of its cell.
-     */
-    uint32_t column_a;
-    /**
-     * The sheet of the second surface.
-     */
-    uint32_t sheet_b;
-    /**
-     * The row of its cell.
-     */
-    uint32_t row_b;
-    /**
-     * The column of its cell.
-     */
-    uint32_t column_b;
-} gusset_cell_pair;
-
-/**
- * The pairs. The pointer is valid until the handle is destroyed.
- */
-typedef struct gusset_cell_pairs_parts {
-    /**
-     * sizeof(gusset_cell_pairs_parts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The pairs, by sheets, then by the first surface's cells.
-     */
-    const struct gusset_cell_pair *pairs;
-    /**
-     * How many.
-     */
-    size_t count;
-} gusset_cell_pairs_parts;
-
-/**
- * What is between the points where a curve crosses the lines of the carcass.
- */
-typedef uint32_t gusset_between;
-
-/**
- * How curves of a surface are given.
- */
-typedef struct gusset_level_options {
-    /**
-     * sizeof(gusset_level_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * With GUSSET_BETWEEN_CHORD: a length above 0; no smaller one counts than the tolerance of the carcass. Otherwise not read.
-     */
-    double chord;
-    /**
-     * GUSSET_BETWEEN_...
-     */
-    gusset_between between;
-    /**
-     * With GUSSET_BETWEEN_LEUS: how many, at most 1000. Otherwise not read.
-     */
-    uint32_t points;
-    /**
-     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
-     */
-    uint32_t unsigned_normals;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_level_options;
-
-/**
- * Where the angle of a normal is nearest to the one asked for.
- */
-typedef struct gusset_nearest_angle {
-    /**
-     * sizeof(gusset_nearest_angle), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Where it is.
-     */
-    struct gusset_surface_place place;
-    /**
-     * x, y, z.
-     */
-    double point[3];
-    /**
-     * The unit normal.
-     */
-    double normal[3];
-    /**
-     * Its angle with the direction, in radians.
-     */
-    double angle;
-    /**
-     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
-     */
-    double deviation;
-    /**
-     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
-     */
-    double bound;
-} gusset_nearest_angle;
-
-/**
  * What is looked for.
  */
 typedef struct gusset_closest_options {
@@ -2613,6 +2168,451 @@ typedef struct gusset_carcass_facts {
      */
     double high[3];
 } gusset_carcass_facts;
+
+/**
+ * How the surface is drawn through nodes.
+ */
+typedef uint32_t gusset_scheme;
+
+/**
+ * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+ */
+typedef struct gusset_line {
+    /**
+     * x, y, z of the point where t is 0; finite.
+     */
+    double origin[3];
+    /**
+     * x, y, z of the direction; finite and not 0, of any length. t counts lengths of it.
+     */
+    double direction[3];
+    /**
+     * The least t: -INFINITY for lines, 0 for rays and segments.
+     */
+    double from;
+    /**
+     * The greatest t: INFINITY for lines and rays; not below `from`.
+     */
+    double to;
+} gusset_line;
+
+/**
+ * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
+ */
+typedef struct gusset_surface_point {
+    /**
+     * The point.
+     */
+    double point[3];
+    /**
+     * S_u.
+     */
+    double u[3];
+    /**
+     * S_v.
+     */
+    double v[3];
+    /**
+     * S_uu.
+     */
+    double uu[3];
+    /**
+     * S_uv.
+     */
+    double uv[3];
+    /**
+     * S_vv.
+     */
+    double vv[3];
+    /**
+     * The unit normal, to the side of S_u x S_v; 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
+     * tip of a cone, which has no normal.
+     */
+    double spread;
+    /**
+     * The principal curvatures, the greater first: positive where the surface bends towards the normal.
+     */
+    double principal[2];
+    /**
+     * Their directions: two unit tangents, x, y, z each.
+     */
+    double directions[6];
+    /**
+     * The mean curvature.
+     */
+    double mean;
+    /**
+     * The Gaussian curvature.
+     */
+    double gaussian;
+    /**
+     * GUSSET_NORMAL_...
+     */
+    uint32_t normal_kind;
+    /**
+     * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
+     */
+    uint32_t is_curved;
+} gusset_surface_point;
+
+/**
+ * What a cell region is like.
+ */
+typedef struct gusset_region_report {
+    /**
+     * sizeof(gusset_region_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells it has.
+     */
+    uint64_t cells;
+    /**
+     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
+     * is in several parts.
+     */
+    uint64_t integer_diameter;
+    /**
+     * Vertices less edges plus cells: 1 for a region in one part without holes.
+     */
+    int64_t euler;
+    /**
+     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
+     * infinite if the region is in several parts.
+     */
+    double diameter;
+} gusset_region_report;
+
+/**
+ * What distances are measured from, or angles.
+ */
+typedef uint32_t gusset_mask_object;
+
+/**
+ * What the paper's search looks for, and how.
+ */
+typedef struct gusset_mask_task {
+    /**
+     * sizeof(gusset_mask_task), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MASK_...
+     */
+    gusset_mask_object object;
+    /**
+     * 0: cells that may have something within `within`. 1: cells that may have the nearest.
+     */
+    uint32_t least;
+    /**
+     * A point of the object; not read for angles.
+     */
+    double point[3];
+    /**
+     * Its direction, of any length but 0; not read for points.
+     */
+    double direction[3];
+    /**
+     * A distance, 0 or more, in the unit of the nodes, for angles in radians; not read for the nearest.
+     */
+    double within;
+    /**
+     * Of GUSSET_MASK_ANGLE: the angle, 0 to pi.
+     */
+    double angle;
+    /**
+     * Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
+     * gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
+     */
+    double curvature;
+    /**
+     * Of GUSSET_MASK_ANGLE: 1 if normals of the other side will do as well.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
+     */
+    uint32_t by_rings;
+    /**
+     * 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
+     */
+    uint32_t by_rows;
+    /**
+     * 1: lines of nodes that a block covers from side to side are not left out at once.
+     */
+    uint32_t keep_lines;
+} gusset_mask_task;
+
+/**
+ * What the search did.
+ */
+typedef struct gusset_mask_report {
+    /**
+     * sizeof(gusset_mask_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells are left.
+     */
+    uint64_t cells;
+    /**
+     * How many nodes were looked at.
+     */
+    uint64_t evaluations;
+    /**
+     * How many blocks of cells were excluded.
+     */
+    uint64_t blocks;
+    /**
+     * How many lines of cells were left out at once.
+     */
+    uint64_t dropped;
+    /**
+     * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
+     */
+    double least;
+    /**
+     * The row of that node.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+} gusset_mask_report;
+
+/**
+ * What is between the points where a curve crosses the lines of the carcass.
+ */
+typedef uint32_t gusset_between;
+
+/**
+ * How curves of a surface are given.
+ */
+typedef struct gusset_level_options {
+    /**
+     * sizeof(gusset_level_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * With GUSSET_BETWEEN_CHORD: a length above 0; no smaller one counts than the tolerance of the carcass. Otherwise not read.
+     */
+    double chord;
+    /**
+     * GUSSET_BETWEEN_...
+     */
+    gusset_between between;
+    /**
+     * With GUSSET_BETWEEN_LEUS: how many, at most 1000. Otherwise not read.
+     */
+    uint32_t points;
+    /**
+     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_level_options;
+
+/**
+ * Where the angle of a normal is nearest to the one asked for.
+ */
+typedef struct gusset_nearest_angle {
+    /**
+     * sizeof(gusset_nearest_angle), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Where it is.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal.
+     */
+    double normal[3];
+    /**
+     * Its angle with the direction, in radians.
+     */
+    double angle;
+    /**
+     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+     */
+    double deviation;
+    /**
+     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+     */
+    double bound;
+} gusset_nearest_angle;
+
+/**
+ * Which hits are wanted.
+ */
+typedef uint32_t gusset_which;
+
+/**
+ * What a hit is.
+ */
+typedef uint32_t gusset_hit;
+
+/**
+ * A point that a line or a curve and a surface have in common.
+ */
+typedef struct gusset_surface_hit {
+    /**
+     * Where on the line; of a curve the number of the segment and the parameter on it, added.
+     */
+    double t;
+    /**
+     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
+     */
+    double span[2];
+    /**
+     * Where on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z of the point of the surface.
+     */
+    double point[3];
+    /**
+     * x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * GUSSET_HIT_...
+     */
+    gusset_hit kind;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_hit;
+
+/**
+ * A place on a curve.
+ */
+typedef struct gusset_place {
+    /**
+     * Counted from 0.
+     */
+    uint32_t segment;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The parameter: 0 at the segment's first control point, 1 at its last.
+     */
+    double t;
+} gusset_place;
+
+/**
+ * The hits. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_hits_parts {
+    /**
+     * sizeof(gusset_surface_hits_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many lines were asked for; 1 for a curve.
+     */
+    size_t line_count;
+    /**
+     * How many hits there are in all.
+     */
+    size_t hit_count;
+    /**
+     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
+     */
+    const uint64_t *ends;
+    /**
+     * The hits, those of a line by rising t.
+     */
+    const struct gusset_surface_hit *hits;
+    /**
+     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
+     */
+    const struct gusset_place *on_curve;
+} gusset_surface_hits_parts;
+
+/**
+ * How intersections are wanted.
+ */
+typedef struct gusset_intersect_options {
+    /**
+     * sizeof(gusset_intersect_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
+     * INFINITY: points are only where it crosses sides of cells of either surface.
+     */
+    double chord;
+    /**
+     * A length: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0: the
+     * smaller one of the tolerances of the two carcasses.
+     */
+    double tolerance;
+} gusset_intersect_options;
+
+/**
+ * A cell of one surface and a cell of another.
+ */
+typedef struct gusset_cell_pair {
+    /**
+     * The sheet of the first surface.
+     */
+    uint32_t sheet_a;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_a;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_a;
+    /**
+     * The sheet of the second surface.
+     */
+    uint32_t sheet_b;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_b;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_b;
+} gusset_cell_pair;
+
+/**
+ * The pairs. The pointer is valid until the handle is destroyed.
+ */
+typedef struct gusset_cell_pairs_parts {
+    /**
+     * sizeof(gusset_cell_pairs_parts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The pairs, by sheets, then by the first surface's cells.
+     */
+    const struct gusset_cell_pair *pairs;
+    /**
+     * How many.
+     */
+    size_t count;
+} gusset_cell_pairs_parts;
 
 /**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
@@ -5222,41 +5222,6 @@ typedef struct gusset_winged_view {
 } gusset_winged_view;
 
 /**
- * All, in the order of the line.
- */
-#define GUSSET_WHICH_ALL 0
-
-/**
- * The first one.
- */
-#define GUSSET_WHICH_FIRST 1
-
-/**
- * Any one: whether there is one.
- */
-#define GUSSET_WHICH_ANY 2
-
-/**
- * None.
- */
-#define GUSSET_HIT_NONE 0
-
-/**
- * It passes through the surface: proved, but for poles, where the surface is not regular.
- */
-#define GUSSET_HIT_CROSSING 1
-
-/**
- * It touches the surface within the tolerance: one point, two close to each other, or none.
- */
-#define GUSSET_HIT_TOUCH 2
-
-/**
- * It runs in the surface, within the tolerance, all over the span.
- */
-#define GUSSET_HIT_INSIDE 3
-
-/**
  * The point.
  */
 #define GUSSET_MASK_POINT 0
@@ -5301,6 +5266,41 @@ typedef struct gusset_winged_view {
  * place of the crossing before them. Order four where crossings are evenly spaced.
  */
 #define GUSSET_BETWEEN_LEUS 3
+
+/**
+ * All, in the order of the line.
+ */
+#define GUSSET_WHICH_ALL 0
+
+/**
+ * The first one.
+ */
+#define GUSSET_WHICH_FIRST 1
+
+/**
+ * Any one: whether there is one.
+ */
+#define GUSSET_WHICH_ANY 2
+
+/**
+ * None.
+ */
+#define GUSSET_HIT_NONE 0
+
+/**
+ * It passes through the surface: proved, but for poles, where the surface is not regular.
+ */
+#define GUSSET_HIT_CROSSING 1
+
+/**
+ * It touches the surface within the tolerance: one point, two close to each other, or none.
+ */
+#define GUSSET_HIT_TOUCH 2
+
+/**
+ * It runs in the surface, within the tolerance, all over the span.
+ */
+#define GUSSET_HIT_INSIDE 3
 
 /**
  * Along rows, from column to column.
@@ -6163,35 +6163,94 @@ gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths
 GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
 
 /**
- * Points, derivatives, normals and curvatures at places.
+ * The nearest points of a surface to queries, one or many.
  *
- * places: count of them. results: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
- * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
- * CANCELLED; nothing is written then. O(1) a place, at a pole O(cells round it); threads.
+ * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit. points: room for
+ * count answers, in the order of the queries; cleared first. Each answer is the same to the bit whether it is asked for alone or among
+ * others, in any order, on any number of threads; of several nearest points it is that of the first sheet, row and column. What is proved is
+ * relative to the surface as declared: no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRIDE, SIZE_OVERFLOW,
+ * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED; nothing is found after an error.
+ * O(log nodes) a query but for queries near centres of curvature, which take bounded work; threads. Source: Leus, "Carcasses on
+ * smooth surfaces", task a, by branch and bound.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_carcass_evaluate(const struct gusset_context *context,
-                                      const struct gusset_carcass *carcass,
-                                      const struct gusset_surface_place *places,
-                                      size_t count,
-                                      struct gusset_surface_point *results);
+gusset_status gusset_carcass_closest(const struct gusset_context *context,
+                                     const struct gusset_carcass *carcass,
+                                     const double *queries,
+                                     size_t count,
+                                     size_t stride,
+                                     const struct gusset_closest_options *options,
+                                     struct gusset_surface_closest *points);
 
 /**
- * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round; what is beyond an open side is on
- * it. The other way the parameters of a place are row + u and column + v.
+ * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
  *
- * parameters: u, v of each, packed. places: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first
- * pair that is not finite, or if there is no such sheet; nothing is written then. O(1) each.
+ * query: x, y, z. options: NULL for the defaults: all. points: receives the result, the nearest first, for gusset_surface_points_destroy;
+ * NULL on failure. None is missed: where it cannot be proved whether there is one (the distance is the same all round, as at a
+ * focus), one point is given for all cells that touch, without GUSSET_SURFACE_POINT_PROVEN and with GUSSET_SURFACE_POINT_MANY. On open
+ * borders and creases, places count from which no way on the surface leads nearer. Errors: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
+ * (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(cells within the limit); with most, those no farther than the last.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_carcass_locate(const struct gusset_context *context,
+gusset_status gusset_carcass_minima(const struct gusset_context *context,
                                     const struct gusset_carcass *carcass,
-                                    uint32_t sheet,
-                                    const double *parameters,
-                                    size_t count,
-                                    struct gusset_surface_place *places);
+                                    const double *query,
+                                    const struct gusset_closest_options *options,
+                                    struct gusset_surface_points **points);
+
+/**
+ * The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_points_view(const struct gusset_surface_points *points,
+                                         struct gusset_surface_points_parts *parts);
+
+/**
+ * Frees points; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
+
+/**
+ * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
+ *
+ * query: x, y, z; radius: at least 0. region: receives all cells that have such a point, and no others but such as come within the
+ * tolerance of the radius or could not be decided in bounded work; for gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * NOT_FINITE, OUT_OF_RANGE (radius), OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_region(const struct gusset_context *context,
+                                    const struct gusset_carcass *carcass,
+                                    const double *query,
+                                    double radius,
+                                    struct gusset_surface_region **region);
+
+/**
+ * The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_region_view(const struct gusset_surface_region *region,
+                                         struct gusset_surface_region_parts *parts);
+
+/**
+ * Frees a region; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
+
+/**
+ * What a carcass is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(sheets). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_info(const struct gusset_carcass *carcass,
+                                  struct gusset_carcass_facts *facts);
 
 /**
  * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
@@ -6257,69 +6316,35 @@ gusset_status gusset_curve_approach_line(const struct gusset_context *context,
                                          struct gusset_places **places);
 
 /**
- * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
+ * Points, derivatives, normals and curvatures at places.
  *
- * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line touches the
- * surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none. which:
- * GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
- * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
- * threads. A carcass may be asked from many threads. Source: Leus, "Carcasses on smooth surfaces", task c.
+ * places: count of them. results: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
+ * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
+ * CANCELLED; nothing is written then. O(1) a place, at a pole O(cells round it); threads.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_carcass_lines(const struct gusset_context *context,
-                                   const struct gusset_carcass *carcass,
-                                   const struct gusset_line *lines,
-                                   size_t count,
-                                   gusset_which which,
-                                   struct gusset_surface_hits **hits);
+gusset_status gusset_carcass_evaluate(const struct gusset_context *context,
+                                      const struct gusset_carcass *carcass,
+                                      const struct gusset_surface_place *places,
+                                      size_t count,
+                                      struct gusset_surface_point *results);
 
 /**
- * The first hit of each of many lines, rays or segments: that of least t, which gusset_carcass_lines gives first.
+ * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round; what is beyond an open side is on
+ * it. The other way the parameters of a place are row + u and column + v.
  *
- * hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where there is none, and everywhere on failure.
- * Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About O(log cells) a line; threads.
+ * parameters: u, v of each, packed. places: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first
+ * pair that is not finite, or if there is no such sheet; nothing is written then. O(1) each.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_carcass_first_hits(const struct gusset_context *context,
-                                        const struct gusset_carcass *carcass,
-                                        const struct gusset_line *lines,
-                                        size_t count,
-                                        struct gusset_surface_hit *hits);
-
-/**
- * Where a curve in space meets a surface, in the order of the curve.
- *
- * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits: receives the
- * result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
- * EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve comes near to;
- * bounded for each segment and cell that run in each other; threads. Source: Leus, task c.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_curve(const struct gusset_context *context,
-                                   const struct gusset_carcass *carcass,
-                                   const struct gusset_curve *curve,
-                                   gusset_which which,
-                                   struct gusset_surface_hits **hits);
-
-/**
- * The hits, lent until they are destroyed.
- *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
- * any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_hits_view(const struct gusset_surface_hits *hits,
-                                       struct gusset_surface_hits_parts *parts);
-
-/**
- * Frees hits; NULL is allowed.
- */
-GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
+gusset_status gusset_carcass_locate(const struct gusset_context *context,
+                                    const struct gusset_carcass *carcass,
+                                    uint32_t sheet,
+                                    const double *parameters,
+                                    size_t count,
+                                    struct gusset_surface_place *places);
 
 /**
  * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
@@ -6431,57 +6456,6 @@ gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *cont
                                                double *normals);
 
 /**
- * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
- *
- * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths: receives the
- * curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at `others` are the same
- * but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of a where the two
- * touch, coincide, or meet in a single point are listed as unresolved, and curves may end there. Intersections of one surface with itself
- * are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_RANGE (chord, tolerance), TOO_LARGE
- * above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of cells that may meet, with a limit for each; threads; the
- * same bits for any number of them. The carcasses may be in use by other threads. Source: Leus, "Carcasses on smooth surfaces", task e; the
- * proofs are ours.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_intersect(const struct gusset_context *context,
-                                       const struct gusset_carcass *a,
-                                       const struct gusset_carcass *b,
-                                       const struct gusset_intersect_options *options,
-                                       struct gusset_surface_paths **paths);
-
-/**
- * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
- *
- * within: a length; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs, and
- * some for each level of the indices; 24 bytes a pair. The carcasses may be in use by other threads.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_candidates(const struct gusset_context *context,
-                                        const struct gusset_carcass *a,
-                                        const struct gusset_carcass *b,
-                                        double within,
-                                        struct gusset_cell_pairs **pairs);
-
-/**
- * The pairs, lent until they are destroyed.
- *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
- * any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_cell_pairs_view(const struct gusset_cell_pairs *pairs,
-                                     struct gusset_cell_pairs_parts *parts);
-
-/**
- * Frees pairs of cells; NULL is allowed.
- */
-GUSSET_API void gusset_cell_pairs_destroy(struct gusset_cell_pairs *pairs);
-
-/**
  * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
  * normal and the surface's.
  *
@@ -6560,94 +6534,120 @@ gusset_status gusset_carcass_nearest_angle(const struct gusset_context *context,
                                            struct gusset_nearest_angle *nearest);
 
 /**
- * The nearest points of a surface to queries, one or many.
+ * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
  *
- * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit. points: room for
- * count answers, in the order of the queries; cleared first. Each answer is the same to the bit whether it is asked for alone or among
- * others, in any order, on any number of threads; of several nearest points it is that of the first sheet, row and column. What is proved is
- * relative to the surface as declared: no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRIDE, SIZE_OVERFLOW,
- * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED; nothing is found after an error.
- * O(log nodes) a query but for queries near centres of curvature, which take bounded work; threads. Source: Leus, "Carcasses on
- * smooth surfaces", task a, by branch and bound.
+ * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line touches the
+ * surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none. which:
+ * GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
+ * threads. A carcass may be asked from many threads. Source: Leus, "Carcasses on smooth surfaces", task c.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_carcass_closest(const struct gusset_context *context,
-                                     const struct gusset_carcass *carcass,
-                                     const double *queries,
-                                     size_t count,
-                                     size_t stride,
-                                     const struct gusset_closest_options *options,
-                                     struct gusset_surface_closest *points);
+gusset_status gusset_carcass_lines(const struct gusset_context *context,
+                                   const struct gusset_carcass *carcass,
+                                   const struct gusset_line *lines,
+                                   size_t count,
+                                   gusset_which which,
+                                   struct gusset_surface_hits **hits);
 
 /**
- * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
+ * The first hit of each of many lines, rays or segments: that of least t, which gusset_carcass_lines gives first.
  *
- * query: x, y, z. options: NULL for the defaults: all. points: receives the result, the nearest first, for gusset_surface_points_destroy;
- * NULL on failure. None is missed: where it cannot be proved whether there is one (the distance is the same all round, as at a
- * focus), one point is given for all cells that touch, without GUSSET_SURFACE_POINT_PROVEN and with GUSSET_SURFACE_POINT_MANY. On open
- * borders and creases, places count from which no way on the surface leads nearer. Errors: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
- * (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(cells within the limit); with most, those no farther than the last.
+ * hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where there is none, and everywhere on failure.
+ * Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About O(log cells) a line; threads.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_carcass_minima(const struct gusset_context *context,
-                                    const struct gusset_carcass *carcass,
-                                    const double *query,
-                                    const struct gusset_closest_options *options,
-                                    struct gusset_surface_points **points);
+gusset_status gusset_carcass_first_hits(const struct gusset_context *context,
+                                        const struct gusset_carcass *carcass,
+                                        const struct gusset_line *lines,
+                                        size_t count,
+                                        struct gusset_surface_hit *hits);
 
 /**
- * The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_points_view(const struct gusset_surface_points *points,
-                                         struct gusset_surface_points_parts *parts);
-
-/**
- * Frees points; NULL is allowed.
- */
-GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
-
-/**
- * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
+ * Where a curve in space meets a surface, in the order of the curve.
  *
- * query: x, y, z; radius: at least 0. region: receives all cells that have such a point, and no others but such as come within the
- * tolerance of the radius or could not be decided in bounded work; for gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * NOT_FINITE, OUT_OF_RANGE (radius), OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell).
+ * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits: receives the
+ * result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
+ * EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve comes near to;
+ * bounded for each segment and cell that run in each other; threads. Source: Leus, task c.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_carcass_region(const struct gusset_context *context,
-                                    const struct gusset_carcass *carcass,
-                                    const double *query,
-                                    double radius,
-                                    struct gusset_surface_region **region);
+gusset_status gusset_carcass_curve(const struct gusset_context *context,
+                                   const struct gusset_carcass *carcass,
+                                   const struct gusset_curve *curve,
+                                   gusset_which which,
+                                   struct gusset_surface_hits **hits);
 
 /**
- * The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ * The hits, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_surface_region_view(const struct gusset_surface_region *region,
-                                         struct gusset_surface_region_parts *parts);
+gusset_status gusset_surface_hits_view(const struct gusset_surface_hits *hits,
+                                       struct gusset_surface_hits_parts *parts);
 
 /**
- * Frees a region; NULL is allowed.
+ * Frees hits; NULL is allowed.
  */
-GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
+GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
 
 /**
- * What a carcass is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(sheets). From any thread.
+ * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
+ *
+ * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths: receives the
+ * curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at `others` are the same
+ * but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of a where the two
+ * touch, coincide, or meet in a single point are listed as unresolved, and curves may end there. Intersections of one surface with itself
+ * are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_RANGE (chord, tolerance), TOO_LARGE
+ * above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of cells that may meet, with a limit for each; threads; the
+ * same bits for any number of them. The carcasses may be in use by other threads. Source: Leus, "Carcasses on smooth surfaces", task e; the
+ * proofs are ours.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_carcass_info(const struct gusset_carcass *carcass,
-                                  struct gusset_carcass_facts *facts);
+gusset_status gusset_carcass_intersect(const struct gusset_context *context,
+                                       const struct gusset_carcass *a,
+                                       const struct gusset_carcass *b,
+                                       const struct gusset_intersect_options *options,
+                                       struct gusset_surface_paths **paths);
+
+/**
+ * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
+ *
+ * within: a length; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs, and
+ * some for each level of the indices; 24 bytes a pair. The carcasses may be in use by other threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_candidates(const struct gusset_context *context,
+                                        const struct gusset_carcass *a,
+                                        const struct gusset_carcass *b,
+                                        double within,
+                                        struct gusset_cell_pairs **pairs);
+
+/**
+ * The pairs, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_cell_pairs_view(const struct gusset_cell_pairs *pairs,
+                                     struct gusset_cell_pairs_parts *parts);
+
+/**
+ * Frees pairs of cells; NULL is allowed.
+ */
+GUSSET_API void gusset_cell_pairs_destroy(struct gusset_cell_pairs *pairs);
 
 /**
  * Checks a mesh. What it finds is no error.
