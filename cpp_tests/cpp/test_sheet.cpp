@@ -337,6 +337,12 @@ TEST_CASE("bad sheets say what is bad") {
     }
     const std::vector<Point3> open = shapes::nodes(5, 6, false, false, shapes::wave);
     CHECK_THROWS_AS(Sheet::from_nodes(6, 7, open, {true, false}), gusset::Error);
+    // Degrees beyond 1 to 7, and those for which the number of control points wraps to 0.
+    const Point3 origin{};
+    for (const std::array<uint32_t, 2> degrees : {std::array<uint32_t, 2>{0, 1}, {1, 8}, {8, 8}, {0xffffffffu, 1}, {0xffffffffu, 0xffffffffu}}) {
+        CHECK_THROWS_AS(Sheet::from_patches({&origin, 1}, degrees[0], degrees[1], 1, 1), gusset::Error);
+        CHECK_THROWS_AS(Sheet::from_patches({}, degrees[0], degrees[1], 0, 0), gusset::Error);
+    }
     const std::vector<double> knots{0, 0, 2, 1};
     const std::vector<Point3> corners{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}};
     try {

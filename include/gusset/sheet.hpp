@@ -56,10 +56,16 @@ public:
     /// Of rows x columns Bézier patches, one after the other, each of (degree_u + 1) x (degree_v + 1) control points.
     static Sheet from_patches(Span<const Point3> points, uint32_t degree_u, uint32_t degree_v, std::size_t rows,
                               std::size_t columns, const Context &context = Context()) {
-        const std::size_t each = (std::size_t{degree_u} + 1) * (std::size_t{degree_v} + 1);
-        if (points.size() % each != 0 || (columns != 0 ? points.size() / each / columns != rows || points.size() / each % columns != 0
-                                                       : points.size() != 0)) {
-            throw std::invalid_argument("gusset: the number of control points is not that of the patches");
+        const auto possible = [](uint32_t degree) { return degree >= 1 && degree <= 7; };
+        if (!possible(degree_u) || !possible(degree_v)) {
+            // Refused; without patches no point is read before that.
+            rows = columns = 0;
+        } else {
+            const std::size_t each = (std::size_t{degree_u} + 1) * (std::size_t{degree_v} + 1);
+            const std::size_t patches = points.size() / each;
+            if (points.size() % each != 0 || (columns != 0 ? patches / columns != rows || patches % columns != 0 : patches != 0)) {
+                throw std::invalid_argument("gusset: the number of control points is not that of the patches");
+            }
         }
         return made(context, [&](gusset_context *c, gusset_sheet **out) {
             return gusset_sheet_from_patches(c, detail::numbers(points.data()), degree_u, degree_v, rows, columns, out);
