@@ -45,6 +45,15 @@ struct Borrows<Points, std::void_t<decltype(Sheet::borrow(4, 4, std::declval<Poi
 static_assert(Borrows<std::vector<Point3> &>::value, "a variable");
 static_assert(Borrows<const std::vector<Point3> &>::value, "a constant");
 static_assert(!Borrows<std::vector<Point3>>::value, "a temporary");
+
+// One number is no mask: it is said whether it is all cells, none, or those of words.
+static_assert(!std::is_constructible_v<gusset::CellMask, std::size_t, std::size_t, bool>, "all or none by name");
+static_assert(!std::is_constructible_v<gusset::CellMask, std::size_t, std::size_t, std::vector<uint64_t>>, "words by name");
+template <class T, class = void>
+struct Braced : std::false_type {};
+template <class T>
+struct Braced<T, std::void_t<decltype(T(1, 4, {1}))>> : std::true_type {};
+static_assert(!Braced<gusset::CellMask>::value, "neither");
 } // namespace
 
 TEST_CASE("nodes in any memory make the same sheet") {
@@ -305,9 +314,9 @@ TEST_CASE("estimates, and the paper's search") {
     const gusset_region_report region = sheet.region(masked.mask);
     CHECK(region.cells == masked.mask.count());
     CHECK(region.euler == 1);
-    CHECK(sheet.region(gusset::CellMask(24, 40, true)).euler == 0);
+    CHECK(sheet.region(gusset::CellMask::all(24, 40)).euler == 0);
     // Round the ring it is 10 steps across corners, if not less the other way.
-    const auto chain = sheet.chain(gusset::CellMask(24, 40, true), {3, 2}, {3, 12});
+    const auto chain = sheet.chain(gusset::CellMask::all(24, 40), {3, 2}, {3, 12});
     CHECK(chain.size() == 11);
     CHECK(chain.front() == std::array<uint32_t, 2>{3, 2});
     CHECK(chain.back() == std::array<uint32_t, 2>{3, 12});
@@ -317,6 +326,27 @@ TEST_CASE("estimates, and the paper's search") {
     for (std::size_t k = 0; k < places.size(); ++k) {
         CHECK(distance(normals[k], shapes::of(carcass.evaluate(places[k]).normal)) < 1e-2);
     }
+}
+
+TEST_CASE("masks are made by name") {
+    using gusset::CellMask;
+    CHECK(CellMask::from_words(1, 4, {1}).count() == 1);
+    CHECK(CellMask::from_words(1, 4, {1})(0, 0));
+    CHECK_FALSE(CellMask::from_words(1, 4, {1})(0, 1));
+    // What belongs to no cell is no part of it.
+    CHECK(CellMask::from_words(1, 4, {~uint64_t{0}, 5}).count() == 4);
+    CHECK(CellMask::all(9, 13).count() == 9 * 13);
+    CHECK(CellMask::all(8, 16).count() == 8 * 16);
+    CHECK(CellMask::none(9, 13).count() == 0);
+    CHECK(CellMask::all(0, 5).count() == 0);
+    CHECK_THROWS_AS(CellMask::from_words(9, 13, {1}), std::invalid_argument);
+    CHECK_THROWS_AS(CellMask::all(std::size_t{1} << 40, std::size_t{1} << 40), std::length_error);
+    CellMask mask = CellMask::none(3, 50);
+    mask.set(2, 49, true);
+    CHECK(mask(2, 49));
+    CHECK(mask.count() == 1);
+    mask.set(2, 49, false);
+    CHECK(mask.count() == 0);
 }
 
 TEST_CASE("bad sheets say what is bad") {

@@ -184,7 +184,7 @@ public:
         context.call([&](gusset_context *c) {
             return gusset_sheet_mask(c, get(), &task, words.data(), words.size(), &written, &report);
         });
-        return {CellMask(size.rows, size.columns, std::move(words)), report};
+        return {CellMask::from_words(size.rows, size.columns, std::move(words)), report};
     }
     /// A shortest chain of cells of a region, from one to another: row and column of each; empty if there is none.
     std::vector<std::array<uint32_t, 2>> chain(const CellMask &region, const std::array<uint32_t, 2> &from,

@@ -150,20 +150,24 @@ private:
 };
 static_assert(sizeof(MaskTask) == sizeof(gusset_mask_task), "nothing added");
 
-/// A bit for each cell of a sheet: the paper's logical scale.
+/// A bit for each cell of a sheet: the paper's logical scale. Made by name: all, none, from_words.
 class CellMask {
 public:
-    CellMask(std::size_t rows, std::size_t columns, std::vector<uint64_t> words)
-        : rows_(rows), columns_(columns), words_(std::move(words)) {
-        words_.resize((rows * columns + 63) / 64);
-    }
-    /// All cells, or none.
-    CellMask(std::size_t rows, std::size_t columns, bool all) : CellMask(rows, columns, std::vector<uint64_t>()) {
-        for (std::size_t i = 0; all && i < rows; ++i) {
-            for (std::size_t j = 0; j < columns; ++j) {
-                set(i, j, true);
-            }
+    /// All cells of so many rows and columns.
+    static CellMask all(std::size_t rows, std::size_t columns) { return {rows, columns, ~uint64_t{0}}; }
+    /// None of them.
+    static CellMask none(std::size_t rows, std::size_t columns) { return {rows, columns, 0}; }
+    /// Bit k % 64 of word k / 64 is that of cell (i, j), k = i * columns + j. Words and bits beyond the last cell are left out.
+    static CellMask from_words(std::size_t rows, std::size_t columns, std::vector<uint64_t> words) {
+        CellMask made(rows, columns);
+        const std::size_t needed = word_count(rows, columns);
+        if (words.size() < needed) {
+            throw std::invalid_argument("gusset: fewer words than the cells need");
         }
+        words.resize(needed);
+        made.words_ = std::move(words);
+        made.cut();
+        return made;
     }
 
     std::size_t rows() const noexcept { return rows_; }
@@ -189,6 +193,23 @@ public:
     }
 
 private:
+    CellMask(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns) {}
+    CellMask(std::size_t rows, std::size_t columns, uint64_t word)
+        : rows_(rows), columns_(columns), words_(word_count(rows, columns), word) {
+        cut();
+    }
+    static std::size_t word_count(std::size_t rows, std::size_t columns) {
+        if (columns != 0 && rows > (~std::size_t{0} - 63) / columns) {
+            throw std::length_error("gusset: too many cells");
+        }
+        return (rows * columns + 63) / 64;
+    }
+    /// Clears the bits of the last word that are no cell's.
+    void cut() {
+        if (const std::size_t used = rows_ * columns_ % 64; used != 0) {
+            words_.back() &= (uint64_t{1} << used) - 1;
+        }
+    }
     std::size_t rows_, columns_;
     std::vector<uint64_t> words_;
 };
