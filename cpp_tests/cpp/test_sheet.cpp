@@ -320,6 +320,12 @@ TEST_CASE("estimates, and the paper's search") {
     CHECK(chain.size() == 11);
     CHECK(chain.front() == std::array<uint32_t, 2>{3, 2});
     CHECK(chain.back() == std::array<uint32_t, 2>{3, 12});
+    // Masks of other shapes, be they larger, smaller or turned.
+    for (const std::array<std::size_t, 2> &shape : {std::array<std::size_t, 2>{48, 80}, {12, 20}, {40, 24}, {24, 41}}) {
+        const gusset::CellMask other = gusset::CellMask::all(shape[0], shape[1]);
+        CHECK_THROWS_AS(sheet.region(other), std::invalid_argument);
+        CHECK_THROWS_AS(sheet.chain(other, {3, 2}, {3, 12}), std::invalid_argument);
+    }
 
     const std::vector<gusset::SurfacePlace> places{gusset::surface_place(0, 4, 5, 0.3, 0.6), gusset::surface_place(0, 20, 33, 0.9, 0.1)};
     const std::vector<Point3> normals = sheet.normals_by_sections(places);

@@ -186,9 +186,11 @@ public:
         });
         return {CellMask::from_words(size.rows, size.columns, std::move(words)), report};
     }
-    /// A shortest chain of cells of a region, from one to another: row and column of each; empty if there is none.
+    /// A shortest chain of cells of a region, from one to another: row and column of each; empty if there is none. The mask must have the
+    /// sheet's rows and columns.
     std::vector<std::array<uint32_t, 2>> chain(const CellMask &region, const std::array<uint32_t, 2> &from,
                                                const std::array<uint32_t, 2> &to, const Context &context = Context()) const {
+        check_shape(region);
         // A chain visits no cell twice.
         std::vector<std::array<uint32_t, 2>> cells(region.count());
         static_assert(sizeof cells[0] == sizeof(uint32_t[2]), "packed");
@@ -200,8 +202,9 @@ public:
         cells.resize(written);
         return cells;
     }
-    /// What a region of cells is like.
+    /// What a region of cells is like. The mask must have the sheet's rows and columns.
     gusset_region_report region(const CellMask &cells, const Context &context = Context()) const {
+        check_shape(cells);
         gusset_region_report report{};
         report.struct_size = sizeof report;
         context.call([&](gusset_context *c) {
@@ -219,6 +222,12 @@ public:
     }
 
 private:
+    void check_shape(const CellMask &mask) const {
+        const gusset_sheet_parts size = info();
+        if (mask.rows() != size.rows || mask.columns() != size.columns) {
+            throw std::invalid_argument("gusset: the mask has not as many rows and columns as the sheet");
+        }
+    }
     struct Destroy {
         void operator()(gusset_sheet *sheet) const noexcept { gusset_sheet_destroy(sheet); }
     };
