@@ -45,6 +45,8 @@ struct Borrows<Points, std::void_t<decltype(Sheet::borrow(4, 4, std::declval<Poi
 static_assert(Borrows<std::vector<Point3> &>::value, "a variable");
 static_assert(Borrows<const std::vector<Point3> &>::value, "a constant");
 static_assert(!Borrows<std::vector<Point3>>::value, "a temporary");
+static_assert(!Borrows<const std::vector<Point3>>::value, "a constant temporary");
+static_assert(Borrows<gusset::Span<const Point3>>::value && Borrows<gusset::Span<Point3>>::value, "spans own nothing");
 
 // One number is no mask: it is said whether it is all cells, none, or those of words.
 static_assert(!std::is_constructible_v<gusset::CellMask, std::size_t, std::size_t, bool>, "all or none by name");
@@ -62,6 +64,9 @@ TEST_CASE("nodes in any memory make the same sheet") {
     options.closed_v = true;
     const std::vector<Point3> expected = sampled(Sheet::from_nodes(10, 13, nodes, options));
     CHECK(largest_gap(expected, sampled(Sheet::borrow(10, 13, nodes, options))) == 0);
+    const gusset::Span<const Point3> lent(nodes.data(), nodes.size());
+    CHECK(largest_gap(expected, sampled(Sheet::borrow(10, 13, lent, options))) == 0);
+    CHECK(largest_gap(expected, sampled(Sheet::borrow(10, 13, gusset::Span<const Point3>(nodes.data(), nodes.size()), options))) == 0);
 
     // Columns of nodes one after the other, with a number between nodes.
     std::vector<double> loose(10 * 13 * 4, -7.0);
@@ -288,7 +293,9 @@ TEST_CASE("estimates, and the paper's search") {
 
     // Every cell that has a point within 0.3 of a point is in the mask.
     const Point3 query{1.5, 0.2, 0.1};
-    const gusset::Masked masked = sheet.mask(gusset::MaskTask::point(query).up_to(0.3));
+    const gusset::MaskTask task = gusset::MaskTask::at(query);
+    CHECK(shapes::of(task.point) == query);
+    const gusset::Masked masked = sheet.mask(gusset::MaskTask::at(query).up_to(0.3));
     const Carcass carcass(sheet);
     std::size_t near = 0;
     for (std::size_t i = 0; i < 24; ++i) {
@@ -305,7 +312,7 @@ TEST_CASE("estimates, and the paper's search") {
     CHECK(masked.mask.count() < 200);
     CHECK(masked.report.cells == masked.mask.count());
     const gusset::Closest nearest = carcass.closest(query);
-    CHECK(sheet.mask(gusset::MaskTask::point(query)).mask(nearest.place.row, nearest.place.column));
+    CHECK(sheet.mask(gusset::MaskTask::at(query)).mask(nearest.place.row, nearest.place.column));
     CHECK(sheet.mask(gusset::MaskTask::plane({2, 0, 0}, {1, 0, 0}).up_to(0.1)).mask.count() == 0);
     CHECK(sheet.mask(gusset::MaskTask::line({0, 0, 0}, {1, 0, 0}).up_to(0.01)).mask.count() > 0);
     CHECK(sheet.mask(gusset::MaskTask::segment({0, 0, 0}, {0.1, 0, 0}).up_to(0.01)).mask.count() == 0);

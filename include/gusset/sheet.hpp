@@ -38,8 +38,8 @@ public:
                         std::size_t column_stride, const SheetOptions &options = {}, const Context &context = Context()) {
         return borrowed(NodesView::strided(rows, columns, first, row_stride, column_stride, options), context);
     }
-    /// What is gone at the end of the statement cannot be borrowed.
-    template <class Points, class = std::enable_if_t<!std::is_lvalue_reference_v<Points>>>
+    /// What is gone at the end of the statement cannot be borrowed. A span may be: it owns nothing.
+    template <class Points, class = std::enable_if_t<!std::is_lvalue_reference_v<Points> && !detail::is_span<Points>>>
     static Sheet borrow(std::size_t rows, std::size_t columns, Points &&points, const SheetOptions &options = {},
                         const Context &context = Context()) = delete;
 

@@ -110,16 +110,15 @@ struct CellDiameters {
 
 /// What the paper's search looks for, and how; see gusset_mask_task.
 struct MaskTask : gusset_mask_task {
-    static MaskTask point(const Point3 &point) { return {GUSSET_MASK_POINT, point, {}}; }
-    static MaskTask plane(const Point3 &point, const Point3 &normal) { return {GUSSET_MASK_PLANE, point, normal}; }
-    static MaskTask line(const Point3 &point, const Point3 &direction) { return {GUSSET_MASK_LINE, point, direction}; }
-    /// From a point to the point and the direction.
-    static MaskTask segment(const Point3 &point, const Point3 &direction) {
-        return {GUSSET_MASK_SEGMENT, point, direction};
-    }
+    /// A point. It is kept in the field `point`.
+    static MaskTask at(const Point3 &place) { return {GUSSET_MASK_POINT, place, {}}; }
+    static MaskTask plane(const Point3 &place, const Point3 &normal) { return {GUSSET_MASK_PLANE, place, normal}; }
+    static MaskTask line(const Point3 &place, const Point3 &along) { return {GUSSET_MASK_LINE, place, along}; }
+    /// From a place to the place and the direction.
+    static MaskTask segment(const Point3 &place, const Point3 &along) { return {GUSSET_MASK_SEGMENT, place, along}; }
     /// Normals at an angle to a direction. bound: of the principal curvatures; 0: cones of normals instead.
-    static MaskTask slant(const Point3 &direction, double radians, bool unsigned_normal = false, double bound = 0.0) {
-        MaskTask made(GUSSET_MASK_ANGLE, {}, direction);
+    static MaskTask slant(const Point3 &along, double radians, bool unsigned_normal = false, double bound = 0.0) {
+        MaskTask made(GUSSET_MASK_ANGLE, {}, along);
         made.angle = radians;
         made.unsigned_normals = unsigned_normal ? 1 : 0;
         made.curvature = bound;
@@ -140,11 +139,11 @@ struct MaskTask : gusset_mask_task {
     }
 
 private:
-    MaskTask(gusset_mask_object kind, const Point3 &at, const Point3 &along) : gusset_mask_task{} {
+    MaskTask(gusset_mask_object kind, const Point3 &place, const Point3 &along) : gusset_mask_task{} {
         struct_size = sizeof(gusset_mask_task);
         object = kind;
         least = 1;
-        std::memcpy(gusset_mask_task::point, at.data(), sizeof gusset_mask_task::point);
+        std::memcpy(point, place.data(), sizeof point);
         std::memcpy(direction, along.data(), sizeof direction);
     }
 };
