@@ -171,7 +171,9 @@ public:
 
     std::size_t rows() const noexcept { return rows_; }
     std::size_t columns() const noexcept { return columns_; }
-    Span<const uint64_t> words() const { return words_; }
+    /// They live as long as the mask, and are not lent by a temporary.
+    Span<const uint64_t> words() const & { return words_; }
+    Span<const uint64_t> words() const && = delete;
     bool operator()(std::size_t row, std::size_t column) const {
         const std::size_t bit = row * columns_ + column;
         return (words_[bit / 64] >> (bit % 64) & 1) != 0;
