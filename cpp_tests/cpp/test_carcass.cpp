@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <type_traits>
 
 namespace {
 using gusset::Carcass;
@@ -42,6 +43,49 @@ private:
         return Oracle(mesh.mesh());
     }
 };
+
+// What is lent lives as long as the lender: a variable lends it, a temporary does not.
+#define GUSSET_LENDS(name, call)            \
+    template <class T, class = void>        \
+    struct name : std::false_type {};       \
+    template <class T>                      \
+    struct name<T, std::void_t<decltype(std::declval<T>().call)>> : std::true_type {}
+GUSSET_LENDS(At, operator[](0));
+GUSSET_LENDS(Begin, begin());
+GUSSET_LENDS(End, end());
+GUSSET_LENDS(Points, points());
+GUSSET_LENDS(Unresolved, unresolved());
+GUSSET_LENDS(HitsOf, hits());
+GUSSET_LENDS(OnCurve, on_curve());
+GUSSET_LENDS(Cells, cells());
+GUSSET_LENDS(Mask, mask());
+GUSSET_LENDS(First, first());
+GUSSET_LENDS(Pairs, pairs());
+GUSSET_LENDS(Mesh, mesh());
+GUSSET_LENDS(PlacesOf, places());
+GUSSET_LENDS(Normals, normals());
+GUSSET_LENDS(Words, words());
+#undef GUSSET_LENDS
+template <template <class, class...> class Lends, class T>
+constexpr bool lasting = Lends<T &>::value && Lends<const T &>::value && !Lends<T>::value && !Lends<const T>::value;
+template <class T>
+constexpr bool lasting_range = lasting<Begin, T> && lasting<End, T>;
+
+static_assert(lasting_range<gusset::SurfacePaths> && lasting<At, gusset::SurfacePaths>, "paths");
+static_assert(lasting<Points, gusset::SurfacePaths> && lasting<Unresolved, gusset::SurfacePaths>, "points of paths");
+static_assert(lasting_range<gusset::SurfaceHits> && lasting<At, gusset::SurfaceHits>, "hits");
+static_assert(lasting<HitsOf, gusset::SurfaceHits> && lasting<OnCurve, gusset::SurfaceHits>, "hits of all lines");
+static_assert(lasting_range<gusset::SurfacePoints> && lasting<Points, gusset::SurfacePoints>, "points");
+static_assert(lasting_range<gusset::SurfaceRegion> && lasting<Cells, gusset::SurfaceRegion>, "cells");
+static_assert(lasting<Mask, gusset::SurfaceRegion> && lasting<First, gusset::SurfaceRegion>, "bits of cells");
+static_assert(lasting_range<gusset::CellPairs> && lasting<Pairs, gusset::CellPairs>, "pairs");
+static_assert(lasting<Mesh, gusset::SheetMesh> && lasting<PlacesOf, gusset::SheetMesh> && lasting<Normals, gusset::SheetMesh>, "meshes");
+static_assert(lasting<Words, gusset::CellMask>, "masks");
+// Elements that are copies may be had of temporaries.
+static_assert(std::is_same_v<decltype(std::declval<gusset::SurfacePoints>()[0]), gusset::Closest>, "a copy");
+static_assert(std::is_same_v<decltype(std::declval<gusset::SurfaceRegion>()[0]), gusset::RegionCell>, "a copy");
+static_assert(std::is_same_v<decltype(std::declval<gusset::CellPairs>()[0]), gusset::CellPair>, "a copy");
+static_assert(std::is_same_v<decltype(std::declval<gusset::Hits>()[0]), gusset::Hit>, "a copy");
 
 bool same(const gusset::Closest &a, const gusset::Closest &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 } // namespace
@@ -97,6 +141,10 @@ TEST_CASE("limits, minima, regions") {
     options.most = 1;
     CHECK(torus.minima(query, options).size() == 1);
 
+    CHECK(torus.minima(query, options)[0].distance == minima[0].distance);
+    CHECK_THROWS_AS(minima[minima.size()], std::out_of_range);
+    CHECK(minima.begin()->distance == minima.points()[0].distance);
+
     const double radius = 0.5;
     const Point3 centre{1.2, 0.3, 0.2};
     const gusset::SurfaceRegion region = torus.region(centre, radius);
@@ -104,14 +152,21 @@ TEST_CASE("limits, minima, regions") {
     CHECK(region.first().size() == 2);
     CHECK(region.first()[1] == 24 * 40);
     std::vector<bool> in(24 * 40);
-    for (const gusset::RegionCell &cell : region.cells()) {
+    for (const gusset::RegionCell &cell : region) {
         const std::size_t bit = cell.row * 40 + cell.column;
         in[bit] = true;
         CHECK((region.mask()[bit / 64] >> (bit % 64) & 1) == 1);
     }
+    CHECK(region.cells().size() == region.size());
+    CHECK(region[0].row == region.begin()->row);
+    CHECK_THROWS_AS(region[region.size()], std::out_of_range);
+    CHECK_FALSE(region.contains(1, region[0].row, region[0].column));
+    CHECK_FALSE(region.contains(0, 24, 0));
+    CHECK_FALSE(region.contains(0, 0, 40));
     for (uint32_t row = 0; row < 24; ++row) {
         for (uint32_t column = 0; column < 40; ++column) {
             const Point3 middle = of(torus.evaluate(gusset::surface_place(0, row, column)).point);
+            CHECK(region.contains(0, row, column) == in[row * 40 + column]);
             if (distance(middle, centre) < radius) {
                 CHECK(in[row * 40 + column]);
             }
@@ -134,7 +189,7 @@ TEST_CASE("lines meet the surface where they meet a fine mesh") {
         REQUIRE(hits.size() == lines.size());
         std::size_t differing = 0, met = 0;
         for (std::size_t k = 0; k < lines.size(); ++k) {
-            const gusset::Span<const gusset::Hit> own = hits[k];
+            const gusset::Hits own = hits[k];
             for (const gusset::Hit &hit : own) {
                 CHECK(distance(of(hit.point), {lines[k].origin[0] + hit.t * lines[k].direction[0], lines[k].origin[1] + hit.t * lines[k].direction[1],
                                                lines[k].origin[2] + hit.t * lines[k].direction[2]}) < 1e-8);
@@ -168,9 +223,23 @@ TEST_CASE("which hits, and what they are") {
     const gusset::SurfaceHits first = torus.line(across, gusset::Which::first);
     REQUIRE(first[0].size() == 1);
     CHECK(first[0][0].t == all[0][0].t);
-    CHECK(torus.line(across, gusset::Which::any)[0].size() == 1);
-    CHECK(torus.line(Line::ray({0, 0.1, 0.05}, {1, 0, 0}))[0].size() == 2);
-    CHECK(torus.line(Line::segment({0, 0.1, 0.05}, {1, 0.1, 0.05}))[0].size() == 1);
+    const gusset::SurfaceHits any = torus.line(across, gusset::Which::any);
+    CHECK(any[0].size() == 1);
+    const gusset::SurfaceHits ray = torus.line(Line::ray({0, 0.1, 0.05}, {1, 0, 0}));
+    CHECK(ray[0].size() == 2);
+    const gusset::SurfaceHits segment = torus.line(Line::segment({0, 0.1, 0.05}, {1, 0.1, 0.05}));
+    CHECK(segment[0].size() == 1);
+    // A range over a temporary keeps it to the end.
+    std::size_t met = 0;
+    for (const gusset::Hits &own : torus.line(across)) {
+        met += own.size();
+    }
+    CHECK(met == 4);
+    // Hits are copies: they stay when all else is gone.
+    const std::vector<gusset::Hit> copies(ray[0].begin(), ray[0].end());
+    REQUIRE(copies.size() == 2);
+    CHECK(copies[0].t == ray[0].begin()->t);
+    CHECK(copies[1].t == ray[0].data()[1].t);
     const std::vector<Line> lines{across, Line::line({5, 5, 5}, {1, 0, 0})};
     const std::vector<gusset::Hit> hits = torus.first_hits(lines);
     CHECK(hits[0].t == all[0][0].t);
@@ -241,8 +310,10 @@ TEST_CASE("stacks of planes, contours, angles") {
     }
     CHECK_THROWS_AS(stack[6], std::out_of_range);
     CHECK(stack.points().size() > 100);
-    CHECK(torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::Between::nothing()).points().size() == 80);
-    CHECK(torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::Between::leus(3)).points().size() == 320);
+    const gusset::SurfacePaths few = torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::Between::nothing());
+    CHECK(few.points().size() == 80);
+    const gusset::SurfacePaths cubics = torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::Between::leus(3));
+    CHECK(cubics.points().size() == 320);
 
     // The height as a field is the section.
     std::vector<double> heights;
@@ -301,11 +372,24 @@ TEST_CASE("surfaces meet in the curves of formulas") {
     CHECK(cut[0].others.empty());
     gusset::IntersectOptions coarse;
     coarse.chord = std::numeric_limits<double>::infinity();
-    CHECK(torus.intersect(plane, coarse).points().size() < met.points().size());
-    CHECK(torus.candidates(plane).size() >= 80);
+    const gusset::SurfacePaths rough = torus.intersect(plane, coarse);
+    CHECK(rough.points().size() < met.points().size());
+    const gusset::CellPairs pairs = torus.candidates(plane);
+    CHECK(pairs.size() >= 80);
+    std::size_t counted = 0;
+    for (const gusset::CellPair &pair : pairs) {
+        CHECK(pair.row_a < 24);
+        CHECK(pair.row_b == 0);
+        CHECK(pair.column_a == pairs[counted].column_a);
+        ++counted;
+    }
+    CHECK(counted == pairs.size());
+    CHECK_THROWS_AS(pairs[counted], std::out_of_range);
     const Carcass away(Sheet::from_nodes(2, 2, std::vector<Point3>{{-2, -2, 1}, {-2, 2, 1}, {2, -2, 1}, {2, 2, 1}}));
     CHECK(torus.candidates(away).size() == 0);
-    CHECK(torus.candidates(away, 0.7).pairs().size() > 0);
+    CHECK(torus.candidates(away).empty());
+    const gusset::CellPairs nearer = torus.candidates(away, 0.7);
+    CHECK(nearer.pairs().size() > 0);
     CHECK(torus.intersect(away).empty());
 }
 

@@ -45,6 +45,17 @@ struct Borrows<Points, std::void_t<decltype(Sheet::borrow(4, 4, std::declval<Poi
 static_assert(Borrows<std::vector<Point3> &>::value, "a variable");
 static_assert(Borrows<const std::vector<Point3> &>::value, "a constant");
 static_assert(!Borrows<std::vector<Point3>>::value, "a temporary");
+static_assert(!Borrows<const std::vector<Point3>>::value, "a constant temporary");
+static_assert(Borrows<gusset::Span<const Point3>>::value && Borrows<gusset::Span<Point3>>::value, "spans own nothing");
+
+// One number is no mask: it is said whether it is all cells, none, or those of words.
+static_assert(!std::is_constructible_v<gusset::CellMask, std::size_t, std::size_t, bool>, "all or none by name");
+static_assert(!std::is_constructible_v<gusset::CellMask, std::size_t, std::size_t, std::vector<uint64_t>>, "words by name");
+template <class T, class = void>
+struct Braced : std::false_type {};
+template <class T>
+struct Braced<T, std::void_t<decltype(T(1, 4, {1}))>> : std::true_type {};
+static_assert(!Braced<gusset::CellMask>::value, "neither");
 } // namespace
 
 TEST_CASE("nodes in any memory make the same sheet") {
@@ -53,6 +64,9 @@ TEST_CASE("nodes in any memory make the same sheet") {
     options.closed_v = true;
     const std::vector<Point3> expected = sampled(Sheet::from_nodes(10, 13, nodes, options));
     CHECK(largest_gap(expected, sampled(Sheet::borrow(10, 13, nodes, options))) == 0);
+    const gusset::Span<const Point3> lent(nodes.data(), nodes.size());
+    CHECK(largest_gap(expected, sampled(Sheet::borrow(10, 13, lent, options))) == 0);
+    CHECK(largest_gap(expected, sampled(Sheet::borrow(10, 13, gusset::Span<const Point3>(nodes.data(), nodes.size()), options))) == 0);
 
     // Columns of nodes one after the other, with a number between nodes.
     std::vector<double> loose(10 * 13 * 4, -7.0);
@@ -279,7 +293,9 @@ TEST_CASE("estimates, and the paper's search") {
 
     // Every cell that has a point within 0.3 of a point is in the mask.
     const Point3 query{1.5, 0.2, 0.1};
-    const gusset::Masked masked = sheet.mask(gusset::MaskTask::point(query).up_to(0.3));
+    const gusset::MaskTask task = gusset::MaskTask::at(query);
+    CHECK(shapes::of(task.point) == query);
+    const gusset::Masked masked = sheet.mask(gusset::MaskTask::at(query).up_to(0.3));
     const Carcass carcass(sheet);
     std::size_t near = 0;
     for (std::size_t i = 0; i < 24; ++i) {
@@ -296,7 +312,7 @@ TEST_CASE("estimates, and the paper's search") {
     CHECK(masked.mask.count() < 200);
     CHECK(masked.report.cells == masked.mask.count());
     const gusset::Closest nearest = carcass.closest(query);
-    CHECK(sheet.mask(gusset::MaskTask::point(query)).mask(nearest.place.row, nearest.place.column));
+    CHECK(sheet.mask(gusset::MaskTask::at(query)).mask(nearest.place.row, nearest.place.column));
     CHECK(sheet.mask(gusset::MaskTask::plane({2, 0, 0}, {1, 0, 0}).up_to(0.1)).mask.count() == 0);
     CHECK(sheet.mask(gusset::MaskTask::line({0, 0, 0}, {1, 0, 0}).up_to(0.01)).mask.count() > 0);
     CHECK(sheet.mask(gusset::MaskTask::segment({0, 0, 0}, {0.1, 0, 0}).up_to(0.01)).mask.count() == 0);
@@ -305,18 +321,45 @@ TEST_CASE("estimates, and the paper's search") {
     const gusset_region_report region = sheet.region(masked.mask);
     CHECK(region.cells == masked.mask.count());
     CHECK(region.euler == 1);
-    CHECK(sheet.region(gusset::CellMask(24, 40, true)).euler == 0);
+    CHECK(sheet.region(gusset::CellMask::all(24, 40)).euler == 0);
     // Round the ring it is 10 steps across corners, if not less the other way.
-    const auto chain = sheet.chain(gusset::CellMask(24, 40, true), {3, 2}, {3, 12});
+    const auto chain = sheet.chain(gusset::CellMask::all(24, 40), {3, 2}, {3, 12});
     CHECK(chain.size() == 11);
     CHECK(chain.front() == std::array<uint32_t, 2>{3, 2});
     CHECK(chain.back() == std::array<uint32_t, 2>{3, 12});
+    // Masks of other shapes, be they larger, smaller or turned.
+    for (const std::array<std::size_t, 2> &shape : {std::array<std::size_t, 2>{48, 80}, {12, 20}, {40, 24}, {24, 41}}) {
+        const gusset::CellMask other = gusset::CellMask::all(shape[0], shape[1]);
+        CHECK_THROWS_AS(sheet.region(other), std::invalid_argument);
+        CHECK_THROWS_AS(sheet.chain(other, {3, 2}, {3, 12}), std::invalid_argument);
+    }
 
     const std::vector<gusset::SurfacePlace> places{gusset::surface_place(0, 4, 5, 0.3, 0.6), gusset::surface_place(0, 20, 33, 0.9, 0.1)};
     const std::vector<Point3> normals = sheet.normals_by_sections(places);
     for (std::size_t k = 0; k < places.size(); ++k) {
         CHECK(distance(normals[k], shapes::of(carcass.evaluate(places[k]).normal)) < 1e-2);
     }
+}
+
+TEST_CASE("masks are made by name") {
+    using gusset::CellMask;
+    CHECK(CellMask::from_words(1, 4, {1}).count() == 1);
+    CHECK(CellMask::from_words(1, 4, {1})(0, 0));
+    CHECK_FALSE(CellMask::from_words(1, 4, {1})(0, 1));
+    // What belongs to no cell is no part of it.
+    CHECK(CellMask::from_words(1, 4, {~uint64_t{0}, 5}).count() == 4);
+    CHECK(CellMask::all(9, 13).count() == 9 * 13);
+    CHECK(CellMask::all(8, 16).count() == 8 * 16);
+    CHECK(CellMask::none(9, 13).count() == 0);
+    CHECK(CellMask::all(0, 5).count() == 0);
+    CHECK_THROWS_AS(CellMask::from_words(9, 13, {1}), std::invalid_argument);
+    CHECK_THROWS_AS(CellMask::all(std::size_t{1} << 40, std::size_t{1} << 40), std::length_error);
+    CellMask mask = CellMask::none(3, 50);
+    mask.set(2, 49, true);
+    CHECK(mask(2, 49));
+    CHECK(mask.count() == 1);
+    mask.set(2, 49, false);
+    CHECK(mask.count() == 0);
 }
 
 TEST_CASE("bad sheets say what is bad") {
@@ -337,6 +380,12 @@ TEST_CASE("bad sheets say what is bad") {
     }
     const std::vector<Point3> open = shapes::nodes(5, 6, false, false, shapes::wave);
     CHECK_THROWS_AS(Sheet::from_nodes(6, 7, open, {true, false}), gusset::Error);
+    // Degrees beyond 1 to 7, and those for which the number of control points wraps to 0.
+    const Point3 origin{};
+    for (const std::array<uint32_t, 2> degrees : {std::array<uint32_t, 2>{0, 1}, {1, 8}, {8, 8}, {0xffffffffu, 1}, {0xffffffffu, 0xffffffffu}}) {
+        CHECK_THROWS_AS(Sheet::from_patches({&origin, 1}, degrees[0], degrees[1], 1, 1), gusset::Error);
+        CHECK_THROWS_AS(Sheet::from_patches({}, degrees[0], degrees[1], 0, 0), gusset::Error);
+    }
     const std::vector<double> knots{0, 0, 2, 1};
     const std::vector<Point3> corners{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}};
     try {

@@ -64,6 +64,12 @@ using Indices = Span<const uint32_t>;
 using Point3 = std::array<double, 3>;
 
 namespace detail {
+template <class T>
+struct IsSpan : std::false_type {};
+template <class T>
+struct IsSpan<Span<T>> : std::true_type {};
+template <class T>
+inline constexpr bool is_span = IsSpan<std::remove_cv_t<T>>::value;
 inline Indices indices(const gusset_indices &lent) { return {lent.data, lent.count}; }
 inline void check(gusset_status status) {
     if (status != GUSSET_OK) {

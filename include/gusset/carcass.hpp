@@ -54,15 +54,32 @@ using CellPair = gusset_cell_pair;
 /// What there is to know of a point of a surface; see gusset_surface_point.
 using SurfacePoint = gusset_surface_point;
 
-/// Pairs of cells that may meet. Spans live as long as this.
+/// Pairs of cells that may meet: a range of CellPair. Spans and iterators live as long as this, and are not lent by a temporary.
 class CellPairs {
 public:
+    using value_type = CellPair;
+    using iterator = const CellPair *;
+
     explicit CellPairs(gusset_cell_pairs *owned) : pairs_(owned) {}
     std::size_t size() const { return parts().count; }
-    Span<const CellPair> pairs() const {
+    bool empty() const { return size() == 0; }
+    /// Pair `i`; throws std::out_of_range.
+    CellPair operator[](std::size_t i) const {
+        const gusset_cell_pairs_parts all = parts();
+        if (i >= all.count) {
+            throw std::out_of_range("gusset: no such pair");
+        }
+        return all.pairs[i];
+    }
+    iterator begin() const & { return pairs().begin(); }
+    iterator begin() const && = delete;
+    iterator end() const & { return pairs().end(); }
+    iterator end() const && = delete;
+    Span<const CellPair> pairs() const & {
         const gusset_cell_pairs_parts all = parts();
         return {all.pairs, all.count};
     }
+    Span<const CellPair> pairs() const && = delete;
 
 private:
     struct Destroy {

@@ -38,8 +38,8 @@ public:
                         std::size_t column_stride, const SheetOptions &options = {}, const Context &context = Context()) {
         return borrowed(NodesView::strided(rows, columns, first, row_stride, column_stride, options), context);
     }
-    /// What is gone at the end of the statement cannot be borrowed.
-    template <class Points, class = std::enable_if_t<!std::is_lvalue_reference_v<Points>>>
+    /// What is gone at the end of the statement cannot be borrowed. A span may be: it owns nothing.
+    template <class Points, class = std::enable_if_t<!std::is_lvalue_reference_v<Points> && !detail::is_span<Points>>>
     static Sheet borrow(std::size_t rows, std::size_t columns, Points &&points, const SheetOptions &options = {},
                         const Context &context = Context()) = delete;
 
@@ -56,10 +56,16 @@ public:
     /// Of rows x columns Bézier patches, one after the other, each of (degree_u + 1) x (degree_v + 1) control points.
     static Sheet from_patches(Span<const Point3> points, uint32_t degree_u, uint32_t degree_v, std::size_t rows,
                               std::size_t columns, const Context &context = Context()) {
-        const std::size_t each = (std::size_t{degree_u} + 1) * (std::size_t{degree_v} + 1);
-        if (points.size() % each != 0 || (columns != 0 ? points.size() / each / columns != rows || points.size() / each % columns != 0
-                                                       : points.size() != 0)) {
-            throw std::invalid_argument("gusset: the number of control points is not that of the patches");
+        const auto possible = [](uint32_t degree) { return degree >= 1 && degree <= 7; };
+        if (!possible(degree_u) || !possible(degree_v)) {
+            // Refused; without patches no point is read before that.
+            rows = columns = 0;
+        } else {
+            const std::size_t each = (std::size_t{degree_u} + 1) * (std::size_t{degree_v} + 1);
+            const std::size_t patches = points.size() / each;
+            if (points.size() % each != 0 || (columns != 0 ? patches / columns != rows || patches % columns != 0 : patches != 0)) {
+                throw std::invalid_argument("gusset: the number of control points is not that of the patches");
+            }
         }
         return made(context, [&](gusset_context *c, gusset_sheet **out) {
             return gusset_sheet_from_patches(c, detail::numbers(points.data()), degree_u, degree_v, rows, columns, out);
@@ -178,11 +184,13 @@ public:
         context.call([&](gusset_context *c) {
             return gusset_sheet_mask(c, get(), &task, words.data(), words.size(), &written, &report);
         });
-        return {CellMask(size.rows, size.columns, std::move(words)), report};
+        return {CellMask::from_words(size.rows, size.columns, std::move(words)), report};
     }
-    /// A shortest chain of cells of a region, from one to another: row and column of each; empty if there is none.
+    /// A shortest chain of cells of a region, from one to another: row and column of each; empty if there is none. The mask must have the
+    /// sheet's rows and columns.
     std::vector<std::array<uint32_t, 2>> chain(const CellMask &region, const std::array<uint32_t, 2> &from,
                                                const std::array<uint32_t, 2> &to, const Context &context = Context()) const {
+        check_shape(region);
         // A chain visits no cell twice.
         std::vector<std::array<uint32_t, 2>> cells(region.count());
         static_assert(sizeof cells[0] == sizeof(uint32_t[2]), "packed");
@@ -194,8 +202,9 @@ public:
         cells.resize(written);
         return cells;
     }
-    /// What a region of cells is like.
+    /// What a region of cells is like. The mask must have the sheet's rows and columns.
     gusset_region_report region(const CellMask &cells, const Context &context = Context()) const {
+        check_shape(cells);
         gusset_region_report report{};
         report.struct_size = sizeof report;
         context.call([&](gusset_context *c) {
@@ -213,6 +222,12 @@ public:
     }
 
 private:
+    void check_shape(const CellMask &mask) const {
+        const gusset_sheet_parts size = info();
+        if (mask.rows() != size.rows || mask.columns() != size.columns) {
+            throw std::invalid_argument("gusset: the mask has not as many rows and columns as the sheet");
+        }
+    }
     struct Destroy {
         void operator()(gusset_sheet *sheet) const noexcept { gusset_sheet_destroy(sheet); }
     };

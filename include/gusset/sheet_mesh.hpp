@@ -17,7 +17,8 @@ struct SheetMeshOptions {
     bool triangles = false;
 };
 
-/// The mesh of a sheet; see gusset_sheet_mesh_create. It keeps nothing of the sheet; views and spans live as long as this.
+/// The mesh of a sheet; see gusset_sheet_mesh_create. It keeps nothing of the sheet; views and spans live as long as this, and are
+/// not lent by a temporary.
 class SheetMesh {
 public:
     explicit SheetMesh(const Sheet &sheet, const SheetMeshOptions &options = {}, const Context &context = Context()) {
@@ -32,19 +33,22 @@ public:
         mesh_.reset(created);
     }
 
-    MeshView mesh() const {
+    MeshView mesh() const & {
         return MeshView(detail::lent<gusset_mesh_view>(gusset_sheet_mesh_view, mesh_.get()));
     }
+    MeshView mesh() const && = delete;
     /// Of each vertex.
-    Span<const SurfacePlace> places() const {
+    Span<const SurfacePlace> places() const & {
         const gusset_sheet_mesh_parts all = parts();
         return {all.places, all.vertex_count};
     }
+    Span<const SurfacePlace> places() const && = delete;
     /// Of each vertex the unit normal; 0 where there is none.
-    Span<const Point3> normals() const {
+    Span<const Point3> normals() const & {
         const gusset_sheet_mesh_parts all = parts();
         return detail::points(all.normals, all.vertex_count);
     }
+    Span<const Point3> normals() const && = delete;
     /// A bound of the distance between the surface and the triangles, or either pair of triangles of quads.
     double deviation() const { return parts().deviation; }
 

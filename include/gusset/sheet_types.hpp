@@ -110,16 +110,15 @@ struct CellDiameters {
 
 /// What the paper's search looks for, and how; see gusset_mask_task.
 struct MaskTask : gusset_mask_task {
-    static MaskTask point(const Point3 &point) { return {GUSSET_MASK_POINT, point, {}}; }
-    static MaskTask plane(const Point3 &point, const Point3 &normal) { return {GUSSET_MASK_PLANE, point, normal}; }
-    static MaskTask line(const Point3 &point, const Point3 &direction) { return {GUSSET_MASK_LINE, point, direction}; }
-    /// From a point to the point and the direction.
-    static MaskTask segment(const Point3 &point, const Point3 &direction) {
-        return {GUSSET_MASK_SEGMENT, point, direction};
-    }
+    /// A point. It is kept in the field `point`.
+    static MaskTask at(const Point3 &place) { return {GUSSET_MASK_POINT, place, {}}; }
+    static MaskTask plane(const Point3 &place, const Point3 &normal) { return {GUSSET_MASK_PLANE, place, normal}; }
+    static MaskTask line(const Point3 &place, const Point3 &along) { return {GUSSET_MASK_LINE, place, along}; }
+    /// From a place to the place and the direction.
+    static MaskTask segment(const Point3 &place, const Point3 &along) { return {GUSSET_MASK_SEGMENT, place, along}; }
     /// Normals at an angle to a direction. bound: of the principal curvatures; 0: cones of normals instead.
-    static MaskTask slant(const Point3 &direction, double radians, bool unsigned_normal = false, double bound = 0.0) {
-        MaskTask made(GUSSET_MASK_ANGLE, {}, direction);
+    static MaskTask slant(const Point3 &along, double radians, bool unsigned_normal = false, double bound = 0.0) {
+        MaskTask made(GUSSET_MASK_ANGLE, {}, along);
         made.angle = radians;
         made.unsigned_normals = unsigned_normal ? 1 : 0;
         made.curvature = bound;
@@ -140,35 +139,41 @@ struct MaskTask : gusset_mask_task {
     }
 
 private:
-    MaskTask(gusset_mask_object kind, const Point3 &at, const Point3 &along) : gusset_mask_task{} {
+    MaskTask(gusset_mask_object kind, const Point3 &place, const Point3 &along) : gusset_mask_task{} {
         struct_size = sizeof(gusset_mask_task);
         object = kind;
         least = 1;
-        std::memcpy(gusset_mask_task::point, at.data(), sizeof gusset_mask_task::point);
+        std::memcpy(point, place.data(), sizeof point);
         std::memcpy(direction, along.data(), sizeof direction);
     }
 };
 static_assert(sizeof(MaskTask) == sizeof(gusset_mask_task), "nothing added");
 
-/// A bit for each cell of a sheet: the paper's logical scale.
+/// A bit for each cell of a sheet: the paper's logical scale. Made by name: all, none, from_words.
 class CellMask {
 public:
-    CellMask(std::size_t rows, std::size_t columns, std::vector<uint64_t> words)
-        : rows_(rows), columns_(columns), words_(std::move(words)) {
-        words_.resize((rows * columns + 63) / 64);
-    }
-    /// All cells, or none.
-    CellMask(std::size_t rows, std::size_t columns, bool all) : CellMask(rows, columns, std::vector<uint64_t>()) {
-        for (std::size_t i = 0; all && i < rows; ++i) {
-            for (std::size_t j = 0; j < columns; ++j) {
-                set(i, j, true);
-            }
+    /// All cells of so many rows and columns.
+    static CellMask all(std::size_t rows, std::size_t columns) { return {rows, columns, ~uint64_t{0}}; }
+    /// None of them.
+    static CellMask none(std::size_t rows, std::size_t columns) { return {rows, columns, 0}; }
+    /// Bit k % 64 of word k / 64 is that of cell (i, j), k = i * columns + j. Words and bits beyond the last cell are left out.
+    static CellMask from_words(std::size_t rows, std::size_t columns, std::vector<uint64_t> words) {
+        CellMask made(rows, columns);
+        const std::size_t needed = word_count(rows, columns);
+        if (words.size() < needed) {
+            throw std::invalid_argument("gusset: fewer words than the cells need");
         }
+        words.resize(needed);
+        made.words_ = std::move(words);
+        made.cut();
+        return made;
     }
 
     std::size_t rows() const noexcept { return rows_; }
     std::size_t columns() const noexcept { return columns_; }
-    Span<const uint64_t> words() const { return words_; }
+    /// They live as long as the mask, and are not lent by a temporary.
+    Span<const uint64_t> words() const & { return words_; }
+    Span<const uint64_t> words() const && = delete;
     bool operator()(std::size_t row, std::size_t column) const {
         const std::size_t bit = row * columns_ + column;
         return (words_[bit / 64] >> (bit % 64) & 1) != 0;
@@ -189,6 +194,23 @@ public:
     }
 
 private:
+    CellMask(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns) {}
+    CellMask(std::size_t rows, std::size_t columns, uint64_t word)
+        : rows_(rows), columns_(columns), words_(word_count(rows, columns), word) {
+        cut();
+    }
+    static std::size_t word_count(std::size_t rows, std::size_t columns) {
+        if (columns != 0 && rows > (~std::size_t{0} - 63) / columns) {
+            throw std::length_error("gusset: too many cells");
+        }
+        return (rows * columns + 63) / 64;
+    }
+    /// Clears the bits of the last word that are no cell's.
+    void cut() {
+        if (const std::size_t used = rows_ * columns_ % 64; used != 0) {
+            words_.back() &= (uint64_t{1} << used) - 1;
+        }
+    }
     std::size_t rows_, columns_;
     std::vector<uint64_t> words_;
 };

@@ -42,16 +42,21 @@ enum class HitKind : uint32_t {
 
 /// A point that a line or a curve and a surface have in common; see gusset_surface_hit.
 struct Hit : gusset_surface_hit {
+    Hit() : gusset_surface_hit{} {}
+    explicit Hit(const gusset_surface_hit &hit) : gusset_surface_hit(hit) {}
     HitKind what() const noexcept { return static_cast<HitKind>(kind); }
     /// There is one.
     bool is_found() const noexcept { return kind != GUSSET_HIT_NONE; }
 };
-static_assert(sizeof(Hit) == sizeof(gusset_surface_hit), "nothing added");
+static_assert(sizeof(Hit) == sizeof(gusset_surface_hit) && std::is_standard_layout_v<Hit>, "nothing added");
+/// Hits in somebody else's memory.
+using Hits = Values<Hit, gusset_surface_hit>;
 
-/// The hits of lines, or of a curve: a range with the hits of each. It keeps nothing of the surface; spans live as long as this.
+/// The hits of lines, or of a curve: a range with the hits of each. It keeps nothing of the surface; hits and spans live as long as this,
+/// and are not lent by a temporary.
 class SurfaceHits {
 public:
-    using value_type = Span<const Hit>;
+    using value_type = Hits;
     using iterator = detail::Iterator<SurfaceHits>;
 
     explicit SurfaceHits(gusset_surface_hits *owned) : hits_(owned) {}
@@ -59,27 +64,32 @@ public:
     /// How many lines were asked for; 1 for a curve.
     std::size_t size() const { return parts().line_count; }
     /// Of line `i`, by rising t; throws std::out_of_range.
-    Span<const Hit> operator[](std::size_t i) const {
+    Hits operator[](std::size_t i) const & {
         const gusset_surface_hits_parts all = parts();
         if (i >= all.line_count) {
             throw std::out_of_range("gusset: no such line");
         }
         const auto from = static_cast<std::size_t>(all.ends[i]);
-        return {static_cast<const Hit *>(all.hits) + from, static_cast<std::size_t>(all.ends[i + 1]) - from};
+        return {all.hits + from, static_cast<std::size_t>(all.ends[i + 1]) - from};
     }
-    iterator begin() const { return {this, 0}; }
-    iterator end() const { return {this, size()}; }
+    Hits operator[](std::size_t i) const && = delete;
+    iterator begin() const & { return {this, 0}; }
+    iterator begin() const && = delete;
+    iterator end() const & { return {this, size()}; }
+    iterator end() const && = delete;
 
     /// Of all lines, one line after the other.
-    Span<const Hit> hits() const {
+    Hits hits() const & {
         const gusset_surface_hits_parts all = parts();
-        return {static_cast<const Hit *>(all.hits), all.hit_count};
+        return {all.hits, all.hit_count};
     }
+    Hits hits() const && = delete;
     /// Of a curve, three places on it for each hit: its own, and where its span begins and ends.
-    Span<const Place> on_curve() const {
+    Span<const Place> on_curve() const & {
         const gusset_surface_hits_parts all = parts();
         return {all.on_curve, all.on_curve != nullptr ? 3 * all.hit_count : 0};
     }
+    Span<const Place> on_curve() const && = delete;
 
 private:
     struct Destroy {

@@ -52,6 +52,60 @@ private:
 };
 } // namespace detail
 
+/// A run of C structures in somebody else's memory, each read as a Wrapper that is made of it, by value. Elements stay when the run is
+/// gone; its iterators stay as long as the memory.
+template <class Wrapper, class Data>
+class Values {
+public:
+    using value_type = Wrapper;
+    class iterator {
+        struct Arrow {
+            Wrapper value;
+            const Wrapper *operator->() const noexcept { return &value; }
+        };
+
+    public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = Wrapper;
+        using difference_type = std::ptrdiff_t;
+        using pointer = Arrow;
+        using reference = Wrapper;
+        iterator() = default;
+        explicit iterator(const Data *at) : at_(at) {}
+        Wrapper operator*() const { return Wrapper(*at_); }
+        Arrow operator->() const { return {Wrapper(*at_)}; }
+        iterator &operator++() {
+            ++at_;
+            return *this;
+        }
+        iterator operator++(int) {
+            iterator old = *this;
+            ++at_;
+            return old;
+        }
+        friend bool operator==(const iterator &a, const iterator &b) { return a.at_ == b.at_; }
+        friend bool operator!=(const iterator &a, const iterator &b) { return a.at_ != b.at_; }
+
+    private:
+        const Data *at_ = nullptr;
+    };
+
+    Values() = default;
+    Values(const Data *data, std::size_t size) : data_(data, size) {}
+
+    /// The structures themselves.
+    const Data *data() const noexcept { return data_.data(); }
+    std::size_t size() const noexcept { return data_.size(); }
+    bool empty() const noexcept { return data_.empty(); }
+    /// Element `i` < size().
+    Wrapper operator[](std::size_t i) const { return Wrapper(data_[i]); }
+    iterator begin() const { return iterator(data_.begin()); }
+    iterator end() const { return iterator(data_.end()); }
+
+private:
+    Span<const Data> data_;
+};
+
 /// One curve on a surface. Spans live as long as the paths it is of.
 struct SurfacePath {
     Span<const Point3> points;
@@ -68,7 +122,8 @@ struct SurfacePath {
     std::size_t size() const noexcept { return points.size(); }
 };
 
-/// Curves on a surface; a range of SurfacePath. It keeps nothing of the surface. See gusset_surface_paths_parts.
+/// Curves on a surface; a range of SurfacePath. It keeps nothing of the surface. See gusset_surface_paths_parts. What has spans is not
+/// lent by a temporary, which is gone before they are read.
 class SurfacePaths {
 public:
     using value_type = SurfacePath;
@@ -79,7 +134,7 @@ public:
     std::size_t size() const { return parts().path_count; }
     bool empty() const { return size() == 0; }
     /// Path `i`; throws std::out_of_range.
-    SurfacePath operator[](std::size_t i) const {
+    SurfacePath operator[](std::size_t i) const & {
         const gusset_surface_paths_parts all = parts();
         if (i >= all.path_count) {
             throw std::out_of_range("gusset: no such path");
@@ -92,19 +147,24 @@ public:
                 all.closed[i] != 0,
                 all.levels[i]};
     }
-    iterator begin() const { return {this, 0}; }
-    iterator end() const { return {this, size()}; }
+    SurfacePath operator[](std::size_t i) const && = delete;
+    iterator begin() const & { return {this, 0}; }
+    iterator begin() const && = delete;
+    iterator end() const & { return {this, size()}; }
+    iterator end() const && = delete;
 
     /// The points of all paths, one path after the other.
-    Span<const Point3> points() const {
+    Span<const Point3> points() const & {
         const gusset_surface_paths_parts all = parts();
         return detail::points(all.points, all.point_count);
     }
+    Span<const Point3> points() const && = delete;
     /// Cells in which something may be that could not be resolved.
-    Span<const SurfacePlace> unresolved() const {
+    Span<const SurfacePlace> unresolved() const & {
         const gusset_surface_paths_parts all = parts();
         return {all.unresolved, all.unresolved_count};
     }
+    Span<const SurfacePlace> unresolved() const && = delete;
 
 private:
     struct Destroy {

@@ -4,10 +4,14 @@
 
 #include <gusset/surface_paths.hpp>
 
+#include <algorithm>
+
 namespace gusset {
 
 /// A point that was found for a query; see gusset_surface_closest.
 struct Closest : gusset_surface_closest {
+    Closest() : gusset_surface_closest{} {}
+    explicit Closest(const gusset_surface_closest &found) : gusset_surface_closest(found) {}
     /// There is one within the limit.
     bool is_found() const noexcept { return (flags & GUSSET_SURFACE_POINT_FOUND) != 0; }
     /// Its distance is proved.
@@ -15,7 +19,7 @@ struct Closest : gusset_surface_closest {
     /// Another point, elsewhere, is as near.
     bool is_one_of_many() const noexcept { return (flags & GUSSET_SURFACE_POINT_MANY) != 0; }
 };
-static_assert(sizeof(Closest) == sizeof(gusset_surface_closest), "nothing added");
+static_assert(sizeof(Closest) == sizeof(gusset_surface_closest) && std::is_standard_layout_v<Closest>, "nothing added");
 
 /// What is looked for; see gusset_closest_options.
 struct ClosestOptions {
@@ -36,21 +40,32 @@ inline gusset_closest_options as_c(const ClosestOptions &options) {
 }
 } // namespace detail
 
-/// Places where the distance is locally least, the nearest first; see gusset_carcass_minima. It keeps nothing of the surface; spans
-/// live as long as this.
+/// Places where the distance is locally least, the nearest first: a range of Closest; see gusset_carcass_minima. It keeps nothing of the
+/// surface. Runs and iterators live as long as this, and are not lent by a temporary.
 class SurfacePoints {
 public:
+    using value_type = Closest;
+    using Points = Values<Closest, gusset_surface_closest>;
+    using iterator = Points::iterator;
+
     explicit SurfacePoints(gusset_surface_points *owned) : points_(owned) {}
 
     std::size_t size() const { return parts().count; }
-    Span<const Closest> points() const {
-        const gusset_surface_points_parts all = parts();
-        return {static_cast<const Closest *>(all.points), all.count};
+    bool empty() const { return size() == 0; }
+    Points points() const & { return all(); }
+    Points points() const && = delete;
+    iterator begin() const & { return all().begin(); }
+    iterator begin() const && = delete;
+    iterator end() const & { return all().end(); }
+    iterator end() const && = delete;
+    /// Point `i`; throws std::out_of_range.
+    Closest operator[](std::size_t i) const {
+        const Points found = all();
+        if (i >= found.size()) {
+            throw std::out_of_range("gusset: no such point");
+        }
+        return found[i];
     }
-    const Closest *begin() const { return points().begin(); }
-    const Closest *end() const { return points().end(); }
-    /// Point `i` < size().
-    const Closest &operator[](std::size_t i) const { return points()[i]; }
     /// None is missing that is nearer than this.
     double bound() const { return parts().bound; }
     /// The search did not give up at that distance.
@@ -60,6 +75,10 @@ private:
     struct Destroy {
         void operator()(gusset_surface_points *points) const noexcept { gusset_surface_points_destroy(points); }
     };
+    Points all() const {
+        const gusset_surface_points_parts lent = parts();
+        return {lent.points, lent.count};
+    }
     gusset_surface_points_parts parts() const { return detail::lent(gusset_surface_points_view, points_.get()); }
     std::unique_ptr<gusset_surface_points, Destroy> points_;
 };
@@ -67,28 +86,57 @@ private:
 /// A cell of a region; see gusset_surface_cell.
 using RegionCell = gusset_surface_cell;
 
-/// The cells that come within a radius of a point; see gusset_carcass_region. It keeps nothing of the surface; spans live as long as
-/// this.
+/// The cells that come within a radius of a point: a range of RegionCell; see gusset_carcass_region. It keeps nothing of the surface.
+/// Spans and iterators live as long as this, and are not lent by a temporary.
 class SurfaceRegion {
 public:
+    using value_type = RegionCell;
+    using iterator = const RegionCell *;
+
     explicit SurfaceRegion(gusset_surface_region *owned) : region_(owned) {}
 
     std::size_t size() const { return parts().cell_count; }
+    bool empty() const { return size() == 0; }
+    /// Cell `i`; throws std::out_of_range.
+    RegionCell operator[](std::size_t i) const {
+        const gusset_surface_region_parts all = parts();
+        if (i >= all.cell_count) {
+            throw std::out_of_range("gusset: no such cell");
+        }
+        return all.cells[i];
+    }
+    iterator begin() const & { return cells().begin(); }
+    iterator begin() const && = delete;
+    iterator end() const & { return cells().end(); }
+    iterator end() const && = delete;
+    /// Whether a cell is one of them; false where there is no such cell. O(log cells).
+    bool contains(std::size_t sheet, std::size_t row, std::size_t column) const {
+        const gusset_surface_region_parts all = parts();
+        const auto key = [](const RegionCell &cell) { return std::array<std::size_t, 3>{cell.sheet, cell.row, cell.column}; };
+        const std::array<std::size_t, 3> sought{sheet, row, column};
+        const RegionCell *last = all.cells + all.cell_count;
+        const RegionCell *found = std::lower_bound(
+            all.cells, last, sought, [&](const RegionCell &cell, const std::array<std::size_t, 3> &other) { return key(cell) < other; });
+        return found != last && key(*found) == sought;
+    }
     /// By sheet, row, column.
-    Span<const RegionCell> cells() const {
+    Span<const RegionCell> cells() const & {
         const gusset_surface_region_parts all = parts();
         return {all.cells, all.cell_count};
     }
+    Span<const RegionCell> cells() const && = delete;
     /// A bit for each cell of all sheets.
-    Span<const uint64_t> mask() const {
+    Span<const uint64_t> mask() const & {
         const gusset_surface_region_parts all = parts();
         return {all.mask, all.word_count};
     }
+    Span<const uint64_t> mask() const && = delete;
     /// By sheet its first bit; then the number of bits.
-    Span<const uint64_t> first() const {
+    Span<const uint64_t> first() const & {
         const gusset_surface_region_parts all = parts();
         return {all.first, all.sheet_count + 1};
     }
+    Span<const uint64_t> first() const && = delete;
 
 private:
     struct Destroy {
