@@ -135,7 +135,7 @@ impl Block {
 
     /// A cell in the middle.
     pub(super) fn middle<const N: usize>(&self, cells: &impl Cells<N>) -> [usize; 2] {
-        let at = |k: usize, count: usize| (((2 * k + 1) * BLOCK << self.level) / 2).min(count - 1);
+        let at = |k: usize, count: usize| ((((2 * k + 1) * BLOCK) << self.level) / 2).min(count - 1);
         let [rows, columns] = cells.counts();
         [at(self.row, rows), at(self.column, columns)]
     }
