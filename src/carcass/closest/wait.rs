@@ -94,7 +94,7 @@ impl Waiting {
             What::Part { cell, from, size } => {
                 let patch = cells.patch(cell[0] as usize, cell[1] as usize);
                 let part = Part { patch: patch.cut(from, from + size), from, size, bound: self.bound };
-                part.divide(|part| Look { patch: &patch, sheet, cell }.part(part.bounded(hunt.query), hunt));
+                part.divide(|part| Look { patch: &patch, sheet, cell }.part(&part.bounded(hunt.query), hunt));
             }
         }
     }
@@ -153,7 +153,7 @@ impl<const N: usize> Look<'_, N> {
         }
     }
 
-    fn part(&self, part: Part<N>, hunt: &mut Hunt) {
+    fn part(&self, part: &Part<N>, hunt: &mut Hunt) {
         if part.bound > hunt.limit() {
             return;
         }
