@@ -3,10 +3,11 @@
 mod surfaces;
 
 use glam::DVec3;
-use gusset::carcass::{Carcass, Grid, Nodes, Scheme, Sheet};
+use gusset::carcass::make::{Spline, SplineAxis};
+use gusset::carcass::{Carcass, Grid, Nodes, Patches, Scheme, Sheet};
 use gusset::{Error, Job, Progress};
 use std::ops::ControlFlow;
-use surfaces::{Random, SHAPES, grid};
+use surfaces::{Random, SHAPES, Shape, grid};
 
 /// The smallest distance of many points of every cell, each improved by steps of alternating search: an upper bound, near the truth.
 fn by_force(grid: &Grid<'_>, query: DVec3) -> f64 {
@@ -141,10 +142,107 @@ fn the_centre_of_a_sphere_ends_quickly() {
         let found = carcass.closest(DVec3::ZERO, f64::INFINITY).unwrap();
         assert!(start.elapsed().as_secs_f64() < 2.0, "{cells}");
         assert!((found.distance - 1.0).abs() < 0.01 && found.bound <= found.distance, "{found:?}");
+        assert!(found.bound >= (1.0 - 1e-3) * found.distance, "{found:?}");
         // The surface through the nodes is no sphere: if one of its cells is nearest, that is proved; else it is said.
         assert!(found.proven || found.bound < found.distance - carcass.tolerance());
         let minima = carcass.local_minima(DVec3::ZERO, f64::INFINITY, 3, &Job::default()).unwrap();
         assert!(minima.points.len() <= 3 && !minima.points.is_empty());
+    }
+}
+
+#[test]
+fn near_a_centre_the_answer_is_still_the_nearest() {
+    // All of the sphere is nearly as near, and no search can prove much: but it goes where the surface is nearest.
+    let carcass = sphere(500, 1.0, DVec3::ZERO);
+    let mut random = Random(11);
+    for off in [1e-4, 1e-3, 1e-2, 1e-1] {
+        for _ in 0..4 {
+            let query = off * random.point(1.0).normalize();
+            let found = carcass.closest(query, f64::INFINITY).unwrap();
+            assert!(found.distance < 1.0 - off + 1e-3 * off + 2e-7, "{off}: {found:?}");
+            assert!(found.bound >= (1.0 - 1e-3) * found.distance && found.bound <= 1.0 - off + 1e-9, "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn queries_from_afar_are_proved() {
+    // Above the crests of waves, many cells are nearly as near before the nearest is known.
+    let waves = Shape {
+        name: "waves",
+        cells: [400, 400],
+        closed: [false, false],
+        point: |u, v| {
+            let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+            DVec3::new(x, y, 0.2 * (5.0 * x).sin() * (4.0 * y).cos())
+        },
+    };
+    let carcass = Carcass::new(vec![Sheet::Grid(grid(&waves))], None, &Job::default()).unwrap();
+    let mut random = Random(5);
+    for k in 0..40_000 {
+        let query = match k % 2 {
+            0 => (1.2 + 4.0 * random.next()) * random.point(1.0).normalize(),
+            _ => random.point(1.0) * DVec3::new(1.7, 1.7, 0.35),
+        };
+        let found = carcass.closest(query, f64::INFINITY).unwrap();
+        assert!(found.proven, "{query:?} {found:?}");
+    }
+}
+
+/// One patch of degree 3 a cell, with the control points of a grid's.
+fn patches(grid: &Grid<'_>) -> Sheet<'static> {
+    let [h, w] = grid.cells();
+    let all = (0..h).flat_map(|i| (0..w).map(move |j| (i, j)));
+    let points: Vec<DVec3> = all.flat_map(|(i, j)| grid.patch(i, j).points.into_iter().flatten()).collect();
+    Sheet::Cubic(Patches::new(&points, [3, 3], h, w).unwrap())
+}
+
+/// A B-spline surface of degree 5 by degree 2 that waves.
+fn spline() -> Sheet<'static> {
+    let [rows, columns] = [14_usize, 11];
+    let at = |k: usize, n: usize| 2.0 * k as f64 / (n - 1) as f64 - 1.0;
+    let all = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
+    let points: Vec<DVec3> = all
+        .map(|(i, j)| {
+            let (x, y) = (at(i, rows), at(j, columns));
+            DVec3::new(x, y, 0.4 * (4.0 * x).sin() * (3.0 * y + 1.0).cos())
+        })
+        .collect();
+    let knots = |count: usize, degree: usize| -> Vec<f64> {
+        (0..=count + degree).map(|k| k.clamp(degree, count) as f64).collect()
+    };
+    let [u, v] = [knots(rows, 5), knots(columns, 2)];
+    let axes = [(5, &u), (2, &v)].map(|(degree, knots)| SplineAxis { degree, knots, closed: false });
+    Sheet::from_spline(&Spline { points: &points, counts: [rows, columns], axes }, &Job::default()).unwrap()
+}
+
+#[test]
+fn a_query_on_the_surface_finds_itself() {
+    let mut sheets: Vec<(&str, Sheet<'static>)> = vec![("spline", spline())];
+    for shape in &SHAPES {
+        sheets.push((shape.name, Sheet::Grid(grid(shape))));
+        sheets.push((shape.name, patches(&grid(shape))));
+    }
+    for (name, sheet) in sheets {
+        let [h, w] = sheet.cells();
+        let carcass = Carcass::new(vec![sheet], None, &Job::default()).unwrap();
+        let sheet = carcass.sheet(0);
+        for (i, j) in (0..=h).flat_map(|i| (0..=w).map(move |j| (i, j))) {
+            let corner = sheet.corner(i, j);
+            let found = carcass.closest(corner, f64::INFINITY).unwrap();
+            assert!(found.distance <= 1e-14 && found.proven, "{name}: {i} {j} {found:?}");
+            // As a limit leaves it.
+            let found = carcass.closest(corner, 1e-14).unwrap();
+            assert!(found.distance <= 1e-14 && found.proven, "{name}: {i} {j} {found:?}");
+        }
+        let mut random = Random(17);
+        for _ in 0..500 {
+            let (i, j) = ((random.next() * h as f64) as usize, (random.next() * w as f64) as usize);
+            let (u, v) = (random.next(), random.next());
+            let point = sheet.jet(i, j, u, v).point;
+            let found = carcass.closest(point, f64::INFINITY).unwrap();
+            assert!(found.distance <= carcass.tolerance() && found.proven, "{name}: {i} {j} {found:?}");
+        }
     }
 }
 

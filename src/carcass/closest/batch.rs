@@ -1,6 +1,7 @@
 //! Many nearest points at once: sorted along a curve that fills space, so that neighbours follow each other; on many threads.
 
-use super::{Closest, Seeker};
+use super::Closest;
+use super::hunt::Hunt;
 use crate::alloc;
 use crate::carcass::Carcass;
 use crate::error::{Error, Result};
@@ -53,9 +54,9 @@ impl Carcass<'_> {
                 job.step(done as f64 / queries.len() as f64, "nearest points")?;
                 done += round.len();
                 let found = par::map(job.threads(), round.chunks(TAKEN), |taken| {
-                    let mut seeker = Seeker::new();
+                    let mut hunt = Hunt::new();
                     let mut found = Vec::with_capacity(taken.len());
-                    let each = |&(_, k): &(u64, u32)| form(self.closest_with(part[k as usize], limit, &mut seeker));
+                    let each = |&(_, k): &(u64, u32)| form(self.closest_with(part[k as usize], limit, &mut hunt));
                     found.extend(taken.iter().map(each));
                     found
                 });

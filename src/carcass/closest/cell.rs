@@ -5,15 +5,13 @@
 
 use super::descend::{FEW_STEPS, Foot, STEPS, descend};
 use crate::carcass::Patch;
+use crate::carcass::make::part;
 use glam::{DVec2, DVec3};
 
 /// The nearest point found on a patch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Found {
     pub(crate) place: DVec2,
-    pub(crate) point: DVec3,
-    /// The unit normal, or 0 where the patch is not regular.
-    pub(crate) normal: DVec3,
     pub(crate) distance: f64,
     /// No point of the patch is nearer than this.
     pub(crate) bound: f64,
@@ -21,19 +19,12 @@ pub(crate) struct Found {
 
 impl Found {
     fn new(foot: &Foot, bound: f64) -> Found {
-        let Foot { place, jet, distance } = *foot;
-        Found {
-            place,
-            point: jet.point,
-            normal: jet.unit_normal().unwrap_or_default(),
-            distance,
-            bound: bound.min(distance),
-        }
+        Found { place: foot.place, distance: foot.distance, bound: bound.min(foot.distance) }
     }
 }
 
 /// How often a side may be halved.
-const DEPTH: i32 = 26;
+pub(super) const DEPTH: i32 = 26;
 /// Parts of one patch that are looked at before it is given up.
 const PARTS: usize = 192;
 
@@ -67,7 +58,7 @@ impl<const N: usize> Scratch<N> {
 /// The nearest point of a patch to `query`, looked for from `start`; `None` if all of the patch is farther than `limit`.
 ///
 /// What is found does not depend on the limit. It is nearest to within `tolerance`, unless the bound says that there is no proof within
-/// [`PARTS`] parts and [`DEPTH`] halvings. `work` grows by what was looked at.
+/// [`PARTS`] parts and [`DEPTH`] halvings.
 pub(crate) fn nearest<const N: usize>(
     patch: &Patch<N>,
     query: DVec3,
@@ -75,9 +66,7 @@ pub(crate) fn nearest<const N: usize>(
     limit: f64,
     tolerance: f64,
     scratch: &mut Scratch<N>,
-    work: &mut usize,
 ) -> Option<Found> {
-    *work += 1;
     let foot = descend(patch, query, start, STEPS);
     let proven = proven(patch, query, &foot, 0.0, tolerance);
     if proven > limit {
@@ -86,11 +75,11 @@ pub(crate) fn nearest<const N: usize>(
     if proven >= foot.distance - tolerance {
         return Some(Found::new(&foot, proven));
     }
-    divided(patch, query, foot, limit, tolerance, scratch, work)
+    divided(patch, query, foot, limit, tolerance, scratch)
 }
 
 /// The better one of the bounds, of which the dearer one is looked at only if the other does not do.
-fn proven<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, known: f64, tolerance: f64) -> f64 {
+pub(super) fn proven<const N: usize>(patch: &Patch<N>, query: DVec3, foot: &Foot, known: f64, tolerance: f64) -> f64 {
     let direction = (query - foot.jet.point).normalize_or_zero();
     let bound = known.max(patch.half_space(query, direction));
     if bound >= foot.distance - tolerance { bound } else { bound.max(patch.convex(query, foot)) }
@@ -105,7 +94,6 @@ fn divided<const N: usize>(
     limit: f64,
     tolerance: f64,
     scratch: &mut Scratch<N>,
-    work: &mut usize,
 ) -> Option<Found> {
     scratch.parts.clear();
     let whole = Part { patch: *patch, from: DVec2::ZERO, size: DVec2::ONE, bound: 0.0 };
@@ -138,7 +126,6 @@ fn divided<const N: usize>(
             Part { bound: proven, ..part }.divide(|part| scratch.add(part.bounded(query)));
         }
     }
-    *work += looked_at;
     (done <= limit).then(|| Found::new(&best, done))
 }
 
@@ -164,13 +151,24 @@ impl<const N: usize> Part<N> {
         }
     }
 
-    fn bounded(mut self, query: DVec3) -> Part<N> {
-        self.bound = self.bound.max(self.patch.box_distance(query));
+    /// With the bounds that need no nearest point: by the box, and by the half-space through the middle.
+    pub(super) fn bounded(mut self, query: DVec3) -> Part<N> {
+        let [[a, b], [c, d]] = self.patch.corners();
+        let direction = (4.0 * query - (a + b + c + d)).normalize_or_zero();
+        let bound = self.patch.box_distance(query).max(self.patch.half_space(query, direction));
+        self.bound = self.bound.max(bound);
         self
     }
 }
 
 impl<const N: usize> Patch<N> {
+    /// The part between two pairs of parameters.
+    pub(super) fn cut(&self, from: DVec2, to: DVec2) -> Patch<N> {
+        let points = self.points.map(|row| part(&row, [from.y, to.y]));
+        let across = Patch { points }.transposed();
+        Patch { points: across.points.map(|row| part(&row, [from.x, to.x])) }.transposed()
+    }
+
     /// The greatest distances between first and last control points, in u and in v.
     fn extents(&self) -> [f64; 2] {
         let p = &self.points;

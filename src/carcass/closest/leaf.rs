@@ -1,8 +1,8 @@
 //! The cells of a block: which of them may have the nearest point, as their corners and what the surface may be off by say; and the search of
 //! those.
 
-use super::cell::{Scratch, nearest};
-use super::hunt::{Answer, Hunt};
+use super::hunt::Hunt;
+use super::wait::{Look, Waiting, What};
 use crate::carcass::cells::{BLOCK, Cells};
 use crate::carcass::index::{Bounds, Pyramid};
 use glam::{DVec2, DVec3};
@@ -21,7 +21,7 @@ impl<C> Leaf<'_, C> {
     where
         C: Cells<N>,
     {
-        hunt.leaves += 1;
+        hunt.leaf();
         let [rows, columns] = self.cells.counts();
         let (top, left) = (self.row * BLOCK, self.column * BLOCK);
         let (rows, columns) = (BLOCK.min(rows - top), BLOCK.min(columns - left));
@@ -37,7 +37,6 @@ impl<C> Leaf<'_, C> {
             bounds = corners.half_spaces(direction, shift.along(direction));
             let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, lesser);
             if least > limit {
-                hunt.drop(|| least);
                 return corners.extent();
             }
         }
@@ -48,8 +47,7 @@ impl<C> Leaf<'_, C> {
         let mut count = 0;
         for (r, bounds) in bounds[..rows].iter().enumerate() {
             for (c, &bound) in bounds[..columns].iter().enumerate() {
-                if bound > limit || squares[r][c] > square(limit) {
-                    hunt.drop(|| bound.max(squares[r][c].sqrt()));
+                if bound > limit || squares[r][c] > limit * limit {
                     continue;
                 }
                 let mut at = count;
@@ -63,8 +61,7 @@ impl<C> Leaf<'_, C> {
         }
         for &cell in &order[..count] {
             let (r, c) = (usize::from(cell) / BLOCK, usize::from(cell) % BLOCK);
-            if squares[r][c] > square(hunt.limit()) {
-                hunt.drop(|| squares[r][c].sqrt());
+            if squares[r][c] > hunt.limit() * hunt.limit() {
                 continue;
             }
             let quad = corners.quad(r, c);
@@ -75,7 +72,6 @@ impl<C> Leaf<'_, C> {
             let along = quad.map(|corner| -corner.dot(direction)).into_iter().fold(f64::INFINITY, lesser);
             let bound = along - shift.along(direction);
             if bound > hunt.limit() {
-                hunt.drop(|| bound);
                 continue;
             }
             hunt.candidates.push(Candidate { bound, direction, start, cell: [(top + r) as u32, (left + c) as u32] });
@@ -98,25 +94,27 @@ pub(super) struct Candidate {
 /// Candidates that are kept before they are looked at.
 pub(super) const KEPT: usize = 64;
 
+impl Candidate {
+    pub(super) fn waiting(&self, sheet: u32) -> Waiting {
+        let Candidate { bound, start, cell, .. } = *self;
+        Waiting { bound: bound.max(0.0), sheet, what: What::Cell { cell, start } }
+    }
+}
+
 /// Looks for a nearer point in the cells that were found to be candidates: those first that may be nearest.
-pub(super) fn decide<const N: usize>(cells: &impl Cells<N>, sheet: u32, hunt: &mut Hunt, scratch: &mut Scratch<N>) {
+pub(super) fn decide<const N: usize>(cells: &impl Cells<N>, sheet: u32, hunt: &mut Hunt) {
     let mut candidates = std::mem::take(&mut hunt.candidates);
     candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then_with(|| a.cell.cmp(&b.cell)));
     for &Candidate { bound, direction, start, cell } in &candidates {
         let limit = hunt.limit();
         if bound > limit {
-            hunt.drop(|| bound);
-            continue;
+            // So are all that follow.
+            break;
         }
         let patch = cells.patch(cell[0] as usize, cell[1] as usize);
         let far = |direction: DVec3| patch.half_space(hunt.query, direction) > limit;
-        if far(direction) || far(hunt.direction()) {
-            hunt.drop(|| limit);
-            continue;
-        }
-        match nearest(&patch, hunt.query, start, limit, hunt.tolerance, scratch, &mut hunt.work) {
-            Some(found) => hunt.add(Answer { found, sheet, cell }),
-            None => hunt.drop(|| limit),
+        if !far(direction) && !far(hunt.direction()) {
+            Look { patch: &patch, sheet, cell }.whole(0.0, start, hunt);
         }
     }
     candidates.clear();
@@ -145,12 +143,6 @@ impl Shift {
     fn along(&self, direction: DVec3) -> f64 {
         self.middle.dot(direction) + self.half.dot(direction.abs())
     }
-}
-
-/// The square of a limit; below 0 for less than none.
-#[inline(always)]
-fn square(limit: f64) -> f64 {
-    if limit < 0.0 { limit } else { limit * limit }
 }
 
 /// The corners of a block's cells as seen from the query, by axis; of a block that is cut off, the last ones are repeated.

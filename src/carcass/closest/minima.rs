@@ -1,11 +1,11 @@
 //! All places where the distance is locally least, the nearest first.
 
-use super::cell::nearest;
+use super::Closest;
+use super::cell::{Scratch, nearest};
 use super::critical::{Least, minima, side_minima};
 use super::descend::{STEPS, descend};
 use super::region::check;
 use super::search::Block;
-use super::{Closest, Has, Seeker};
 use crate::alloc;
 use crate::carcass::cells::Cells;
 use crate::carcass::{Carcass, Place, Sheet, each_sheet};
@@ -188,13 +188,9 @@ impl Search<'_> {
         })
     }
 
-    fn is_least_in<const N: usize>(&self, cells: &impl Cells<N>, sheet: usize, least: &Least) -> bool
-    where
-        Seeker: Has<N>,
-    {
+    fn is_least_in<const N: usize>(&self, cells: &impl Cells<N>, sheet: usize, least: &Least) -> bool {
         let index = self.carcass.indexed(sheet).1;
-        let mut seeker = Seeker::new();
-        let (_, scratch) = seeker.parts();
+        let mut scratch = Scratch::default();
         let mut blocks = vec![Block::root(index)];
         while let Some(block) = blocks.pop() {
             if block.level > 0 {
@@ -209,7 +205,7 @@ impl Search<'_> {
                 }
                 let start = DVec2::splat(0.5);
                 let Some(there) =
-                    nearest(&patch, least.point, start, self.tolerance, 0.1 * self.tolerance, scratch, &mut 0)
+                    nearest(&patch, least.point, start, self.tolerance, 0.1 * self.tolerance, &mut scratch)
                 else {
                     continue;
                 };

@@ -13,15 +13,16 @@ mod leaf;
 mod minima;
 mod region;
 mod search;
+mod wait;
 
 pub use minima::Minima;
 pub use region::Region;
 
 use super::{Carcass, Place, each_sheet};
-use cell::Scratch;
 use glam::DVec3;
 use hunt::Hunt;
 use search::search;
+use wait::settle;
 
 /// The nearest point of a surface, or one where the distance is locally least.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,66 +46,41 @@ pub struct Closest {
     pub many: bool,
 }
 
-/// What searches need again and again: no memory is asked for while it is warm.
-pub(crate) struct Seeker {
-    hunt: Hunt,
-    cubic: Scratch<4>,
-    high: Scratch<8>,
-}
-
-impl Seeker {
-    pub(crate) fn new() -> Seeker {
-        Seeker { hunt: Hunt::new(), cubic: Scratch::default(), high: Scratch::default() }
-    }
-}
-
-/// The scratch for patches of a degree.
-trait Has<const N: usize> {
-    fn parts(&mut self) -> (&mut Hunt, &mut Scratch<N>);
-}
-
-impl Has<4> for Seeker {
-    fn parts(&mut self) -> (&mut Hunt, &mut Scratch<4>) {
-        (&mut self.hunt, &mut self.cubic)
-    }
-}
-
-impl Has<8> for Seeker {
-    fn parts(&mut self) -> (&mut Hunt, &mut Scratch<8>) {
-        (&mut self.hunt, &mut self.high)
-    }
-}
-
 impl Carcass<'_> {
     /// The nearest point that is no farther than `limit`; `None` if there is none, or the query is not finite.
     ///
     /// Of several at the same distance: of the first sheet, there of the first cell, by rows.
     pub fn closest(&self, query: DVec3, limit: f64) -> Option<Closest> {
-        self.closest_with(query, limit, &mut Seeker::new())
+        self.closest_with(query, limit, &mut Hunt::new())
     }
 
-    pub(crate) fn closest_with(&self, query: DVec3, limit: f64, seeker: &mut Seeker) -> Option<Closest> {
+    pub(crate) fn closest_with(&self, query: DVec3, limit: f64, hunt: &mut Hunt) -> Option<Closest> {
         if !query.is_finite() || limit.is_nan() || limit < 0.0 {
             return None;
         }
         let tolerance = self.tolerance().max(self.rounding(query));
-        seeker.hunt.begin(query, limit, tolerance);
+        hunt.begin(query, limit, tolerance);
         for k in self.by_distance(query) {
             let (sheet, index) = self.indexed(k);
-            each_sheet!(sheet, cells => {
-                let (hunt, scratch) = seeker.parts();
-                search(cells, index, k as u32, hunt, scratch);
-            });
+            each_sheet!(sheet, cells => search(cells, index, k as u32, hunt));
         }
-        let (answer, bound, many) = seeker.hunt.end(limit)?;
-        let (place, found) = (answer.place(), answer.found);
+        while let Some(next) = hunt.next() {
+            let (sheet, index) = self.indexed(next.sheet as usize);
+            each_sheet!(sheet, cells => next.open(cells, index, hunt));
+        }
+        if let Some(unproven) = hunt.unproven() {
+            let sheet = self.sheet(unproven.sheet as usize);
+            each_sheet!(sheet, cells => settle(cells, sheet.is_closed(), hunt));
+        }
+        let (answer, bound, many) = hunt.end(limit)?;
+        let place = answer.place();
         Some(Closest {
             place,
-            point: found.point,
-            normal: if found.normal == DVec3::ZERO { self.normal(place) } else { found.normal },
-            distance: found.distance,
+            point: answer.point,
+            normal: if answer.normal == DVec3::ZERO { self.normal(place) } else { answer.normal },
+            distance: answer.distance,
             bound,
-            proven: bound >= found.distance - tolerance,
+            proven: bound >= answer.distance - tolerance,
             many,
         })
     }

@@ -2,7 +2,6 @@
 
 use super::cell::{Scratch, nearest};
 use super::search::Block;
-use super::{Has, Seeker};
 use crate::alloc;
 use crate::carcass::cells::Cells;
 use crate::carcass::index::Pyramid;
@@ -52,12 +51,11 @@ impl Carcass<'_> {
         }
         region.first.push(bits);
         region.mask = alloc::zeroed(bits.div_ceil(64) as usize)?;
-        let mut seeker = Seeker::new();
         let tolerance = self.tolerance().max(self.rounding(query));
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
             let ball = Ball { query, radius, tolerance };
-            each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, seeker.parts().1, &mut region, job))?;
+            each_sheet!(sheet, cells => ball.collect(cells, index, k as u32, &mut region, job))?;
         }
         region.sort()?;
         for &[k, i, j] in &region.cells {
@@ -105,10 +103,10 @@ impl Ball {
         cells: &impl Cells<N>,
         index: &Pyramid,
         sheet: u32,
-        scratch: &mut Scratch<N>,
         region: &mut Region,
         job: &Job<'_>,
     ) -> Result<()> {
+        let mut scratch = Scratch::default();
         let mut blocks = vec![Block::root(index)];
         let mut looked_at = 0;
         while let Some(block) = blocks.pop() {
@@ -122,7 +120,7 @@ impl Ball {
                 continue;
             }
             for (i, j) in block.cells(cells) {
-                let (has, whole) = self.judge(cells, (i, j), scratch);
+                let (has, whole) = self.judge(cells, (i, j), &mut scratch);
                 if has {
                     alloc::push(&mut region.cells, [sheet, i as u32, j as u32])?;
                     alloc::push(&mut region.whole, whole)?;
@@ -151,7 +149,7 @@ impl Ball {
             return (false, false);
         }
         let start = glam::DVec2::splat(0.5);
-        let found = nearest(&patch, self.query, start, self.radius, self.tolerance, scratch, &mut 0);
+        let found = nearest(&patch, self.query, start, self.radius, self.tolerance, scratch);
         (found.is_some_and(|found| found.bound <= self.radius), false)
     }
 }

@@ -1,8 +1,8 @@
 //! The search of the index for the nearest point: near children first, and whatever cannot be nearer is dropped.
 
-use super::cell::Scratch;
 use super::hunt::Hunt;
 use super::leaf::{KEPT, Leaf, decide};
+use super::wait::{Waiting, What};
 use crate::carcass::cells::{BLOCK, Cells};
 use crate::carcass::index::{Oriented, Pyramid};
 use glam::DVec3;
@@ -35,9 +35,6 @@ impl Sight {
     /// What squares of bounds are compared with: greater ones are farther than `limit`. Sums of three squares are right to 2^-22.
     #[inline(always)]
     fn threshold(&self, limit: f64) -> f32 {
-        if limit < 0.0 {
-            return f32::NEG_INFINITY;
-        }
         let most = (limit + self.play) * (1.0 + 2e-6);
         (most * most) as f32
     }
@@ -48,14 +45,8 @@ impl Sight {
     }
 }
 
-/// Looks for a nearer point in a sheet, number `sheet` of its carcass.
-pub(super) fn search<const N: usize>(
-    cells: &impl Cells<N>,
-    index: &Pyramid,
-    sheet: u32,
-    hunt: &mut Hunt,
-    scratch: &mut Scratch<N>,
-) {
+/// Looks for a nearer point in a sheet, number `sheet` of its carcass; in a long search, what is left of it waits.
+pub(super) fn search<const N: usize>(cells: &impl Cells<N>, index: &Pyramid, sheet: u32, hunt: &mut Hunt) {
     let sight = Sight::new(index, hunt.query);
     let levels = index.levels();
     let mut stack = std::mem::take(&mut hunt.stack);
@@ -63,7 +54,12 @@ pub(super) fn search<const N: usize>(
     stack.push(Entry { level: levels.len() as u32, ..Entry::default() });
     while let Some(entry) = stack.pop() {
         if entry.bound > sight.threshold(hunt.limit()) {
-            hunt.drop(|| sight.distance(entry.bound));
+            continue;
+        }
+        if hunt.is_long() {
+            let Entry { level, row, column, .. } = entry;
+            let bound = sight.distance(entry.bound);
+            hunt.wait(Waiting { bound, sheet, what: What::Block { level, row, column } });
             continue;
         }
         let (row, column) = (entry.row as usize, entry.column as usize);
@@ -72,7 +68,7 @@ pub(super) fn search<const N: usize>(
             // From afar, what is known of the first ones, the direction above all, rules out most of the others.
             let afar = hunt.direction() == DVec3::ZERO && hunt.limit() > 4.0 * extent;
             if afar || hunt.candidates.len() >= KEPT {
-                decide(cells, sheet, hunt, scratch);
+                decide(cells, sheet, hunt);
             }
             continue;
         }
@@ -92,7 +88,6 @@ pub(super) fn search<const N: usize>(
                 level.oriented(row, column).map_or(0.0, oriented).max(boxed)
             };
             if bound > threshold {
-                hunt.drop(|| sight.distance(bound));
                 continue;
             }
             // Sorted as they come: the nearest is taken first, being last.
@@ -105,7 +100,7 @@ pub(super) fn search<const N: usize>(
         }
     }
     hunt.stack = stack;
-    decide(cells, sheet, hunt, scratch);
+    decide(cells, sheet, hunt);
 }
 
 /// A block of any level, with a lower bound of its distance.
@@ -136,6 +131,13 @@ impl Block {
                 Block { bound: boxed.max(oriented).sqrt(), level: self.level - 1, row, column }
             })
         })
+    }
+
+    /// A cell in the middle.
+    pub(super) fn middle<const N: usize>(&self, cells: &impl Cells<N>) -> [usize; 2] {
+        let at = |k: usize, count: usize| ((((2 * k + 1) * BLOCK) << self.level) / 2).min(count - 1);
+        let [rows, columns] = cells.counts();
+        [at(self.row, rows), at(self.column, columns)]
     }
 
     /// The cells of a block of the lowest level.
