@@ -32,7 +32,7 @@ static void closest(const gusset_carcass *carcass) {
     gusset_surface_closest found[2];
 
     EXPECT(GUSSET_OK, gusset_carcass_closest(context, carcass, queries[0], 2, sizeof queries[0], NULL, found));
-    CHECK(found[0].flags == (GUSSET_SURFACE_POINT_FOUND | GUSSET_SURFACE_POINT_PROVEN));
+    CHECK(found[0].flags == (GUSSET_SURFACE_CLOSEST_FOUND | GUSSET_SURFACE_CLOSEST_PROVEN));
     CHECK(fabs(found[0].distance - 3) < 1e-12 && found[0].bound <= 3 && found[0].bound > 3 - 1e-7);
     CHECK(fabs(found[0].point[0] - 1.5) < 1e-9 && fabs(fabs(found[0].normal[2]) - 1) < 1e-12);
     CHECK(found[0].place.row == 1 && found[0].place.column == 2 && fabs(found[0].place.v - 0.25) < 1e-9);
@@ -69,7 +69,7 @@ static void minima(const gusset_carcass *carcass) {
     EXPECT(GUSSET_OK, gusset_carcass_minima(context, carcass, query, &options, &points));
     EXPECT(GUSSET_OK, gusset_surface_points_view(points, &parts));
     CHECK(parts.count == 1 && parts.complete == 1 && fabs(parts.points[0].distance - 3) < 1e-12);
-    CHECK(parts.points[0].flags == (GUSSET_SURFACE_POINT_FOUND | GUSSET_SURFACE_POINT_PROVEN));
+    CHECK(parts.points[0].flags == (GUSSET_SURFACE_CLOSEST_FOUND | GUSSET_SURFACE_CLOSEST_PROVEN));
     gusset_surface_points_destroy(points);
     options.limited = 1, options.limit = 1;
     EXPECT(GUSSET_OK, gusset_carcass_minima(context, carcass, query, &options, &points));

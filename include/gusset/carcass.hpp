@@ -129,7 +129,7 @@ public:
     /// Where lines, rays or segments meet the surface.
     SurfaceHits lines(Span<const Line> lines, Which which = Which::all, const Context &context = Context()) const {
         return found<SurfaceHits, gusset_surface_hits>(context, [&](gusset_context *c, gusset_surface_hits **out) {
-            return gusset_carcass_lines(c, get(), lines.data(), lines.size(), static_cast<gusset_which>(which), out);
+            return gusset_carcass_lines(c, get(), lines.data(), lines.size(), static_cast<gusset_hits_wanted>(which), out);
         });
     }
     SurfaceHits line(const Line &line, Which which = Which::all, const Context &context = Context()) const {
@@ -146,7 +146,7 @@ public:
     /// Where a curve in space meets the surface.
     SurfaceHits curve(const Curve &curve, Which which = Which::all, const Context &context = Context()) const {
         return found<SurfaceHits, gusset_surface_hits>(context, [&](gusset_context *c, gusset_surface_hits **out) {
-            return gusset_carcass_curve(c, get(), curve.get(), static_cast<gusset_which>(which), out);
+            return gusset_carcass_curve(c, get(), curve.get(), static_cast<gusset_hits_wanted>(which), out);
         });
     }
 

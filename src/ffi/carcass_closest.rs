@@ -14,12 +14,12 @@ use glam::DVec3;
 use std::ptr;
 
 /// gusset_surface_closest: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
-pub const GUSSET_SURFACE_POINT_FOUND: u32 = 1;
+pub const GUSSET_SURFACE_CLOSEST_FOUND: u32 = 1;
 /// gusset_surface_closest: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
 /// would take too long, as it may next to a centre of curvature; bound is right nevertheless.
-pub const GUSSET_SURFACE_POINT_PROVEN: u32 = 2;
+pub const GUSSET_SURFACE_CLOSEST_PROVEN: u32 = 2;
 /// gusset_surface_closest: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
-pub const GUSSET_SURFACE_POINT_MANY: u32 = 4;
+pub const GUSSET_SURFACE_CLOSEST_MANY: u32 = 4;
 
 /// A point of a surface that was found for a query.
 #[repr(C)]
@@ -35,7 +35,7 @@ pub struct gusset_surface_closest {
     pub distance: f64,
     /// No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
     pub bound: f64,
-    /// GUSSET_SURFACE_POINT_...
+    /// GUSSET_SURFACE_CLOSEST_...
     pub flags: u32,
     /// 0.
     pub reserved: u32,
@@ -189,9 +189,9 @@ impl From<Option<Closest>> for gusset_surface_closest {
             normal: found.normal.to_array(),
             distance: found.distance,
             bound: found.bound,
-            flags: GUSSET_SURFACE_POINT_FOUND
-                | flag(found.proven, GUSSET_SURFACE_POINT_PROVEN)
-                | flag(found.many, GUSSET_SURFACE_POINT_MANY),
+            flags: GUSSET_SURFACE_CLOSEST_FOUND
+                | flag(found.proven, GUSSET_SURFACE_CLOSEST_PROVEN)
+                | flag(found.many, GUSSET_SURFACE_CLOSEST_MANY),
             reserved: 0,
         }
     }
@@ -290,7 +290,7 @@ fn cleared<'a>(points: *mut gusset_surface_closest, count: usize) -> Result<&'a 
 ///
 /// query: x, y, z. options: NULL for the defaults: all. points: receives the result, the nearest first, for gusset_surface_points_destroy;
 /// NULL on failure. None is missed: where it cannot be proved whether there is one (the distance is the same all round, as at a
-/// focus), one point is given for all cells that touch, without GUSSET_SURFACE_POINT_PROVEN and with GUSSET_SURFACE_POINT_MANY. On open
+/// focus), one point is given for all cells that touch, without GUSSET_SURFACE_CLOSEST_PROVEN and with GUSSET_SURFACE_CLOSEST_MANY. On open
 /// borders and creases, places count from which no way on the surface leads nearer. Errors: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
 /// (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(cells within the limit); with most, those no farther than the last.
 #[unsafe(no_mangle)]

@@ -26,24 +26,24 @@ pub struct gusset_line {
 }
 
 /// Which hits are wanted.
-pub type gusset_which = u32;
+pub type gusset_hits_wanted = u32;
 /// All, in the order of the line.
-pub const GUSSET_WHICH_ALL: gusset_which = 0;
+pub const GUSSET_WHICH_ALL: gusset_hits_wanted = 0;
 /// The first one.
-pub const GUSSET_WHICH_FIRST: gusset_which = 1;
+pub const GUSSET_WHICH_FIRST: gusset_hits_wanted = 1;
 /// Any one: whether there is one.
-pub const GUSSET_WHICH_ANY: gusset_which = 2;
+pub const GUSSET_WHICH_ANY: gusset_hits_wanted = 2;
 
 /// What a hit is.
-pub type gusset_hit = u32;
+pub type gusset_hit_kind = u32;
 /// None.
-pub const GUSSET_HIT_NONE: gusset_hit = 0;
+pub const GUSSET_HIT_NONE: gusset_hit_kind = 0;
 /// It passes through the surface: proved, but for poles, where the surface is not regular.
-pub const GUSSET_HIT_CROSSING: gusset_hit = 1;
+pub const GUSSET_HIT_CROSSING: gusset_hit_kind = 1;
 /// It touches the surface within the tolerance: one point, two close to each other, or none.
-pub const GUSSET_HIT_TOUCH: gusset_hit = 2;
+pub const GUSSET_HIT_TOUCH: gusset_hit_kind = 2;
 /// It runs in the surface, within the tolerance, all over the span.
-pub const GUSSET_HIT_INSIDE: gusset_hit = 3;
+pub const GUSSET_HIT_INSIDE: gusset_hit_kind = 3;
 
 /// A point that a line or a curve and a surface have in common.
 #[repr(C)]
@@ -60,7 +60,7 @@ pub struct gusset_surface_hit {
     /// x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
     pub normal: [f64; 3],
     /// GUSSET_HIT_...
-    pub kind: gusset_hit,
+    pub kind: gusset_hit_kind,
     /// 0.
     pub reserved: u32,
 }
@@ -110,7 +110,7 @@ const _: () = assert!(
 );
 
 /// What a hit is called in C, by how often it counts.
-fn kind(multiplicity: u32) -> gusset_hit {
+fn kind(multiplicity: u32) -> gusset_hit_kind {
     match multiplicity {
         0 => GUSSET_HIT_INSIDE,
         1 => GUSSET_HIT_CROSSING,
@@ -166,7 +166,7 @@ pub(super) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>
     Ok(alloc::collect(lines)?)
 }
 
-fn which(which: gusset_which) -> Result<Which, Failure> {
+fn which(which: gusset_hits_wanted) -> Result<Which, Failure> {
     match which {
         GUSSET_WHICH_ALL => Ok(Which::All),
         GUSSET_WHICH_FIRST => Ok(Which::First),
@@ -190,7 +190,7 @@ pub unsafe extern "C" fn gusset_carcass_lines(
     carcass: *const gusset_carcass,
     lines: *const gusset_line,
     count: usize,
-    which: gusset_which,
+    which: gusset_hits_wanted,
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
@@ -238,7 +238,7 @@ pub unsafe extern "C" fn gusset_carcass_curve(
     context: *const gusset_context,
     carcass: *const gusset_carcass,
     curve: *const gusset_curve,
-    which: gusset_which,
+    which: gusset_hits_wanted,
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
