@@ -285,8 +285,16 @@ static void questions(void) {
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_carcass_evaluate(context, carcass, places, 2, found));
     EXPECT(GUSSET_OK, gusset_context_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_PLACE && report.index == 1);
+    CHECK(found[0].normal_kind == GUSSET_NORMAL_NONE && found[0].uv[2] == 0.0);
     places[1].v = 1.0, places[1].reserved = 1;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_carcass_evaluate(context, carcass, places, 2, found));
+    /* What was in the buffers is gone whatever the reason. */
+    memset(found, 7, sizeof found), memset(places, 7, sizeof places);
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_carcass_evaluate(context, carcass, NULL, 2, found));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_carcass_locate(context, carcass, 0, parameters, 2, places));
+    gusset_context_reset(context);
+    CHECK(found[1].is_curved == 0 && found[0].point[0] == 0 && places[0].row == 0 && places[1].v == 0);
     gusset_carcass_destroy(carcass);
     gusset_sheet_destroy(sheet);
 }

@@ -10,7 +10,8 @@ use super::sheet::{copied_nodes, gusset_nodes, gusset_sheet};
 use super::status::{Failure, gusset_status};
 use crate::alloc;
 use crate::carcass::make::{CurveNet, FrameSurface, Spline, SplineAxis, Tangents, Twists};
-use crate::carcass::{Patches, Sheet};
+use crate::carcass::{MAX_DEGREE, Patches, Sheet};
+use crate::error::Error;
 use crate::outline::CurveView;
 
 /// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
@@ -213,8 +214,12 @@ pub unsafe extern "C" fn gusset_sheet_from_patches(
 ) -> gusset_status {
     create(context, sheet, "sheet", |_| {
         let degrees = [degree_u as usize, degree_v as usize];
-        let each = times(degrees[0].saturating_add(1), degrees[1].saturating_add(1))?;
-        let points = self::points(points, times(times(rows, columns)?, each)?, 3)?;
+        if let Some(&degree) = degrees.iter().find(|degree| !(1..=MAX_DEGREE).contains(*degree)) {
+            return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 }.into());
+        }
+        let each = (degrees[0] + 1) * (degrees[1] + 1);
+        let count = times(times(rows, columns, "patches")?, each, "control points")?;
+        let points = self::points(points, count, 3)?;
         Ok(gusset_sheet(if degree_u.max(degree_v) <= 3 {
             Sheet::Cubic(Patches::new(&points, degrees, rows, columns)?)
         } else {
@@ -239,7 +244,7 @@ pub unsafe extern "C" fn gusset_sheet_from_spline(
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
         let given = input::read(spline, false, "spline")?;
-        let points = points(given.points, times(given.count_u, given.count_v)?, 3)?;
+        let points = points(given.points, times(given.count_u, given.count_v, "control points")?, 3)?;
         let u = numbers(given.knots_u, given.knot_count_u, "knots_u")?;
         let v = numbers(given.knots_v, given.knot_count_v, "knots_v")?;
         let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
