@@ -98,6 +98,13 @@ public:
     const gusset_carcass *get() const noexcept { return carcass_.get(); }
     /// How large it is, and its box.
     gusset_carcass_facts info() const { return detail::lent(gusset_carcass_info, get()); }
+    /// What sheet k is: its cells, and where they begin among those of all sheets.
+    gusset_carcass_sheet_facts sheet(std::size_t k) const {
+        gusset_carcass_sheet_facts facts{};
+        facts.struct_size = sizeof facts;
+        detail::check(gusset_carcass_sheet(get(), k, &facts));
+        return facts;
+    }
 
     /// The nearest point to each query.
     std::vector<Closest> closest(Span<const Point3> queries, const ClosestOptions &options = {},

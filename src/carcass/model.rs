@@ -21,10 +21,10 @@ pub struct Place {
 }
 
 /// The greatest absolute coordinate that a sheet of a carcass may have: boxes are in single precision.
-pub const LARGEST: f64 = 1e37;
+pub const LARGEST_COORDINATE: f64 = 1e37;
 /// The least that the greatest absolute coordinate of a sheet of a carcass may be, if it is not 0: boxes of smaller surfaces would be far
 /// larger than these.
-pub const SMALLEST: f64 = 1e-30;
+pub const SMALLEST_COORDINATE: f64 = 1e-30;
 
 /// A surface and its index. Immutable: any number of threads may ask.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ impl<'a> Carcass<'a> {
     /// Builds the index of one sheet or several. `tolerance`: a length, to which answers are proved; `None`: 1e-9 of the diagonal of the
     /// surface's box.
     ///
-    /// The greatest absolute coordinate of each sheet is from [`SMALLEST`] to [`LARGEST`], or 0.
+    /// The greatest absolute coordinate of each sheet is from [`SMALLEST_COORDINATE`] to [`LARGEST_COORDINATE`], or 0.
     ///
     /// # Errors
     /// [`Error::EmptyMesh`] without sheets, [`Error::SheetOutOfRange`], [`Error::OptionOutOfRange`] for a tolerance that is negative or not
@@ -130,7 +130,7 @@ fn check_range(sheet: usize, bounds: Bounds) -> Result<()> {
         .iter()
         .flat_map(|corner| corner.abs().to_array())
         .fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most });
-    if largest == 0.0 || (SMALLEST..=LARGEST).contains(&largest) {
+    if largest == 0.0 || (SMALLEST_COORDINATE..=LARGEST_COORDINATE).contains(&largest) {
         return Ok(());
     }
     Err(Error::SheetOutOfRange { sheet: sheet as u64, value: if largest.is_nan() { f64::INFINITY } else { largest } })

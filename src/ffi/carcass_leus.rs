@@ -47,7 +47,7 @@ pub struct gusset_mask_task {
     pub point: [f64; 3],
     /// Its direction, of any length but 0; not read for points.
     pub direction: [f64; 3],
-    /// A distance, 0 or more, in the unit of the nodes, for angles in radians; not read for the nearest.
+    /// A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
     pub within: f64,
     /// Of GUSSET_MASK_ANGLE: the angle, 0 to pi.
     pub angle: f64,
@@ -200,8 +200,8 @@ impl From<&Found> for gusset_mask_report {
 /// length of the shortest curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0;
 /// either may be NULL alone. written: receives the number of cells. greatest: receives two numbers, the greatest of the first and
 /// of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
-/// CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. Source: Leus, eqs. (1) and (7); the bounds
-/// are ours.
+/// CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. From any thread. Source: Leus, eqs. (1)
+/// and (7); the bounds are ours.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_diameters(
@@ -246,7 +246,7 @@ fn give<T: bytemuck::Pod>(
 /// Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
 ///
 /// bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// OUT_OF_MEMORY, CANCELLED. O(cells); threads.
+/// OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_curvature_bound(
@@ -269,13 +269,13 @@ fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> 
 
 /// A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
 ///
-/// words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells;
-/// NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the
-/// region, two numbers each. cells: receives row and column of each cell of the chain, from and to included, two numbers each; NULL
-/// with capacity 0 to ask for the size. capacity: how many cells it has room for. written: receives the number of cells, the
-/// integer length; 0 if there is no chain. The sum of their diameters bounds the distance between points of from and of to. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL,
-/// OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
+/// words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
+/// j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
+/// column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
+/// from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
+/// written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
+/// distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
+/// NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_chain(
@@ -304,8 +304,8 @@ pub unsafe extern "C" fn gusset_sheet_chain(
 /// Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
 ///
 /// words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for
-/// the worst O(cells^2), which can be cancelled. Source: Leus, eqs. (4) to (6).
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
+/// for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_region(

@@ -177,12 +177,12 @@ fn which(which: gusset_hits_wanted) -> Result<Which, Failure> {
 
 /// Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
 ///
-/// A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line touches the
-/// surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none. which:
-/// GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
+/// touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
+/// which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
 /// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
 /// SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
-/// threads. A carcass may be asked from many threads. Source: Leus, "Carcasses on smooth surfaces", task c.
+/// threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_lines(
@@ -201,8 +201,9 @@ pub unsafe extern "C" fn gusset_carcass_lines(
 
 /// The first hit of each of many lines, rays or segments: that of least t, which gusset_carcass_lines gives first.
 ///
-/// hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where there is none, and everywhere on failure.
-/// Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About O(log cells) a line; threads.
+/// lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
+/// where there is none, and everywhere on failure. Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About
+/// O(log cells) a line; threads. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_first_hits(
@@ -228,10 +229,10 @@ pub unsafe extern "C" fn gusset_carcass_first_hits(
 
 /// Where a curve in space meets a surface, in the order of the curve.
 ///
-/// As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits: receives the
-/// result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-/// EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve comes near to;
-/// bounded for each segment and cell that run in each other; threads. Source: Leus, task c.
+/// As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
+/// receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
+/// comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_curve(
