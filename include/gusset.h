@@ -192,18 +192,18 @@
 /**
  * gusset_surface_closest: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
  */
-#define GUSSET_SURFACE_POINT_FOUND 1
+#define GUSSET_SURFACE_CLOSEST_FOUND 1
 
 /**
  * gusset_surface_closest: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
  * would take too long, as it may next to a centre of curvature; bound is right nevertheless.
  */
-#define GUSSET_SURFACE_POINT_PROVEN 2
+#define GUSSET_SURFACE_CLOSEST_PROVEN 2
 
 /**
  * gusset_surface_closest: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
  */
-#define GUSSET_SURFACE_POINT_MANY 4
+#define GUSSET_SURFACE_CLOSEST_MANY 4
 
 /**
  * gusset_sheet_curve: u stays and v runs: along rows.
@@ -1131,13 +1131,13 @@ typedef struct gusset_assembly gusset_assembly;
 typedef struct gusset_boundary gusset_boundary;
 
 /**
- * A smooth surface of one or more sheets with an index, which answers. Opaque and immutable; it keeps what it needs of its sheets,
- * and may be asked from many threads at the same time.
+ * A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all functions may use it from any thread, and
+ * many at the same time, each with a context of its own; it is destroyed when none uses it any more. It keeps what it needs of its sheets.
  */
 typedef struct gusset_carcass gusset_carcass;
 
 /**
- * Pairs of cells. Opaque and immutable.
+ * Pairs of cells. Opaque and immutable; it keeps nothing of the carcasses.
  */
 typedef struct gusset_cell_pairs gusset_cell_pairs;
 
@@ -1240,7 +1240,8 @@ typedef struct gusset_scene gusset_scene;
 typedef struct gusset_sections gusset_sections;
 
 /**
- * A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable; may be used from many threads.
+ * A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all functions may use it from any thread, and many at
+ * the same time, each with a context of its own; it is destroyed when none uses it any more.
  */
 typedef struct gusset_sheet gusset_sheet;
 
@@ -1275,7 +1276,7 @@ typedef struct gusset_strip gusset_strip;
 typedef struct gusset_surface_hits gusset_surface_hits;
 
 /**
- * Curves on a surface: what sections, contours and intersections give. Opaque and immutable.
+ * Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it keeps nothing of the carcass.
  */
 typedef struct gusset_surface_paths gusset_surface_paths;
 
@@ -1895,7 +1896,7 @@ typedef struct gusset_carcass_options {
      */
     size_t struct_size;
     /**
-     * A length, to which answers are proved; 0: 1e-9 of the diagonal of the surface's box.
+     * A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
      */
     double tolerance;
 } gusset_carcass_options;
@@ -1951,7 +1952,7 @@ typedef struct gusset_surface_paths_parts {
      */
     struct gusset_indices ends;
     /**
-     * By curve: 1 if it returns to its first point, which is not repeated.
+     * By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and gusset_curve_through have it again at the end.)
      */
     const uint32_t *closed;
     /**
@@ -1993,7 +1994,7 @@ typedef struct gusset_closest_options {
      */
     size_t struct_size;
     /**
-     * No point farther than this is looked for, if limited is 1; at least 0.
+     * No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
      */
     double limit;
     /**
@@ -2035,7 +2036,7 @@ typedef struct gusset_surface_closest {
      */
     double bound;
     /**
-     * GUSSET_SURFACE_POINT_...
+     * GUSSET_SURFACE_CLOSEST_...
      */
     uint32_t flags;
     /**
@@ -2132,44 +2133,6 @@ typedef struct gusset_surface_region_parts {
 } gusset_surface_region_parts;
 
 /**
- * What a carcass is.
- */
-typedef struct gusset_carcass_facts {
-    /**
-     * sizeof(gusset_carcass_facts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many sheets.
-     */
-    size_t sheet_count;
-    /**
-     * How many cells, of all sheets.
-     */
-    size_t cell_count;
-    /**
-     * How many corners of cells: of sheets from nodes, the nodes.
-     */
-    size_t node_count;
-    /**
-     * Bytes of the index; the nodes are not counted.
-     */
-    size_t index_bytes;
-    /**
-     * The length to which answers are proved.
-     */
-    double tolerance;
-    /**
-     * A corner of a box round the surface: the least x, y, z.
-     */
-    double low[3];
-    /**
-     * The greatest.
-     */
-    double high[3];
-} gusset_carcass_facts;
-
-/**
  * How the surface is drawn through nodes.
  */
 typedef uint32_t gusset_scheme;
@@ -2260,6 +2223,80 @@ typedef struct gusset_surface_point {
 } gusset_surface_point;
 
 /**
+ * What a carcass is.
+ */
+typedef struct gusset_carcass_facts {
+    /**
+     * sizeof(gusset_carcass_facts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many sheets.
+     */
+    size_t sheet_count;
+    /**
+     * How many cells, of all sheets.
+     */
+    size_t cell_count;
+    /**
+     * How many corners of cells: of sheets from nodes, the nodes.
+     */
+    size_t node_count;
+    /**
+     * Bytes of the index; the nodes are not counted.
+     */
+    size_t index_bytes;
+    /**
+     * The length to which answers are proved.
+     */
+    double tolerance;
+    /**
+     * A corner of a box round the surface and the control nets of its cells, which may be larger than the surface: the least x, y, z.
+     */
+    double low[3];
+    /**
+     * The greatest.
+     */
+    double high[3];
+} gusset_carcass_facts;
+
+/**
+ * What a sheet of a carcass is.
+ */
+typedef struct gusset_carcass_sheet_facts {
+    /**
+     * sizeof(gusset_carcass_sheet_facts), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Cells in u: u runs from 0 to this. There is one more row of corners.
+     */
+    size_t rows;
+    /**
+     * Cells in v.
+     */
+    size_t columns;
+    /**
+     * The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each row after row: of cell (i, j) it is
+     * first_cell + i * columns + j, the bit of masks of gusset_surface_region_parts.
+     */
+    uint64_t first_cell;
+    /**
+     * The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each: where its values begin for
+     * gusset_carcass_contours.
+     */
+    uint64_t first_node;
+    /**
+     * 1: closed in u.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: closed in v.
+     */
+    uint32_t closed_v;
+} gusset_carcass_sheet_facts;
+
+/**
  * What a cell region is like.
  */
 typedef struct gusset_region_report {
@@ -2317,7 +2354,7 @@ typedef struct gusset_mask_task {
      */
     double direction[3];
     /**
-     * A distance, 0 or more, in the unit of the nodes, for angles in radians; not read for the nearest.
+     * A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
      */
     double within;
     /**
@@ -2399,7 +2436,8 @@ typedef struct gusset_level_options {
      */
     size_t struct_size;
     /**
-     * With GUSSET_BETWEEN_CHORD: a length above 0; no smaller one counts than the tolerance of the carcass. Otherwise not read.
+     * With GUSSET_BETWEEN_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the carcass. Otherwise not read. (In
+     * gusset_intersect_options, which has no `between`, a chord of 0 stands for GUSSET_BETWEEN_AUTO and INFINITY for GUSSET_BETWEEN_NOTHING.)
      */
     double chord;
     /**
@@ -2457,12 +2495,12 @@ typedef struct gusset_nearest_angle {
 /**
  * Which hits are wanted.
  */
-typedef uint32_t gusset_which;
+typedef uint32_t gusset_hits_wanted;
 
 /**
  * What a hit is.
  */
-typedef uint32_t gusset_hit;
+typedef uint32_t gusset_hit_kind;
 
 /**
  * A point that a line or a curve and a surface have in common.
@@ -2491,7 +2529,7 @@ typedef struct gusset_surface_hit {
     /**
      * GUSSET_HIT_...
      */
-    gusset_hit kind;
+    gusset_hit_kind kind;
     /**
      * 0.
      */
@@ -2556,12 +2594,13 @@ typedef struct gusset_intersect_options {
     size_t struct_size;
     /**
      * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
-     * INFINITY: points are only where it crosses sides of cells of either surface.
+     * INFINITY: points are only where it crosses sides of cells of either surface. (In gusset_level_options `between` says which of these is
+     * meant, GUSSET_BETWEEN_AUTO, _CHORD or _NOTHING, and chord is read for the second only.)
      */
     double chord;
     /**
-     * A length: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0: the
-     * smaller one of the tolerances of the two carcasses.
+     * A length, finite: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0:
+     * the smaller one of the tolerances of the two carcasses.
      */
     double tolerance;
 } gusset_intersect_options;
@@ -4874,7 +4913,7 @@ typedef struct gusset_curve_net {
      */
     size_t column_count;
     /**
-     * How far apart curves may be where they meet; both are moved to the middle. 0: 1e-6 of the diagonal of their box.
+     * How far apart curves may be where they meet, a length, finite; both are moved to the middle. 0: 1e-6 of the diagonal of their box.
      */
     double tolerance;
     /**
@@ -4896,7 +4935,7 @@ typedef struct gusset_sheet_mesh_options {
      */
     size_t struct_size;
     /**
-     * How far triangles may be from the surface, a length more than 0; 0: no demand.
+     * How far triangles may be from the surface, a length more than 0; 0, or INFINITY: no demand.
      */
     double tolerance;
     /**
@@ -5991,7 +6030,7 @@ typedef struct gusset_winged_view {
 #define GUSSET_ELEMENT_BYTE 19
 
 /**
- * One of the operations, fields or gluings that were given.
+ * One of the operations, fields, gluings, lines, sheets or curves that were given.
  */
 #define GUSSET_ELEMENT_ITEM 21
 
@@ -6130,9 +6169,12 @@ gusset_status gusset_boundary_defects(const struct gusset_boundary *boundary,
 /**
  * Builds the index of one sheet or several, which together are one surface.
  *
- * sheets: count handles, none NULL; they may be destroyed afterwards. options: NULL for the defaults. carcass: receives the result, for
- * gusset_carcass_destroy; NULL on failure. Errors: NULL_ARGUMENT, EMPTY_MESH without sheets, OUT_OF_RANGE (tolerance),
- * OUT_OF_MEMORY, CANCELLED. O(nodes), about 8 bytes a node; threads.
+ * sheets: count handles, none NULL, the array at any alignment; they may be destroyed afterwards. The greatest absolute
+ * coordinate of each is from 1e-30 to 1e37, or 0, control points included: boxes are in single precision. options: NULL for the
+ * defaults. carcass: receives the result, for gusset_carcass_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
+ * its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
+ * OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 8 bytes a node; threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6150,7 +6192,8 @@ GUSSET_API void gusset_carcass_destroy(struct gusset_carcass *carcass);
 /**
  * The curves, lent until they are destroyed.
  *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * O(1). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6165,13 +6208,14 @@ GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths)
 /**
  * The nearest points of a surface to queries, one or many.
  *
- * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit. points: room for
- * count answers, in the order of the queries; cleared first. Each answer is the same to the bit whether it is asked for alone or among
- * others, in any order, on any number of threads; of several nearest points it is that of the first sheet, row and column. What is proved is
- * relative to the surface as declared: no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRIDE, SIZE_OVERFLOW,
- * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED; nothing is found after an error.
- * O(log nodes) a query but for queries near centres of curvature, which take bounded work; threads. Source: Leus, "Carcasses on
- * smooth surfaces", task a, by branch and bound.
+ * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit.
+ * points: room for count answers, in the order of the queries; none is found on failure: no flags, and infinite distances. Each
+ * answer is the same to the bit whether it is asked for alone or among others, in any order, on any number of threads; of
+ * several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
+ * no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
+ * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
+ * for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Carcasses on smooth
+ * surfaces", task a, by branch and bound.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6186,11 +6230,12 @@ gusset_status gusset_carcass_closest(const struct gusset_context *context,
 /**
  * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
  *
- * query: x, y, z. options: NULL for the defaults: all. points: receives the result, the nearest first, for gusset_surface_points_destroy;
- * NULL on failure. None is missed: where it cannot be proved whether there is one (the distance is the same all round, as at a
- * focus), one point is given for all cells that touch, without GUSSET_SURFACE_POINT_PROVEN and with GUSSET_SURFACE_POINT_MANY. On open
- * borders and creases, places count from which no way on the surface leads nearer. Errors: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
- * (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(cells within the limit); with most, those no farther than the last.
+ * query: x, y, z, at any alignment. options: NULL for the defaults: all. points: receives the result, the nearest first, for
+ * gusset_surface_points_destroy; NULL on failure. None is missed: where it cannot be proved whether there is one (the distance
+ * is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_SURFACE_CLOSEST_PROVEN and
+ * with GUSSET_SURFACE_CLOSEST_MANY. On open borders and creases, places count from which no way on the surface leads nearer.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
+ * CANCELLED. O(cells within the limit); with most, those no farther than the last. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6217,9 +6262,10 @@ GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *poin
 /**
  * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
  *
- * query: x, y, z; radius: at least 0. region: receives all cells that have such a point, and no others but such as come within the
- * tolerance of the radius or could not be decided in bounded work; for gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * NOT_FINITE, OUT_OF_RANGE (radius), OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell).
+ * query: x, y, z, at any alignment; radius: at least 0; INFINITY: all cells. region: receives all cells that have such a point,
+ * and no others but such as come within the tolerance of the radius or could not be decided in bounded work; for
+ * gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (radius),
+ * OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6244,21 +6290,14 @@ gusset_status gusset_surface_region_view(const struct gusset_surface_region *reg
 GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
 
 /**
- * What a carcass is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(sheets). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_info(const struct gusset_carcass *carcass,
-                                  struct gusset_carcass_facts *facts);
-
-/**
  * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
  *
- * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one again.
- * closed: 0 or 1. scheme: GUSSET_SCHEME_... curve: receives the result, for gusset_curve_destroy; NULL on failure. Errors:
- * NULL_ARGUMENT, NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE,
- * SIZE_OVERFLOW, OUT_OF_MEMORY. O(count). Source: Leus, "Carcasses on smooth surfaces": points are the carcass of a curve.
+ * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one
+ * again: closed paths of a surface do not repeat it, and need it added. closed: 0 or 1. scheme: GUSSET_SCHEME_... curve:
+ * receives the result, for gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve),
+ * NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE, SIZE_OVERFLOW,
+ * OUT_OF_MEMORY, CANCELLED. O(count). From any thread. Source: Leus, "Carcasses on smooth surfaces": points are the carcass of a
+ * curve.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6272,9 +6311,10 @@ gusset_status gusset_curve_through(const struct gusset_context *context,
 /**
  * A coordinate curve of a sheet, exactly: a segment for each cell.
  *
- * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round. parameter:
- * 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for gusset_curve_destroy; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter), OUT_OF_MEMORY. O(cells along the curve).
+ * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round.
+ * parameter: 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for
+ * gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter),
+ * OUT_OF_MEMORY, CANCELLED. O(cells along the curve). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6287,11 +6327,11 @@ gusset_status gusset_sheet_curve(const struct gusset_context *context,
 /**
  * Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
  *
- * within: a length, 0 or more; below 1e-12 of the curves' size that is taken. places: receives the places on the first curve, those on the
- * other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be told apart; undecided is 1 if
- * something was given up that may be near enough. For gusset_places_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for each pair of segments
- * whose boxes are near.
+ * within: a length, 0 or more and finite; below 1e-12 of the curves' size that is taken. places: receives the places on the
+ * first curve, those on the other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be
+ * told apart; undecided is 1 if something was given up that may be near enough. For gusset_places_destroy; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for
+ * each pair of segments whose boxes are near. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6304,8 +6344,8 @@ gusset_status gusset_curve_approach(const struct gusset_context *context,
 /**
  * Where a curve in space comes as near to a line, ray or segment as `within`.
  *
- * line: one. The others among the places have segment 0, and the line's own parameter as t. All else as for gusset_curve_approach; also
- * OUT_OF_RANGE for a line that is not finite or has no direction.
+ * line: one, at any alignment. The others among the places have segment 0, and the line's own parameter as t. All else as for
+ * gusset_curve_approach; also OUT_OF_RANGE for a line that is not finite or has no direction. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6318,9 +6358,9 @@ gusset_status gusset_curve_approach_line(const struct gusset_context *context,
 /**
  * Points, derivatives, normals and curvatures at places.
  *
- * places: count of them. results: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
+ * places: count of them, at any alignment. results: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
  * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
- * CANCELLED; nothing is written then. O(1) a place, at a pole O(cells round it); threads.
+ * CANCELLED. O(1) a place, at a pole O(cells round it); threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6334,8 +6374,9 @@ gusset_status gusset_carcass_evaluate(const struct gusset_context *context,
  * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round; what is beyond an open side is on
  * it. The other way the parameters of a place are row + u and column + v.
  *
- * parameters: u, v of each, packed. places: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first
- * pair that is not finite, or if there is no such sheet; nothing is written then. O(1) each.
+ * parameters: u, v of each, packed, at any alignment. places: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any
+ * thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6347,14 +6388,35 @@ gusset_status gusset_carcass_locate(const struct gusset_context *context,
                                     struct gusset_surface_place *places);
 
 /**
+ * What a carcass is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(sheets). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_info(const struct gusset_carcass *carcass,
+                                  struct gusset_carcass_facts *facts);
+
+/**
+ * What a sheet of a carcass is.
+ *
+ * sheet: its number, as in places. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT (sheet). O(sheets). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_carcass_sheet(const struct gusset_carcass *carcass,
+                                   size_t sheet,
+                                   struct gusset_carcass_sheet_facts *facts);
+
+/**
  * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
  *
  * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the
  * length of the shortest curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0;
  * either may be NULL alone. written: receives the number of cells. greatest: receives two numbers, the greatest of the first and
  * of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
- * CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. Source: Leus, eqs. (1) and (7); the bounds
- * are ours.
+ * CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. From any thread. Source: Leus, eqs. (1)
+ * and (7); the bounds are ours.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6370,7 +6432,7 @@ gusset_status gusset_sheet_diameters(const struct gusset_context *context,
  * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
  *
  * bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * OUT_OF_MEMORY, CANCELLED. O(cells); threads.
+ * OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6381,13 +6443,13 @@ gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
 /**
  * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
  *
- * words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells;
- * NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the
- * region, two numbers each. cells: receives row and column of each cell of the chain, from and to included, two numbers each; NULL
- * with capacity 0 to ask for the size. capacity: how many cells it has room for. written: receives the number of cells, the
- * integer length; 0 if there is no chain. The sum of their diameters bounds the distance between points of from and of to. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL,
- * OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
+ * words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
+ * j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
+ * column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
+ * from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
+ * written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
+ * distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
+ * NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6405,8 +6467,8 @@ gusset_status gusset_sheet_chain(const struct gusset_context *context,
  * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
  *
  * words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for
- * the worst O(cells^2), which can be cancelled. Source: Leus, eqs. (4) to (6).
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
+ * for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6422,7 +6484,8 @@ gusset_status gusset_sheet_region(const struct gusset_context *context,
  * carcass (gusset_carcass_create) answers the same and more from its index, much faster.
  *
  * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the
- * size and the report alone. capacity: how many words it has room for. written: receives the number of words. report: what was
+ * size and the report alone; all words are 0 on failure. capacity: how many words it has room for. written: receives the number of
+ * words. report: what was
  * done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
  * (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
  * BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
@@ -6443,9 +6506,10 @@ gusset_status gusset_sheet_mask(const struct gusset_context *context,
  * cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
  * size of cells; the exact normals of the surface are had from a carcass.
  *
- * places: count places of the sheet, whose own number is not read; u and v 0 to 1. normals: receives x, y, z of each; 0 where
- * there is none. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the cell, OUT_OF_RANGE (u, v), CANCELLED.
- * Bounded work for each. From any thread. Source: Leus, fig. 1.
+ * places: count places of the sheet, whose own number is not read, at any alignment; u and v 0 to 1. normals: receives x, y, z of
+ * each; 0 where there is none, and everywhere on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+ * (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell, parameters that are not 0 to 1;
+ * OUT_OF_MEMORY, CANCELLED. Bounded work for each. From any thread. Source: Leus, fig. 1.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6459,13 +6523,14 @@ gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *cont
  * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
  * normal and the surface's.
  *
- * point: x, y, z of a point of the plane of offset 0. normal: x, y, z, not 0, of any length. offsets: count of them, rising, distances of the
- * planes from the point along the normal. options: NULL for the defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL
- * on failure. Every curve is found, also one within a cell, and on a closed surface all are closed; a corner on a plane counts as above it.
- * Cells where a plane touches or contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no
- * larger than the tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not
- * finite, a normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About
- * O(count + cells that are cut); threads. Source: Leus, "Carcasses on smooth surfaces", task d.
+ * point: x, y, z of a point of the plane of offset 0, at any alignment, as normal and offsets are. normal: x, y, z, not 0, of
+ * any length. offsets: count of them, rising, distances of the planes from the point along the normal. options: NULL for the
+ * defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL on failure. Every curve is found, also one within
+ * a cell, and on a closed surface all are closed; a corner on a plane counts as above it. Cells where a plane touches or
+ * contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
+ * tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a
+ * normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About O(count +
+ * cells that are cut); threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task d.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6482,10 +6547,10 @@ gusset_status gusset_carcass_section(const struct gusset_context *context,
  * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
  * surface is; greater values are to the left, seen from where the normals point to.
  *
- * values: value_count of them, finite: of all sheets, one after the other, each row after row, one more row and column than there are cells;
- * the last line of a closed direction repeats the first and is not used. levels: level_count of them, rising. Otherwise as
- * gusset_carcass_section. Errors: as there; SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number of the
- * value. O(values + cells that are crossed); threads.
+ * values: value_count of them, finite, at any alignment, as levels are: of all sheets, one after the other, each row after row,
+ * one more row and column than there are cells; the last line of a closed direction repeats the first and is not used. levels:
+ * level_count of them, rising. Otherwise as gusset_carcass_section. Errors: as there; SIZE_OVERFLOW if there are too few values,
+ * TOO_LARGE if too many, NOT_FINITE with the number of the value. O(values + cells that are crossed); threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6502,10 +6567,11 @@ gusset_status gusset_carcass_contours(const struct gusset_context *context,
  * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
  * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
  *
- * direction: x, y, z, not 0. angles: count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are unsigned. Otherwise as
- * gusset_carcass_section. Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side between them;
- * poles that may have the angle are listed as unresolved. Angles are of order three, as normals are; contours of the cosines at the nodes
- * are of order four. Errors: as there. O(cells); threads. Source: Leus, task b.
+ * direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
+ * / 2 if normals are unsigned. Otherwise as gusset_carcass_section. Where normals jump between cells (patches,
+ * GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
+ * Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. O(cells);
+ * threads. From any thread. Source: Leus, task b.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6520,9 +6586,10 @@ gusset_status gusset_carcass_isophotes(const struct gusset_context *context,
 /**
  * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
  *
- * direction: x, y, z, not 0. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL for the defaults; what is between
- * crossings is not used. nearest: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells); threads. Source: Leus, task b.
+ * direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
+ * for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells);
+ * threads. From any thread. Source: Leus, task b.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6536,12 +6603,12 @@ gusset_status gusset_carcass_nearest_angle(const struct gusset_context *context,
 /**
  * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
  *
- * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line touches the
- * surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none. which:
- * GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
+ * touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
+ * which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
  * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
  * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
- * threads. A carcass may be asked from many threads. Source: Leus, "Carcasses on smooth surfaces", task c.
+ * threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6549,14 +6616,15 @@ gusset_status gusset_carcass_lines(const struct gusset_context *context,
                                    const struct gusset_carcass *carcass,
                                    const struct gusset_line *lines,
                                    size_t count,
-                                   gusset_which which,
+                                   gusset_hits_wanted which,
                                    struct gusset_surface_hits **hits);
 
 /**
  * The first hit of each of many lines, rays or segments: that of least t, which gusset_carcass_lines gives first.
  *
- * hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where there is none, and everywhere on failure.
- * Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About O(log cells) a line; threads.
+ * lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
+ * where there is none, and everywhere on failure. Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About
+ * O(log cells) a line; threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6569,17 +6637,17 @@ gusset_status gusset_carcass_first_hits(const struct gusset_context *context,
 /**
  * Where a curve in space meets a surface, in the order of the curve.
  *
- * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits: receives the
- * result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
- * EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve comes near to;
- * bounded for each segment and cell that run in each other; threads. Source: Leus, task c.
+ * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
+ * receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
+ * comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
  */
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_carcass_curve(const struct gusset_context *context,
                                    const struct gusset_carcass *carcass,
                                    const struct gusset_curve *curve,
-                                   gusset_which which,
+                                   gusset_hits_wanted which,
                                    struct gusset_surface_hits **hits);
 
 /**
@@ -6601,14 +6669,14 @@ GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
 /**
  * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
  *
- * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths: receives the
- * curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at `others` are the same
- * but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of a where the two
- * touch, coincide, or meet in a single point are listed as unresolved, and curves may end there. Intersections of one surface with itself
- * are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_RANGE (chord, tolerance), TOO_LARGE
- * above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of cells that may meet, with a limit for each; threads; the
- * same bits for any number of them. The carcasses may be in use by other threads. Source: Leus, "Carcasses on smooth surfaces", task e; the
- * proofs are ours.
+ * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths:
+ * receives the curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at
+ * `others` are the same but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared;
+ * cells of a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves may end there.
+ * Intersections of one surface with itself are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ * OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of
+ * cells that may meet, with a limit for each; threads; the same bits for any number of them. From any thread. Source: Leus,
+ * "Carcasses on smooth surfaces", task e; the proofs are ours.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6621,9 +6689,9 @@ gusset_status gusset_carcass_intersect(const struct gusset_context *context,
 /**
  * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
  *
- * within: a length; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs, and
- * some for each level of the indices; 24 bytes a pair. The carcasses may be in use by other threads.
+ * within: a length, finite; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In
+ * proportion to the pairs, and some for each level of the indices; 24 bytes a pair. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8500,10 +8568,12 @@ gusset_status gusset_sections_view(const struct gusset_sections *sections,
 /**
  * Makes a surface through a copy of nodes.
  *
- * nodes: at any alignment, finite; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
- * gusset_sheet_destroy; NULL on failure. Errors: NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE
- * with the node, SIDES_DIFFER if a closed direction does not end where it begins, with the place of the largest gap, OUT_OF_MEMORY.
- * O(nodes); 24 bytes a node. Source: Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
+ * nodes: at any alignment, finite; of sheets for a carcass the greatest coordinate in absolute terms is from 1e-30 to 1e37, or
+ * 0, however the sheet is made; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
+ * gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet), BAD_STRUCT_SIZE,
+ * NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE with the node, SIDES_DIFFER if a closed
+ * direction does not end where it begins, with the place of the largest gap, OUT_OF_MEMORY, CANCELLED. O(nodes); 24 bytes a
+ * node. From any thread. Source: Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8515,8 +8585,9 @@ gusset_status gusset_sheet_from_nodes(const struct gusset_context *context,
  * Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged until the sheet and all that was made
  * of it are destroyed.
  *
- * nodes: as for gusset_sheet_from_nodes, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there; MISALIGNED_ARGUMENT.
- * O(nodes); no memory a node.
+ * nodes: as for gusset_sheet_from_nodes, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there;
+ * MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32 and for strides that are no multiples of 8; CANCELLED. O(nodes); no memory
+ * a node. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8543,11 +8614,12 @@ gusset_status gusset_sheet_info(const struct gusset_sheet *sheet,
 /**
  * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
  *
- * errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal parameters: C h^4 times the fourth
- * derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if the patches were given. bilinear: a bound of how
- * far the surface is from the bilinear patch through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL,
- * and has room for `capacity` numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value is the number of cells), OUT_OF_MEMORY,
- * CANCELLED; nothing is written then. O(cells); threads.
+ * errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal parameters:
+ * C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if
+ * the patches were given. bilinear: a bound of how far the surface is from the bilinear patch through the cell's corners;
+ * triangles: from the two triangles that either diagonal makes. Each may be NULL, and has room for `capacity` numbers. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is
+ * written then. O(cells); threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8561,7 +8633,7 @@ gusset_status gusset_sheet_estimates(const struct gusset_context *context,
 /**
  * The largest angle between the normals on both sides of borders between cells, in radians: 0, or rounding, where the surface is smooth.
  *
- * crease: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(cells); threads.
+ * crease: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8572,9 +8644,11 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
 /**
  * Makes the bicubic Hermite surface through nodes with given tangents: C1.
  *
- * nodes: as for gusset_sheet_from_nodes; the scheme is not used. tangents: rows x columns vectors each; those of the repeated line of a closed direction
- * are not read as tangents, but must be there. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: those of
- * gusset_sheet_from_nodes, NOT_FINITE with the node for tangents and twists too, CANCELLED. O(nodes); 384 bytes a cell.
+ * nodes: as for gusset_sheet_from_nodes; the scheme is not used. tangents: rows x columns vectors each; those of the repeated
+ * line of a closed direction are not read as tangents, but must be there; at any alignment. sheet: receives the surface, for
+ * gusset_sheet_destroy; NULL on failure. Errors: those of gusset_sheet_from_nodes, among them NULL_ARGUMENT, BAD_STRUCT_SIZE and
+ * UNKNOWN_VALUE (twist, reserved) for the tangents, and NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW,
+ * OUT_OF_MEMORY, CANCELLED. O(nodes); 384 bytes a cell. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8586,11 +8660,12 @@ gusset_status gusset_sheet_from_tangents(const struct gusset_context *context,
 /**
  * Makes a surface of Bézier patches in rows and columns, neighbours of which should share their sides.
  *
- * points: x, y, z of the control points, packed: patch after patch, row after row of patches; in each patch degree_v + 1 points follow each other in
- * v, degree_u + 1 times. degree_u, degree_v: 1 to 7. rows, columns: of patches, at least 1. Repeated points and sides that are one point are allowed.
- * sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, OUT_OF_RANGE (degree), EMPTY_MESH without
- * patches, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY. O(points); 384 bytes a patch up to degree 3, else
- * 1536.
+ * points: x, y, z of the control points, packed, at any alignment: patch after patch, row after row of patches; in each patch
+ * degree_v + 1 points follow each other in v, degree_u + 1 times. degree_u, degree_v: 1 to 7. rows, columns: of patches, at
+ * least 1. Repeated points and sides that are one point are allowed. sheet: receives the surface, for gusset_sheet_destroy; NULL
+ * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE (degree), EMPTY_MESH without patches, TOO_LARGE,
+ * SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(points); 384 bytes a patch up to
+ * degree 3, else 1536. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8606,10 +8681,11 @@ gusset_status gusset_sheet_from_patches(const struct gusset_context *context,
  * Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding: cells are its spans that are not empty, so that knots become
  * the whole numbers of rows and columns.
  *
- * sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE
- * (degree), NET_TOO_SMALL (too few control points), BAD_KNOTS with the first knot that is not finite, out of order or repeated too often,
- * TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(spans x degree^3); 384 bytes a span up to degree 3,
- * else 1536.
+ * spline: its arrays are at any alignment. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (degree), NET_TOO_SMALL (too few control
+ * points), BAD_KNOTS with the first knot that is not finite, out of order or repeated too often, TOO_LARGE, SIZE_OVERFLOW,
+ * NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(spans x degree^3); 384 bytes a span up to degree 3,
+ * else 1536. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8626,10 +8702,12 @@ gusset_status gusset_sheet_from_spline(const struct gusset_context *context,
  * (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a smooth surface draw curves through their points first,
  * with gusset_outline_create.
  *
- * net: the curves may be destroyed afterwards. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT (with
- * the item), BAD_STRUCT_SIZE, UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED,
- * CURVES_APART with the row and the distance (the message has the column too), or if they meet out of order, TOO_LARGE, OUT_OF_MEMORY,
- * CANCELLED. O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up to degree 3, else 1536. Source: Gordon (1969).
+ * net: the curves may be destroyed afterwards; the arrays of handles are at any alignment. sheet: receives the surface, for
+ * gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT (with the item), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ * UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED, CURVES_APART with the row and
+ * the distance (the message has the column too), or if they meet out of order, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
+ * CANCELLED. O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up to degree 3, else 1536. From any
+ * thread. Source: Gordon (1969).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8640,9 +8718,10 @@ gusset_status gusset_sheet_from_curves(const struct gusset_context *context,
 /**
  * Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
  *
- * frame: may be destroyed afterwards. kind: GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES. sheet: receives the surface, for gusset_sheet_destroy; NULL on
- * failure. Errors: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL; of curves OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or are
- * out of order along a curve; NOT_FINITE, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ * frame: may be destroyed afterwards. kind: GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES. sheet: receives the surface, for
+ * gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL; of curves
+ * OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or are out of order along a curve; NOT_FINITE, OUT_OF_MEMORY,
+ * CANCELLED. O(nodes). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8655,8 +8734,9 @@ gusset_status gusset_sheet_from_frame(const struct gusset_context *context,
  * Makes a mesh of points of a sheet. Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit; seams of closed
  * directions and poles are closed. Faces are counter-clockwise seen from where S_u x S_v points to. A mesh without faces is no failure.
  *
- * options: NULL for the defaults. mesh: receives the result, for gusset_sheet_mesh_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED. O(cells + vertices).
+ * options: NULL for the defaults. mesh: receives the result, for gusset_sheet_mesh_destroy; NULL on failure. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and
+ * more), OUT_OF_MEMORY, CANCELLED. O(cells + vertices). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8680,7 +8760,7 @@ gusset_status gusset_sheet_mesh_view(const struct gusset_sheet_mesh *mesh,
                                      struct gusset_mesh_view *view);
 
 /**
- * Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_view.
+ * Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_view. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE

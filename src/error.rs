@@ -351,6 +351,13 @@ pub enum Error {
         /// The number that is wrong.
         value: f64,
     },
+    /// The greatest absolute coordinate of a sheet is too large or too small for a carcass.
+    SheetOutOfRange {
+        /// Which of the sheets given.
+        sheet: u64,
+        /// The coordinate, or infinity.
+        value: f64,
+    },
     /// An option is outside its range.
     OptionOutOfRange {
         /// The option's name.
@@ -367,6 +374,20 @@ pub enum Error {
     Cancelled,
 }
 
+/// A number in a message: with an exponent where it would have many digits before or after the point.
+struct Number(f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let value = self.0;
+        if value == 0.0 || !value.is_finite() || (1e-4..1e9).contains(&value.abs()) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -374,7 +395,7 @@ impl fmt::Display for Error {
                 write!(f, "{count} {what}: this version takes at most {limit}")
             }
             Error::SizeOverflow { what, count } => {
-                write!(f, "{count} {what} with this stride exceed the address space")
+                write!(f, "{count} {what} exceed the address space")
             }
             Error::ArrayTooShort { what, needed, given } => {
                 write!(f, "the array of {what} needs {needed} bytes and has {given}")
@@ -415,7 +436,7 @@ impl fmt::Display for Error {
             Error::CurveNotPlane { point } => write!(f, "control point {point} is not in the plane z = 0"),
             Error::EmptyCurve => f.write_str("the curve is empty"),
             Error::NoSuchPlace { index, segment, t } => {
-                write!(f, "place {index}: there is no segment {segment} with parameter {t}")
+                write!(f, "place {index}: there is no segment {segment} with parameter {}", Number(t))
             }
             Error::NoSuchPoint { constraint, point } => {
                 write!(f, "constraint {constraint} is on point {point}, which does not exist or comes earlier")
@@ -466,15 +487,20 @@ impl fmt::Display for Error {
             Error::NodeNotFinite { node, value } => write!(f, "node {node} has a coordinate that is {value}"),
             Error::SidesDiffer { a, b } => write!(f, "the sides to be joined have {a} and {b} nodes"),
             Error::SidesApart { place, distance } => {
-                write!(f, "the sides to be welded are {distance} apart at place {place}")
+                write!(f, "the sides to be welded are {} apart at place {place}", Number(distance))
             }
             Error::WrongKnotCount { direction, given, needed } => {
                 write!(f, "direction {direction} has {given} knots; its control points and degree need {needed}")
             }
             Error::BadKnot { direction, knot, value } => {
-                write!(f, "knot {knot} of direction {direction}, {value}, is out of order or repeated too often")
+                write!(
+                    f,
+                    "knot {knot} of direction {direction}, {}, is out of order or repeated too often",
+                    Number(value)
+                )
             }
             Error::CurvesApart { row, column, distance } => {
+                let distance = Number(distance);
                 write!(f, "row {row} and column {column} of the net are {distance} apart where they are nearest")
             }
             Error::CurvesOutOfOrder { row, column } => {
@@ -494,10 +520,14 @@ impl fmt::Display for Error {
             }
             Error::GluedInside => f.write_str("the net is glued elsewhere than along whole sides, or has bridges"),
             Error::BadLine { line, value } => {
-                write!(f, "line {line} is not finite, has no direction, or ends before it begins: {value}")
+                write!(f, "line {line} is not finite, has no direction, or ends before it begins: {}", Number(value))
+            }
+            Error::SheetOutOfRange { sheet, value } => {
+                let value = Number(value);
+                write!(f, "sheet {sheet}: its greatest coordinate, {value}, is not 0 nor from 1e-30 to 1e37")
             }
             Error::OptionOutOfRange { option, value } => {
-                write!(f, "option {option} is out of range: {value}")
+                write!(f, "option {option} is out of range: {}", Number(value))
             }
             Error::OutOfMemory { bytes } => write!(f, "{bytes} bytes of memory could not be had"),
             Error::Cancelled => f.write_str("cancelled by the host"),

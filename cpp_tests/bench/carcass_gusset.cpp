@@ -35,7 +35,7 @@ public:
     std::optional<std::vector<std::size_t>> unproven() const override {
         std::vector<std::size_t> made;
         for (std::size_t k = 0; k < found_.size(); ++k) {
-            if (!(found_[k].flags & GUSSET_SURFACE_POINT_PROVEN)) {
+            if (!(found_[k].flags & GUSSET_SURFACE_CLOSEST_PROVEN)) {
                 made.push_back(k);
             }
         }

@@ -32,7 +32,7 @@ static void closest(const gusset_carcass *carcass) {
     gusset_surface_closest found[2];
 
     EXPECT(GUSSET_OK, gusset_carcass_closest(context, carcass, queries[0], 2, sizeof queries[0], NULL, found));
-    CHECK(found[0].flags == (GUSSET_SURFACE_POINT_FOUND | GUSSET_SURFACE_POINT_PROVEN));
+    CHECK(found[0].flags == (GUSSET_SURFACE_CLOSEST_FOUND | GUSSET_SURFACE_CLOSEST_PROVEN));
     CHECK(fabs(found[0].distance - 3) < 1e-12 && found[0].bound <= 3 && found[0].bound > 3 - 1e-7);
     CHECK(fabs(found[0].point[0] - 1.5) < 1e-9 && fabs(fabs(found[0].normal[2]) - 1) < 1e-12);
     CHECK(found[0].place.row == 1 && found[0].place.column == 2 && fabs(found[0].place.v - 0.25) < 1e-9);
@@ -69,7 +69,7 @@ static void minima(const gusset_carcass *carcass) {
     EXPECT(GUSSET_OK, gusset_carcass_minima(context, carcass, query, &options, &points));
     EXPECT(GUSSET_OK, gusset_surface_points_view(points, &parts));
     CHECK(parts.count == 1 && parts.complete == 1 && fabs(parts.points[0].distance - 3) < 1e-12);
-    CHECK(parts.points[0].flags == (GUSSET_SURFACE_POINT_FOUND | GUSSET_SURFACE_POINT_PROVEN));
+    CHECK(parts.points[0].flags == (GUSSET_SURFACE_CLOSEST_FOUND | GUSSET_SURFACE_CLOSEST_PROVEN));
     gusset_surface_points_destroy(points);
     options.limited = 1, options.limit = 1;
     EXPECT(GUSSET_OK, gusset_carcass_minima(context, carcass, query, &options, &points));
@@ -129,6 +129,68 @@ static void info(const gusset_carcass *carcass) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_carcass_info(carcass, misaligned()));
 }
 
+static double plane[2][9][3];
+
+/* Two sheets of 3 x 3 nodes, the second times a factor. */
+static gusset_status pair(double factor, gusset_carcass **carcass) {
+    gusset_sheet *sheets[2] = {NULL, NULL};
+    gusset_nodes nodes;
+    gusset_status status;
+    int k;
+    memset(&nodes, 0, sizeof nodes);
+    nodes.struct_size = sizeof nodes, nodes.rows = nodes.columns = 3, nodes.scalar = GUSSET_F64;
+    for (k = 0; k < 9; ++k) {
+        plane[0][k][0] = k / 3, plane[0][k][1] = k % 3;
+        plane[1][k][0] = factor * (k / 3), plane[1][k][1] = factor * (k % 3);
+    }
+    nodes.nodes = plane[0];
+    EXPECT(GUSSET_OK, gusset_sheet_from_nodes(context, &nodes, &sheets[0]));
+    nodes.nodes = plane[1];
+    EXPECT(GUSSET_OK, gusset_sheet_borrow(context, &nodes, &sheets[1]));
+    status = gusset_carcass_create(context, (const gusset_sheet *const *)sheets, 2, NULL, carcass);
+    gusset_sheet_destroy(sheets[0]), gusset_sheet_destroy(sheets[1]);
+    return status;
+}
+
+static void sheets(void) {
+    const double factors[3] = {1e39, 1e300, 1e-60};
+    gusset_carcass_sheet_facts facts;
+    gusset_carcass *carcass = NULL;
+    gusset_report report;
+    int k;
+    memset(&facts, 0, sizeof facts), memset(&report, 0, sizeof report);
+    facts.struct_size = sizeof facts, report.struct_size = sizeof report;
+    EXPECT(GUSSET_OK, pair(2.0, &carcass));
+    EXPECT(GUSSET_OK, gusset_carcass_sheet(carcass, 1, &facts));
+    CHECK(facts.rows == 2 && facts.columns == 2 && facts.first_cell == 4 && facts.first_node == 9);
+    CHECK(facts.closed_u == 0 && facts.closed_v == 0);
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_carcass_sheet(carcass, 2, &facts));
+    CHECK(facts.rows == 0 && facts.first_cell == 0 && facts.struct_size == sizeof facts);
+    EXPECT(GUSSET_OK, gusset_carcass_sheet(carcass, 0, &facts));
+    CHECK(facts.first_cell == 0 && facts.first_node == 0);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_sheet(NULL, 0, &facts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_sheet(carcass, 0, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_carcass_sheet(carcass, 0, misaligned()));
+    facts.struct_size = 8;
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_carcass_sheet(carcass, 0, &facts));
+    gusset_carcass_destroy(carcass);
+
+    /* Sizes that boxes in single precision cannot hold. */
+    for (k = 0; k < 3; ++k) {
+        EXPECT(GUSSET_ERROR_OUT_OF_RANGE, pair(factors[k], &carcass));
+        CHECK(carcass == NULL);
+        EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+        CHECK(report.element == GUSSET_ELEMENT_ITEM && report.index == 1);
+        CHECK(strncmp(gusset_context_message(context), "sheet 1", 7) == 0);
+    }
+    EXPECT(GUSSET_OK, pair(1e30, &carcass));
+    gusset_carcass_destroy(carcass);
+    EXPECT(GUSSET_OK, pair(1e-29, &carcass));
+    gusset_carcass_destroy(carcass);
+    EXPECT(GUSSET_OK, pair(0, &carcass));
+    gusset_carcass_destroy(carcass);
+}
+
 int main(void) {
     const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
     gusset_carcass *carcass;
@@ -140,6 +202,7 @@ int main(void) {
     minima(carcass);
     region(carcass);
     info(carcass);
+    sheets();
     gusset_carcass_destroy(carcass);
     gusset_context_destroy(context);
     return failures != 0;

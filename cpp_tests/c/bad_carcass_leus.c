@@ -140,9 +140,14 @@ static void masks(gusset_sheet *sheet) {
     EXPECT(GUSSET_OK, gusset_sheet_mask(context, sheet, &task, words, 1, &written, &report));
     CHECK(report.cells == CELLS);
 
-    task.curvature = -1.0;
+    task.curvature = -1.0, words[0] = 7;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_mask(context, sheet, &task, words, 1, &written, &report));
-    CHECK(written == 0 && report.cells == 0);
+    CHECK(written == 0 && report.cells == 0 && words[0] == 0);
+    words[0] = 7;
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_mask(context, sheet, &task, words, 1, &written, &report));
+    gusset_context_reset(context);
+    CHECK(words[0] == 0);
     task.curvature = 0.0, task.angle = 4.0;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_mask(context, sheet, &task, words, 1, &written, &report));
     task.angle = 1.0, task.within = NAN;
@@ -180,9 +185,18 @@ static void normals(gusset_sheet *sheet) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
            gusset_sheet_normals_by_sections(context, sheet, places, 2, (double *)misaligned()));
     places[1].u = NAN;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_normals_by_sections(context, sheet, places, 2, out));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_sheet_normals_by_sections(context, sheet, places, 2, out));
+    CHECK(out[2] == 0 && out[5] == 0);
     places[1].u = 0.0, places[1].row = 5;
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_sheet_normals_by_sections(context, sheet, places, 2, out));
+    places[1].row = 4, places[0].reserved = 1, out[0] = out[5] = 7;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_normals_by_sections(context, sheet, places, 2, out));
+    CHECK(out[0] == 0 && out[5] == 0);
+    places[0].reserved = 0, out[0] = out[5] = 7;
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_normals_by_sections(context, sheet, places, 2, out));
+    gusset_context_reset(context);
+    CHECK(out[0] == 0 && out[5] == 0);
 }
 
 int main(void) {

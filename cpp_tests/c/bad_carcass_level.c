@@ -111,6 +111,7 @@ static void sections(const gusset_carcass *carcass) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_section(context, carcass, bad, up, offsets, 3, NULL, &paths));
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_section(context, carcass, origin, bad, offsets, 3, NULL, &paths));
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_section(context, carcass, origin, up, falling, 2, NULL, &paths));
+    CHECK(strncmp(gusset_context_message(context), "option offsets ", 15) == 0);
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_section(context, carcass, origin, up, bad, 1, NULL, &paths));
     EXPECT(GUSSET_ERROR_SIZE_OVERFLOW,
            gusset_carcass_section(context, carcass, origin, up, offsets, (size_t)-1 / 2, NULL, &paths));

@@ -56,6 +56,10 @@ static void many_lines(void) {
     lines[1] = past;
     lines[2] = inside;
     lines[3] = up;
+    lines[0].origin[0] = -1e300;
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_carcass_lines(context, surface, lines, 4, GUSSET_WHICH_ALL, &hits));
+    CHECK(strstr(gusset_context_message(context), ": -1e300") != NULL);
+    lines[0] = down;
 
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_lines(context, NULL, lines, 4, GUSSET_WHICH_ALL, &hits));
     CHECK(hits == NULL);

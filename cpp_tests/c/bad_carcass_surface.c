@@ -244,6 +244,9 @@ static void questions(void) {
     const double nan[4] = {2.5, 3.25, NAN, 0.0};
     gusset_surface_place places[2];
     gusset_surface_point found[2];
+    gusset_nodes given = nodes_of(grid, 6, 6);
+    gusset_sheet *none = NULL;
+    double crease;
     gusset_report report;
 
     errors[0] = 7.0;
@@ -257,6 +260,20 @@ static void questions(void) {
 
     sheets[0] = sheet;
     EXPECT(GUSSET_OK, gusset_carcass_create(context, sheets, 1, NULL, &carcass));
+    EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_sheet_from_patches(context, grid, 3, 3, SIZE_MAX / 2, 4, &none));
+    CHECK(strstr(gusset_context_message(context), "patches") != NULL);
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_from_patches(context, grid, UINT32_MAX, 3, 1, 1, &none));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_from_patches(context, grid, 3, 0, 1, 1, &none));
+    given.scalar = GUSSET_F32;
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_sheet_borrow(context, &given, &none));
+    given.scalar = GUSSET_F64;
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_from_nodes(context, &given, &none));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_borrow(context, &given, &none));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_sheet_crease(context, sheet, &crease));
+    gusset_context_reset(context);
+    EXPECT(GUSSET_OK, gusset_sheet_crease(context, sheet, &crease));
+    CHECK(crease < 1e-12);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_locate(context, NULL, 0, parameters, 2, places));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_locate(context, carcass, 0, NULL, 2, places));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_locate(context, carcass, 0, parameters, 2, NULL));
@@ -285,8 +302,16 @@ static void questions(void) {
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_carcass_evaluate(context, carcass, places, 2, found));
     EXPECT(GUSSET_OK, gusset_context_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_PLACE && report.index == 1);
+    CHECK(found[0].normal_kind == GUSSET_NORMAL_NONE && found[0].uv[2] == 0.0);
     places[1].v = 1.0, places[1].reserved = 1;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_carcass_evaluate(context, carcass, places, 2, found));
+    /* What was in the buffers is gone whatever the reason. */
+    memset(found, 7, sizeof found), memset(places, 7, sizeof places);
+    gusset_context_cancel(context);
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_carcass_evaluate(context, carcass, NULL, 2, found));
+    EXPECT(GUSSET_ERROR_CANCELLED, gusset_carcass_locate(context, carcass, 0, parameters, 2, places));
+    gusset_context_reset(context);
+    CHECK(found[1].is_curved == 0 && found[0].point[0] == 0 && places[0].row == 0 && places[1].v == 0);
     gusset_carcass_destroy(carcass);
     gusset_sheet_destroy(sheet);
 }

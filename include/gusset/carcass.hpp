@@ -115,6 +115,13 @@ public:
     const gusset_carcass *get() const noexcept { return carcass_.get(); }
     /// How large it is, and its box.
     gusset_carcass_facts info() const { return detail::lent(gusset_carcass_info, get()); }
+    /// What sheet k is: its cells, and where they begin among those of all sheets.
+    gusset_carcass_sheet_facts sheet(std::size_t k) const {
+        gusset_carcass_sheet_facts facts{};
+        facts.struct_size = sizeof facts;
+        detail::check(gusset_carcass_sheet(get(), k, &facts));
+        return facts;
+    }
 
     /// The nearest point to each query.
     std::vector<Closest> closest(Span<const Point3> queries, const ClosestOptions &options = {},
@@ -146,7 +153,7 @@ public:
     /// Where lines, rays or segments meet the surface.
     SurfaceHits lines(Span<const Line> lines, Which which = Which::all, const Context &context = Context()) const {
         return found<SurfaceHits, gusset_surface_hits>(context, [&](gusset_context *c, gusset_surface_hits **out) {
-            return gusset_carcass_lines(c, get(), lines.data(), lines.size(), static_cast<gusset_which>(which), out);
+            return gusset_carcass_lines(c, get(), lines.data(), lines.size(), static_cast<gusset_hits_wanted>(which), out);
         });
     }
     SurfaceHits line(const Line &line, Which which = Which::all, const Context &context = Context()) const {
@@ -163,7 +170,7 @@ public:
     /// Where a curve in space meets the surface.
     SurfaceHits curve(const Curve &curve, Which which = Which::all, const Context &context = Context()) const {
         return found<SurfaceHits, gusset_surface_hits>(context, [&](gusset_context *c, gusset_surface_hits **out) {
-            return gusset_carcass_curve(c, get(), curve.get(), static_cast<gusset_which>(which), out);
+            return gusset_carcass_curve(c, get(), curve.get(), static_cast<gusset_hits_wanted>(which), out);
         });
     }
 

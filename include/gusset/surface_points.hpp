@@ -13,11 +13,11 @@ struct Closest : gusset_surface_closest {
     Closest() : gusset_surface_closest{} {}
     explicit Closest(const gusset_surface_closest &found) : gusset_surface_closest(found) {}
     /// There is one within the limit.
-    bool is_found() const noexcept { return (flags & GUSSET_SURFACE_POINT_FOUND) != 0; }
+    bool is_found() const noexcept { return (flags & GUSSET_SURFACE_CLOSEST_FOUND) != 0; }
     /// Its distance is proved.
-    bool is_proven() const noexcept { return (flags & GUSSET_SURFACE_POINT_PROVEN) != 0; }
+    bool is_proven() const noexcept { return (flags & GUSSET_SURFACE_CLOSEST_PROVEN) != 0; }
     /// Another point, elsewhere, is as near.
-    bool is_one_of_many() const noexcept { return (flags & GUSSET_SURFACE_POINT_MANY) != 0; }
+    bool is_one_of_many() const noexcept { return (flags & GUSSET_SURFACE_CLOSEST_MANY) != 0; }
 };
 static_assert(sizeof(Closest) == sizeof(gusset_surface_closest) && std::is_standard_layout_v<Closest>, "nothing added");
 

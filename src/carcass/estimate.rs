@@ -9,9 +9,12 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
+use std::ops::Range;
 
-/// Rows of cells between two reports of progress.
+/// Rows of cells, or chunks of them, between two reports of progress.
 const ROUND: usize = 64;
+/// Cells that a thread takes at a time, where they do not come by rows.
+const CHUNK: usize = 1 << 10;
 
 impl Sheet<'_> {
     /// For each cell, row after row, an estimate of how far a grid's surface is from the smooth one that its nodes were taken from, at equal
@@ -76,24 +79,56 @@ impl Sheet<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn crease(&self, job: &Job<'_>) -> Result<f64> {
-        let ([rows, columns], [closed_u, closed_v]) = (self.cells(), self.is_closed());
-        let apart = |a: DVec3, b: DVec3| if a == DVec3::ZERO || b == DVec3::ZERO { 0.0 } else { angle(a, b) };
-        let angles = by_row(rows, 1, "comparing normals", job, |i, angles: &mut Vec<f64>| {
-            let mut worst = 0.0_f64;
-            for j in 0..columns {
-                let (below, right) = ((i + 1) % rows, (j + 1) % columns);
-                for t in [0.0, 0.5, 1.0] {
-                    if i + 1 < rows || closed_u {
-                        worst = worst.max(apart(self.normal(i, j, 1.0, t), self.normal(below, j, 0.0, t)));
-                    }
-                    if j + 1 < columns || closed_v {
-                        worst = worst.max(apart(self.normal(i, j, t, 1.0), self.normal(i, right, t, 0.0)));
-                    }
-                }
+        each_sheet!(self, cells => crease_of(cells, self.is_closed(), job))
+    }
+}
+
+/// [`Sheet::crease`]: by consecutive cells, each with the next ones in u and in v.
+fn crease_of<const N: usize>(cells: &impl Cells<N>, [closed_u, closed_v]: [bool; 2], job: &Job<'_>) -> Result<f64> {
+    let [rows, columns] = cells.counts();
+    let in_chunk = |range: Range<usize>| {
+        let mut worst = Apart::default();
+        let mut next = None;
+        for (i, j) in range.map(|k| (k / columns, k % columns)) {
+            let patch = next.take().unwrap_or_else(|| cells.patch(i, j));
+            if i + 1 < rows || closed_u {
+                let below = cells.patch((i + 1) % rows, j);
+                worst.join(patch.normals_at_side(false, true), below.normals_at_side(false, false));
             }
-            angles.push(worst);
-        })?;
-        Ok(angles.into_iter().fold(0.0, f64::max))
+            if j + 1 < columns || closed_v {
+                let right = cells.patch(i, (j + 1) % columns);
+                worst.join(patch.normals_at_side(true, true), right.normals_at_side(true, false));
+                next = (j + 1 < columns).then_some(right);
+            }
+        }
+        worst.angle
+    };
+    let (count, mut worst) = (rows * columns, 0.0_f64);
+    for from in (0..count).step_by(ROUND * CHUNK) {
+        job.step(from as f64 / count as f64, "comparing normals")?;
+        let round = (ROUND * CHUNK).min(count - from);
+        let parts = par::chunks(job.threads(), round, CHUNK, |range| in_chunk(from + range.start..from + range.end));
+        worst = parts.into_iter().fold(worst, f64::max);
+    }
+    Ok(worst)
+}
+
+/// The largest angle so far, and the square of the chord between its unit vectors, which rises with it and costs less.
+#[derive(Default)]
+struct Apart {
+    chord: f64,
+    angle: f64,
+}
+
+impl Apart {
+    /// Compares normals on both sides; those that are 0 do not count.
+    fn join(&mut self, one: [DVec3; 3], other: [DVec3; 3]) {
+        for (a, b) in one.into_iter().zip(other) {
+            let chord = a.distance_squared(b);
+            if chord > self.chord && a != DVec3::ZERO && b != DVec3::ZERO {
+                *self = Apart { chord, angle: self.angle.max(angle(a, b)) };
+            }
+        }
     }
 }
 
@@ -106,9 +141,10 @@ fn by_row<T: Send>(
     work: impl Fn(usize, &mut Vec<T>) + Sync,
 ) -> Result<Vec<T>> {
     let mut all = alloc::with_capacity(rows.saturating_mul(each))?;
-    for from in (0..rows).step_by(ROUND) {
+    let round = (ROUND * CHUNK / each.max(1)).clamp(1, ROUND);
+    for from in (0..rows).step_by(round) {
         job.step(from as f64 / rows as f64, stage)?;
-        let parts = par::map(job.threads(), from..rows.min(from + ROUND), |i| {
+        let parts = par::map(job.threads(), from..rows.min(from + round), |i| {
             let mut row = alloc::with_capacity(each)?;
             work(i, &mut row);
             Ok(row)

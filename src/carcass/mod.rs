@@ -36,7 +36,7 @@ pub use curve::curve_through;
 pub use evaluate::{Curvatures, Local};
 pub use grid::{Grid, MAX_NODES, Nodes};
 pub use mesh::{SurfaceMesh, SurfaceMeshOptions};
-pub use model::{Carcass, Place};
+pub use model::{Carcass, LARGEST_COORDINATE, Place, SMALLEST_COORDINATE};
 pub use normal::{Normal, NormalKind};
 pub use patch::{Jet, Patch};
 pub use patches::{MAX_DEGREE, Patches};

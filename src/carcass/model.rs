@@ -20,6 +20,12 @@ pub struct Place {
     pub v: f64,
 }
 
+/// The greatest absolute coordinate that a sheet of a carcass may have: boxes are in single precision.
+pub const LARGEST_COORDINATE: f64 = 1e37;
+/// The least that the greatest absolute coordinate of a sheet of a carcass may be, if it is not 0: boxes of smaller surfaces would be far
+/// larger than these.
+pub const SMALLEST_COORDINATE: f64 = 1e-30;
+
 /// A surface and its index. Immutable: any number of threads may ask.
 #[derive(Debug)]
 pub struct Carcass<'a> {
@@ -32,14 +38,19 @@ impl<'a> Carcass<'a> {
     /// Builds the index of one sheet or several. `tolerance`: a length, to which answers are proved; `None`: 1e-9 of the diagonal of the
     /// surface's box.
     ///
+    /// The greatest absolute coordinate of each sheet is from [`SMALLEST_COORDINATE`] to [`LARGEST_COORDINATE`], or 0.
+    ///
     /// # Errors
-    /// [`Error::EmptyMesh`] without sheets, [`Error::OptionOutOfRange`] for a tolerance that is no positive number,
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::EmptyMesh`] without sheets, [`Error::SheetOutOfRange`], [`Error::OptionOutOfRange`] for a tolerance that is negative or not
+    /// finite, [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn new(sheets: Vec<Sheet<'a>>, tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
         let mut indexed = alloc::with_capacity(sheets.len())?;
         let mut bounds = Bounds::EMPTY;
-        for sheet in sheets {
-            let index = each_sheet!(&sheet, cells => Pyramid::build(cells, job))?;
+        let count = sheets.len() as f64;
+        for (k, sheet) in sheets.into_iter().enumerate() {
+            let part = job.part(k as f64 / count, (k + 1) as f64 / count);
+            let index = each_sheet!(&sheet, cells => Pyramid::build(cells, &part))?;
+            check_range(k, index.bounds())?;
             bounds = bounds.joined(index.bounds());
             indexed.push((sheet, index));
         }
@@ -110,4 +121,17 @@ impl<'a> Carcass<'a> {
     pub fn index_bytes(&self) -> usize {
         self.sheets.iter().map(|(_, index)| index.bytes()).sum()
     }
+}
+
+/// [`Error::SheetOutOfRange`] for a sheet whose box has no fit in single precision.
+fn check_range(sheet: usize, bounds: Bounds) -> Result<()> {
+    // NaN, which comes of overflows, is out of range too.
+    let largest = [bounds.low, bounds.high]
+        .iter()
+        .flat_map(|corner| corner.abs().to_array())
+        .fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most });
+    if largest == 0.0 || (SMALLEST_COORDINATE..=LARGEST_COORDINATE).contains(&largest) {
+        return Ok(());
+    }
+    Err(Error::SheetOutOfRange { sheet: sheet as u64, value: if largest.is_nan() { f64::INFINITY } else { largest } })
 }

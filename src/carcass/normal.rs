@@ -50,6 +50,15 @@ fn binomials<const N: usize>(degree: usize) -> [f64; N] {
     row
 }
 
+/// The unit normal of the plane that tangents span, if they do.
+fn regular(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
+    let normal = u.cross(v);
+    let (u, v) = (u.length_squared(), v.length_squared());
+    let spans = normal.length_squared() > 1e-20 * u * v && u.min(v) > noise * noise;
+    // The product of tiny tangents may vanish where they do not.
+    if spans { normal.try_normalize() } else { None }
+}
+
 impl<const N: usize> Patch<N> {
     /// Derivatives up to this may be rounding of control points.
     pub(super) fn noise(&self) -> f64 {
@@ -67,15 +76,8 @@ impl<const N: usize> Patch<N> {
     /// The unit normal and whether it is regular; 0 if there is none.
     fn normal(&self, u: f64, v: f64) -> Normal {
         let (jet, noise) = (self.jet(u, v), self.noise());
-        let normal = jet.normal();
-        let tangents = jet.u.length_squared().min(jet.v.length_squared());
-        let sine = normal.length_squared() > 1e-20 * jet.u.length_squared() * jet.v.length_squared();
-        if sine && tangents > noise * noise {
-            let direction = normal.normalize_or_zero();
-            // The product of tiny tangents may vanish where they do not.
-            if direction != DVec3::ZERO {
-                return Normal { direction, kind: NormalKind::Regular, spread: 0.0 };
-            }
+        if let Some(direction) = regular(jet.u, jet.v, noise) {
+            return Normal { direction, kind: NormalKind::Regular, spread: 0.0 };
         }
         let found = [self.limit(u, v, noise), -self.transposed().limit(v, u, noise)];
         match found {
@@ -85,6 +87,21 @@ impl<const N: usize> Patch<N> {
             }
             [a, b] => Normal { direction: a, kind: NormalKind::Limit, spread: angle(a, b) },
         }
+    }
+
+    /// The unit normals at the ends and the middle of a side: u = 0, or 1 if `end`; if `across` v = 0, or 1. 0 where there is none.
+    pub(super) fn normals_at_side(&self, across: bool, end: bool) -> [DVec3; 3] {
+        let net = if across { self.transposed() } else { *self };
+        let (side, next) = if end { (N - 1, N - 2) } else { (0, 1) };
+        let from_side = if end == across { 1.0 } else { -1.0 } * (N - 1) as f64;
+        let steps: [DVec3; N] = std::array::from_fn(|k| (net.points[next][k] - net.points[side][k]) * from_side);
+        let (noise, at) = (self.noise(), f64::from(u8::from(end)));
+        [0.0, 0.5, 1.0].map(|t| {
+            // Turned where it is a step back, and with the order of the tangents.
+            let (off, along) = (super::make::point(&steps, t)[0], super::make::point(&net.points[side], t)[1]);
+            let [u, v] = if across { [t, at] } else { [at, t] };
+            regular(off, along, noise).unwrap_or_else(|| self.normal(u, v).direction)
+        })
     }
 
     /// The limit of the unit normal along the line of constant v, from the side with more room; 0 if the normal is 0 all along it.

@@ -11,8 +11,8 @@ use crate::carcass::{Carcass, Paths, Place, Sheet};
 use glam::DVec3;
 use std::ptr;
 
-/// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable; it keeps what it needs of its sheets,
-/// and may be asked from many threads at the same time.
+/// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all functions may use it from any thread, and
+/// many at the same time, each with a context of its own; it is destroyed when none uses it any more. It keeps what it needs of its sheets.
 pub struct gusset_carcass(pub(super) Carcass<'static>);
 
 /// A place on a surface.
@@ -39,11 +39,11 @@ pub struct gusset_surface_place {
 pub struct gusset_carcass_options {
     /// sizeof(gusset_carcass_options), set by the caller.
     pub struct_size: usize,
-    /// A length, to which answers are proved; 0: 1e-9 of the diagonal of the surface's box.
+    /// A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
     pub tolerance: f64,
 }
 
-/// Curves on a surface: what sections, contours and intersections give. Opaque and immutable.
+/// Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it keeps nothing of the carcass.
 pub struct gusset_surface_paths {
     ends: Vec<u32>,
     closed: Vec<u32>,
@@ -67,7 +67,7 @@ pub struct gusset_surface_paths_parts {
     pub point_count: usize,
     /// 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
     pub ends: gusset_indices,
-    /// By curve: 1 if it returns to its first point, which is not repeated.
+    /// By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and gusset_curve_through have it again at the end.)
     pub closed: *const u32,
     /// By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
     pub levels: *const u32,
@@ -146,9 +146,12 @@ fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet
 
 /// Builds the index of one sheet or several, which together are one surface.
 ///
-/// sheets: count handles, none NULL; they may be destroyed afterwards. options: NULL for the defaults. carcass: receives the result, for
-/// gusset_carcass_destroy; NULL on failure. Errors: NULL_ARGUMENT, EMPTY_MESH without sheets, OUT_OF_RANGE (tolerance),
-/// OUT_OF_MEMORY, CANCELLED. O(nodes), about 8 bytes a node; threads.
+/// sheets: count handles, none NULL, the array at any alignment; they may be destroyed afterwards. The greatest absolute
+/// coordinate of each is from 1e-30 to 1e37, or 0, control points included: boxes are in single precision. options: NULL for the
+/// defaults. carcass: receives the result, for gusset_carcass_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
+/// its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
+/// OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
+/// SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 8 bytes a node; threads. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_create(
@@ -174,7 +177,8 @@ pub unsafe extern "C" fn gusset_carcass_destroy(carcass: *mut gusset_carcass) {
 
 /// The curves, lent until they are destroyed.
 ///
-/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_paths_view(

@@ -14,12 +14,12 @@ use glam::DVec3;
 use std::ptr;
 
 /// gusset_surface_closest: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
-pub const GUSSET_SURFACE_POINT_FOUND: u32 = 1;
+pub const GUSSET_SURFACE_CLOSEST_FOUND: u32 = 1;
 /// gusset_surface_closest: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
 /// would take too long, as it may next to a centre of curvature; bound is right nevertheless.
-pub const GUSSET_SURFACE_POINT_PROVEN: u32 = 2;
+pub const GUSSET_SURFACE_CLOSEST_PROVEN: u32 = 2;
 /// gusset_surface_closest: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
-pub const GUSSET_SURFACE_POINT_MANY: u32 = 4;
+pub const GUSSET_SURFACE_CLOSEST_MANY: u32 = 4;
 
 /// A point of a surface that was found for a query.
 #[repr(C)]
@@ -35,7 +35,7 @@ pub struct gusset_surface_closest {
     pub distance: f64,
     /// No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
     pub bound: f64,
-    /// GUSSET_SURFACE_POINT_...
+    /// GUSSET_SURFACE_CLOSEST_...
     pub flags: u32,
     /// 0.
     pub reserved: u32,
@@ -47,7 +47,7 @@ pub struct gusset_surface_closest {
 pub struct gusset_closest_options {
     /// sizeof(gusset_closest_options), set by the caller.
     pub struct_size: usize,
-    /// No point farther than this is looked for, if limited is 1; at least 0.
+    /// No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
     pub limit: f64,
     /// Of minima: as many of the nearest; 0: all.
     pub most: usize,
@@ -55,28 +55,6 @@ pub struct gusset_closest_options {
     pub limited: u32,
     /// 0.
     pub reserved: u32,
-}
-
-/// What a carcass is.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct gusset_carcass_facts {
-    /// sizeof(gusset_carcass_facts), set by the caller.
-    pub struct_size: usize,
-    /// How many sheets.
-    pub sheet_count: usize,
-    /// How many cells, of all sheets.
-    pub cell_count: usize,
-    /// How many corners of cells: of sheets from nodes, the nodes.
-    pub node_count: usize,
-    /// Bytes of the index; the nodes are not counted.
-    pub index_bytes: usize,
-    /// The length to which answers are proved.
-    pub tolerance: f64,
-    /// A corner of a box round the surface: the least x, y, z.
-    pub low: [f64; 3],
-    /// The greatest.
-    pub high: [f64; 3],
 }
 
 /// Points of a surface. Opaque and immutable; it keeps nothing of the carcass.
@@ -154,10 +132,6 @@ unsafe impl bytemuck::Pod for gusset_surface_closest {}
 unsafe impl Versioned for gusset_closest_options {
     const LEAST_SIZE: usize = 32;
 }
-// SAFETY: as above.
-unsafe impl Versioned for gusset_carcass_facts {
-    const LEAST_SIZE: usize = 96;
-}
 // SAFETY: repr(C), size first, pointers and plain numbers.
 unsafe impl Versioned for gusset_surface_points_parts {
     const LEAST_SIZE: usize = 40;
@@ -170,7 +144,6 @@ const _: () = assert!(
     size_of::<usize>() != 8
         || (size_of::<gusset_surface_closest>() == 104
             && size_of::<gusset_closest_options>() == 32
-            && size_of::<gusset_carcass_facts>() == 96
             && size_of::<gusset_surface_points_parts>() == 40
             && size_of::<gusset_surface_cell>() == 16
             && size_of::<gusset_surface_region_parts>() == 56)
@@ -189,9 +162,9 @@ impl From<Option<Closest>> for gusset_surface_closest {
             normal: found.normal.to_array(),
             distance: found.distance,
             bound: found.bound,
-            flags: GUSSET_SURFACE_POINT_FOUND
-                | flag(found.proven, GUSSET_SURFACE_POINT_PROVEN)
-                | flag(found.many, GUSSET_SURFACE_POINT_MANY),
+            flags: GUSSET_SURFACE_CLOSEST_FOUND
+                | flag(found.proven, GUSSET_SURFACE_CLOSEST_PROVEN)
+                | flag(found.many, GUSSET_SURFACE_CLOSEST_MANY),
             reserved: 0,
         }
     }
@@ -252,13 +225,14 @@ pub(super) fn queries(data: *const f64, count: usize, stride: usize) -> Result<V
 
 /// The nearest points of a surface to queries, one or many.
 ///
-/// queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit. points: room for
-/// count answers, in the order of the queries; cleared first. Each answer is the same to the bit whether it is asked for alone or among
-/// others, in any order, on any number of threads; of several nearest points it is that of the first sheet, row and column. What is proved is
-/// relative to the surface as declared: no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRIDE, SIZE_OVERFLOW,
-/// TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED; nothing is found after an error.
-/// O(log nodes) a query but for queries near centres of curvature, which take bounded work; threads. Source: Leus, "Carcasses on
-/// smooth surfaces", task a, by branch and bound.
+/// queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit.
+/// points: room for count answers, in the order of the queries; none is found on failure: no flags, and infinite distances. Each
+/// answer is the same to the bit whether it is asked for alone or among others, in any order, on any number of threads; of
+/// several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
+/// no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
+/// TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
+/// for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Carcasses on smooth
+/// surfaces", task a, by branch and bound.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_closest(
@@ -288,11 +262,12 @@ fn cleared<'a>(points: *mut gusset_surface_closest, count: usize) -> Result<&'a 
 
 /// The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
 ///
-/// query: x, y, z. options: NULL for the defaults: all. points: receives the result, the nearest first, for gusset_surface_points_destroy;
-/// NULL on failure. None is missed: where it cannot be proved whether there is one (the distance is the same all round, as at a
-/// focus), one point is given for all cells that touch, without GUSSET_SURFACE_POINT_PROVEN and with GUSSET_SURFACE_POINT_MANY. On open
-/// borders and creases, places count from which no way on the surface leads nearer. Errors: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE
-/// (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(cells within the limit); with most, those no farther than the last.
+/// query: x, y, z, at any alignment. options: NULL for the defaults: all. points: receives the result, the nearest first, for
+/// gusset_surface_points_destroy; NULL on failure. None is missed: where it cannot be proved whether there is one (the distance
+/// is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_SURFACE_CLOSEST_PROVEN and
+/// with GUSSET_SURFACE_CLOSEST_MANY. On open borders and creases, places count from which no way on the surface leads nearer.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
+/// CANCELLED. O(cells within the limit); with most, those no farther than the last. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_minima(
@@ -335,9 +310,10 @@ pub unsafe extern "C" fn gusset_surface_points_destroy(points: *mut gusset_surfa
 
 /// The cells that have a point within a radius of a query: the paper's region, with its logical scale.
 ///
-/// query: x, y, z; radius: at least 0. region: receives all cells that have such a point, and no others but such as come within the
-/// tolerance of the radius or could not be decided in bounded work; for gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT,
-/// NOT_FINITE, OUT_OF_RANGE (radius), OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell).
+/// query: x, y, z, at any alignment; radius: at least 0; INFINITY: all cells. region: receives all cells that have such a point,
+/// and no others but such as come within the tolerance of the radius or could not be decided in bounded work; for
+/// gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (radius),
+/// OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_region(
@@ -381,30 +357,4 @@ pub unsafe extern "C" fn gusset_surface_region_view(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_surface_region_destroy(region: *mut gusset_surface_region) {
     input::destroy(region);
-}
-
-/// What a carcass is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE. O(sheets). From any thread.
-#[unsafe(no_mangle)]
-#[must_use]
-pub unsafe extern "C" fn gusset_carcass_info(
-    carcass: *const gusset_carcass,
-    facts: *mut gusset_carcass_facts,
-) -> gusset_status {
-    let out = input::output_struct(facts, "facts");
-    guard(ptr::null(), |_| {
-        let (out, carcass) = (out?, read(carcass)?);
-        let [low, high] = carcass.bounds().map(|corner| corner.to_array());
-        out.write(gusset_carcass_facts {
-            struct_size: 0,
-            sheet_count: carcass.len(),
-            cell_count: carcass.cell_count() as usize,
-            node_count: carcass.node_count() as usize,
-            index_bytes: carcass.index_bytes(),
-            tolerance: carcass.tolerance(),
-            low,
-            high,
-        });
-        Ok(())
-    })
 }

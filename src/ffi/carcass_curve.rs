@@ -18,10 +18,12 @@ pub const GUSSET_ALONG_COLUMNS: u32 = 1;
 
 /// Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
 ///
-/// nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one again.
-/// closed: 0 or 1. scheme: GUSSET_SCHEME_... curve: receives the result, for gusset_curve_destroy; NULL on failure. Errors:
-/// NULL_ARGUMENT, NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE,
-/// SIZE_OVERFLOW, OUT_OF_MEMORY. O(count). Source: Leus, "Carcasses on smooth surfaces": points are the carcass of a curve.
+/// nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one
+/// again: closed paths of a surface do not repeat it, and need it added. closed: 0 or 1. scheme: GUSSET_SCHEME_... curve:
+/// receives the result, for gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve),
+/// NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE, SIZE_OVERFLOW,
+/// OUT_OF_MEMORY, CANCELLED. O(count). From any thread. Source: Leus, "Carcasses on smooth surfaces": points are the carcass of a
+/// curve.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_through(
@@ -40,9 +42,10 @@ pub unsafe extern "C" fn gusset_curve_through(
 
 /// A coordinate curve of a sheet, exactly: a segment for each cell.
 ///
-/// along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round. parameter:
-/// 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for gusset_curve_destroy; NULL on failure.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter), OUT_OF_MEMORY. O(cells along the curve).
+/// along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round.
+/// parameter: 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for
+/// gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter),
+/// OUT_OF_MEMORY, CANCELLED. O(cells along the curve). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_curve(
@@ -64,11 +67,11 @@ pub unsafe extern "C" fn gusset_sheet_curve(
 
 /// Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
 ///
-/// within: a length, 0 or more; below 1e-12 of the curves' size that is taken. places: receives the places on the first curve, those on the
-/// other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be told apart; undecided is 1 if
-/// something was given up that may be near enough. For gusset_places_destroy; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for each pair of segments
-/// whose boxes are near.
+/// within: a length, 0 or more and finite; below 1e-12 of the curves' size that is taken. places: receives the places on the
+/// first curve, those on the other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be
+/// told apart; undecided is 1 if something was given up that may be near enough. For gusset_places_destroy; NULL on failure.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for
+/// each pair of segments whose boxes are near. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_approach(
@@ -86,8 +89,8 @@ pub unsafe extern "C" fn gusset_curve_approach(
 
 /// Where a curve in space comes as near to a line, ray or segment as `within`.
 ///
-/// line: one. The others among the places have segment 0, and the line's own parameter as t. All else as for gusset_curve_approach; also
-/// OUT_OF_RANGE for a line that is not finite or has no direction.
+/// line: one, at any alignment. The others among the places have segment 0, and the line's own parameter as t. All else as for
+/// gusset_curve_approach; also OUT_OF_RANGE for a line that is not finite or has no direction. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_approach_line(

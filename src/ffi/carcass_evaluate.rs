@@ -87,6 +87,9 @@ impl From<Local> for gusset_surface_point {
     }
 }
 
+/// Places located between two reports of progress.
+const LOCATED: usize = 1 << 20;
+
 /// The caller's places on a surface, at any alignment.
 pub(super) fn surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
     let bytes = input::bytes(data.cast(), count, size_of::<gusset_surface_place>(), "places")?;
@@ -103,9 +106,9 @@ pub(super) fn surface_places(data: *const gusset_surface_place, count: usize) ->
 
 /// Points, derivatives, normals and curvatures at places.
 ///
-/// places: count of them. results: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
+/// places: count of them, at any alignment. results: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
 /// NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
-/// CANCELLED; nothing is written then. O(1) a place, at a pole O(cells round it); threads.
+/// CANCELLED. O(1) a place, at a pole O(cells round it); threads. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_evaluate(
@@ -115,9 +118,9 @@ pub unsafe extern "C" fn gusset_carcass_evaluate(
     count: usize,
     results: *mut gusset_surface_point,
 ) -> gusset_status {
+    let results = input::cleared(results, count, "results");
     guard(context, |job| {
-        let (carcass, places) = (read(carcass)?, surface_places(places, count)?);
-        let results = input::results(results, count, "results")?;
+        let (results, carcass, places) = (results?, read(carcass)?, surface_places(places, count)?);
         let found = carcass.evaluate(&places, job)?;
         results.iter_mut().zip(found).for_each(|(result, local)| *result = local.into());
         Ok(())
@@ -127,8 +130,9 @@ pub unsafe extern "C" fn gusset_carcass_evaluate(
 /// The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round; what is beyond an open side is on
 /// it. The other way the parameters of a place are row + u and column + v.
 ///
-/// parameters: u, v of each, packed. places: room for count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first
-/// pair that is not finite, or if there is no such sheet; nothing is written then. O(1) each.
+/// parameters: u, v of each, packed, at any alignment. places: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any
+/// thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_locate(
@@ -139,12 +143,15 @@ pub unsafe extern "C" fn gusset_carcass_locate(
     count: usize,
     places: *mut gusset_surface_place,
 ) -> gusset_status {
-    guard(context, |_| {
-        let carcass = read(carcass)?;
-        let bytes = input::bytes(parameters.cast(), times(count, 2)?, 8, "parameters")?;
-        let places = input::results(places, count, "places")?;
+    let places = input::cleared(places, count, "places");
+    guard(context, |job| {
+        let (places, carcass) = (places?, read(carcass)?);
+        let bytes = input::bytes(parameters.cast(), times(count, 2, "parameters")?, 8, "parameters")?;
         let mut found = alloc::with_capacity(count)?;
         for (k, pair) in bytes.chunks_exact(16).enumerate() {
+            if k % LOCATED == 0 {
+                job.step(k as f64 / count as f64, "locating")?;
+            }
             let place = carcass.place(sheet as usize, bytemuck::pod_read_unaligned(pair));
             found.push(gusset_surface_place::from(place.map_err(|_| Error::NoSuchSurfacePlace { index: k as u64 })?));
         }

@@ -2,6 +2,7 @@
 //! documented reference; to ask questions, use the index of a carcass.
 
 use super::carcass::gusset_surface_place;
+use super::carcass_evaluate::surface_places;
 use super::context::gusset_context;
 use super::guard::guard;
 use super::input::{self, Versioned};
@@ -9,12 +10,13 @@ use super::net::{fill, flag};
 use super::sheet::gusset_sheet;
 use super::status::{Failure, gusset_status};
 use crate::alloc;
-use crate::carcass::Sheet;
 use crate::carcass::leus::{
     Diameters, Found, Goal, Lattice, Object, Options, Scale, Slant, Sum, chain, curvature_bound, euler_characteristic,
     incidence, integer_diameter, normal_by_sections, slanted, swings_by_cones, swings_by_curvature,
 };
 use crate::carcass::line::Line;
+use crate::carcass::{Place, Sheet};
+use crate::error::Error;
 use crate::job::Job;
 use glam::DVec3;
 
@@ -45,7 +47,7 @@ pub struct gusset_mask_task {
     pub point: [f64; 3],
     /// Its direction, of any length but 0; not read for points.
     pub direction: [f64; 3],
-    /// A distance, 0 or more, in the unit of the nodes, for angles in radians; not read for the nearest.
+    /// A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
     pub within: f64,
     /// Of GUSSET_MASK_ANGLE: the angle, 0 to pi.
     pub angle: f64,
@@ -198,8 +200,8 @@ impl From<&Found> for gusset_mask_report {
 /// length of the shortest curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0;
 /// either may be NULL alone. written: receives the number of cells. greatest: receives two numbers, the greatest of the first and
 /// of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
-/// CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. Source: Leus, eqs. (1) and (7); the bounds
-/// are ours.
+/// CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. From any thread. Source: Leus, eqs. (1)
+/// and (7); the bounds are ours.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_diameters(
@@ -244,7 +246,7 @@ fn give<T: bytemuck::Pod>(
 /// Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
 ///
 /// bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// OUT_OF_MEMORY, CANCELLED. O(cells); threads.
+/// OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_curvature_bound(
@@ -267,13 +269,13 @@ fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> 
 
 /// A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
 ///
-/// words: the region, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns + j, columns of cells;
-/// NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and column of a cell of the
-/// region, two numbers each. cells: receives row and column of each cell of the chain, from and to included, two numbers each; NULL
-/// with capacity 0 to ask for the size. capacity: how many cells it has room for. written: receives the number of cells, the
-/// integer length; 0 if there is no chain. The sum of their diameters bounds the distance between points of from and of to. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words), NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL,
-/// OUT_OF_MEMORY, CANCELLED. O(cells). Source: Leus, eq. (3).
+/// words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
+/// j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
+/// column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
+/// from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
+/// written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
+/// distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
+/// NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_chain(
@@ -302,8 +304,8 @@ pub unsafe extern "C" fn gusset_sheet_chain(
 /// Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
 ///
 /// words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions; for
-/// the worst O(cells^2), which can be cancelled. Source: Leus, eqs. (4) to (6).
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
+/// for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_region(
@@ -336,7 +338,8 @@ pub unsafe extern "C" fn gusset_sheet_region(
 /// carcass (gusset_carcass_create) answers the same and more from its index, much faster.
 ///
 /// task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the
-/// size and the report alone. capacity: how many words it has room for. written: receives the number of words. report: what was
+/// size and the report alone; all words are 0 on failure. capacity: how many words it has room for. written: receives the number of
+/// words. report: what was
 /// done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
 /// (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
 /// BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
@@ -353,9 +356,11 @@ pub unsafe extern "C" fn gusset_sheet_mask(
     report: *mut gusset_mask_report,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
+    let buffer = input::cleared(words, if words.is_null() { 0 } else { capacity }, "words");
     let report = if report.is_null() { Ok(None) } else { input::output_struct(report, "report").map(Some) };
     guard(context, |job| {
         let (written, report, task) = (written?, report?, input::read(task, false, "task")?);
+        buffer?;
         let found = task.search(read(sheet)?, job)?;
         report.into_iter().for_each(|report| report.write((&found).into()));
         give_words(words, capacity, &found, written)
@@ -374,9 +379,10 @@ fn give_words(words: *mut u64, capacity: usize, found: &Found, written: &mut usi
 /// cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
 /// size of cells; the exact normals of the surface are had from a carcass.
 ///
-/// places: count places of the sheet, whose own number is not read; u and v 0 to 1. normals: receives x, y, z of each; 0 where
-/// there is none. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT with the cell, OUT_OF_RANGE (u, v), CANCELLED.
-/// Bounded work for each. From any thread. Source: Leus, fig. 1.
+/// places: count places of the sheet, whose own number is not read, at any alignment; u and v 0 to 1. normals: receives x, y, z of
+/// each; 0 where there is none, and everywhere on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+/// (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell, parameters that are not 0 to 1;
+/// OUT_OF_MEMORY, CANCELLED. Bounded work for each. From any thread. Source: Leus, fig. 1.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_normals_by_sections(
@@ -386,22 +392,22 @@ pub unsafe extern "C" fn gusset_sheet_normals_by_sections(
     count: usize,
     normals: *mut f64,
 ) -> gusset_status {
+    let out = input::cleared(normals.cast::<[f64; 3]>(), count, "normals");
     guard(context, |job| {
-        let each = size_of::<gusset_surface_place>();
-        let bytes = input::bytes(places.cast(), count, each, "places")?;
-        let out = input::results(normals.cast::<[f64; 3]>(), count, "normals")?;
-        let sheet = read(sheet)?;
-        for (k, (out, bytes)) in out.iter_mut().zip(bytes.chunks_exact(each)).enumerate() {
-            if k % 256 == 0 {
-                job.step(k as f64 / count as f64, "normals")?;
-            }
-            *out = normal_at(sheet, bytemuck::pod_read_unaligned(bytes)).map_err(|failure| failure.of_item(k))?;
-        }
-        Ok(())
+        let (out, sheet, places) = (out?, read(sheet)?, surface_places(places, count)?);
+        let done = normals_at(sheet, &places, out, job);
+        done.inspect_err(|_| out.fill([0.0; 3]))
     })
 }
 
-fn normal_at(sheet: &Sheet<'_>, place: gusset_surface_place) -> Result<[f64; 3], Failure> {
-    let cell = [place.row as usize, place.column as usize];
-    Ok(normal_by_sections(sheet, cell, place.u, place.v)?.to_array())
+fn normals_at(sheet: &Sheet<'_>, places: &[Place], out: &mut [[f64; 3]], job: &Job<'_>) -> Result<(), Failure> {
+    for (k, (out, place)) in out.iter_mut().zip(places).enumerate() {
+        if k % 256 == 0 {
+            job.step(k as f64 / places.len() as f64, "normals")?;
+        }
+        // As a carcass says it: one place in the array is wrong, whichever of its numbers it is.
+        let missing = |_| Error::NoSuchSurfacePlace { index: k as u64 };
+        *out = normal_by_sections(sheet, place.cell.map(|k| k as usize), place.u, place.v).map_err(missing)?.to_array();
+    }
+    Ok(())
 }

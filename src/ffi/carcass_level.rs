@@ -27,7 +27,8 @@ pub const GUSSET_BETWEEN_LEUS: gusset_between = 3;
 pub struct gusset_level_options {
     /// sizeof(gusset_level_options), set by the caller.
     pub struct_size: usize,
-    /// With GUSSET_BETWEEN_CHORD: a length above 0; no smaller one counts than the tolerance of the carcass. Otherwise not read.
+    /// With GUSSET_BETWEEN_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the carcass. Otherwise not read. (In
+    /// gusset_intersect_options, which has no `between`, a chord of 0 stands for GUSSET_BETWEEN_AUTO and INFINITY for GUSSET_BETWEEN_NOTHING.)
     pub chord: f64,
     /// GUSSET_BETWEEN_...
     pub between: gusset_between,
@@ -120,13 +121,14 @@ impl From<Option<NearestAngle>> for gusset_nearest_angle {
 /// Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
 /// normal and the surface's.
 ///
-/// point: x, y, z of a point of the plane of offset 0. normal: x, y, z, not 0, of any length. offsets: count of them, rising, distances of the
-/// planes from the point along the normal. options: NULL for the defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL
-/// on failure. Every curve is found, also one within a cell, and on a closed surface all are closed; a corner on a plane counts as above it.
-/// Cells where a plane touches or contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no
-/// larger than the tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not
-/// finite, a normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About
-/// O(count + cells that are cut); threads. Source: Leus, "Carcasses on smooth surfaces", task d.
+/// point: x, y, z of a point of the plane of offset 0, at any alignment, as normal and offsets are. normal: x, y, z, not 0, of
+/// any length. offsets: count of them, rising, distances of the planes from the point along the normal. options: NULL for the
+/// defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL on failure. Every curve is found, also one within
+/// a cell, and on a closed surface all are closed; a corner on a plane counts as above it. Cells where a plane touches or
+/// contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
+/// tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a
+/// normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About O(count +
+/// cells that are cut); threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task d.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_section(
@@ -150,10 +152,10 @@ pub unsafe extern "C" fn gusset_carcass_section(
 /// The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
 /// surface is; greater values are to the left, seen from where the normals point to.
 ///
-/// values: value_count of them, finite: of all sheets, one after the other, each row after row, one more row and column than there are cells;
-/// the last line of a closed direction repeats the first and is not used. levels: level_count of them, rising. Otherwise as
-/// gusset_carcass_section. Errors: as there; SIZE_OVERFLOW if there are too few values, TOO_LARGE if too many, NOT_FINITE with the number of the
-/// value. O(values + cells that are crossed); threads.
+/// values: value_count of them, finite, at any alignment, as levels are: of all sheets, one after the other, each row after row,
+/// one more row and column than there are cells; the last line of a closed direction repeats the first and is not used. levels:
+/// level_count of them, rising. Otherwise as gusset_carcass_section. Errors: as there; SIZE_OVERFLOW if there are too few values,
+/// TOO_LARGE if too many, NOT_FINITE with the number of the value. O(values + cells that are crossed); threads. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_contours(
@@ -176,10 +178,11 @@ pub unsafe extern "C" fn gusset_carcass_contours(
 /// Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
 /// and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
 ///
-/// direction: x, y, z, not 0. angles: count of them, in radians, rising, from 0 to pi, or to pi / 2 if normals are unsigned. Otherwise as
-/// gusset_carcass_section. Where normals jump between cells (patches, GUSSET_SCHEME_FOUR_POINT), curves run along the side between them;
-/// poles that may have the angle are listed as unresolved. Angles are of order three, as normals are; contours of the cosines at the nodes
-/// are of order four. Errors: as there. O(cells); threads. Source: Leus, task b.
+/// direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
+/// / 2 if normals are unsigned. Otherwise as gusset_carcass_section. Where normals jump between cells (patches,
+/// GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
+/// Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. O(cells);
+/// threads. From any thread. Source: Leus, task b.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_isophotes(
@@ -200,9 +203,10 @@ pub unsafe extern "C" fn gusset_carcass_isophotes(
 
 /// The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
 ///
-/// direction: x, y, z, not 0. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL for the defaults; what is between
-/// crossings is not used. nearest: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells); threads. Source: Leus, task b.
+/// direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
+/// for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells);
+/// threads. From any thread. Source: Leus, task b.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_nearest_angle(

@@ -26,24 +26,24 @@ pub struct gusset_line {
 }
 
 /// Which hits are wanted.
-pub type gusset_which = u32;
+pub type gusset_hits_wanted = u32;
 /// All, in the order of the line.
-pub const GUSSET_WHICH_ALL: gusset_which = 0;
+pub const GUSSET_WHICH_ALL: gusset_hits_wanted = 0;
 /// The first one.
-pub const GUSSET_WHICH_FIRST: gusset_which = 1;
+pub const GUSSET_WHICH_FIRST: gusset_hits_wanted = 1;
 /// Any one: whether there is one.
-pub const GUSSET_WHICH_ANY: gusset_which = 2;
+pub const GUSSET_WHICH_ANY: gusset_hits_wanted = 2;
 
 /// What a hit is.
-pub type gusset_hit = u32;
+pub type gusset_hit_kind = u32;
 /// None.
-pub const GUSSET_HIT_NONE: gusset_hit = 0;
+pub const GUSSET_HIT_NONE: gusset_hit_kind = 0;
 /// It passes through the surface: proved, but for poles, where the surface is not regular.
-pub const GUSSET_HIT_CROSSING: gusset_hit = 1;
+pub const GUSSET_HIT_CROSSING: gusset_hit_kind = 1;
 /// It touches the surface within the tolerance: one point, two close to each other, or none.
-pub const GUSSET_HIT_TOUCH: gusset_hit = 2;
+pub const GUSSET_HIT_TOUCH: gusset_hit_kind = 2;
 /// It runs in the surface, within the tolerance, all over the span.
-pub const GUSSET_HIT_INSIDE: gusset_hit = 3;
+pub const GUSSET_HIT_INSIDE: gusset_hit_kind = 3;
 
 /// A point that a line or a curve and a surface have in common.
 #[repr(C)]
@@ -60,7 +60,7 @@ pub struct gusset_surface_hit {
     /// x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
     pub normal: [f64; 3],
     /// GUSSET_HIT_...
-    pub kind: gusset_hit,
+    pub kind: gusset_hit_kind,
     /// 0.
     pub reserved: u32,
 }
@@ -110,7 +110,7 @@ const _: () = assert!(
 );
 
 /// What a hit is called in C, by how often it counts.
-fn kind(multiplicity: u32) -> gusset_hit {
+fn kind(multiplicity: u32) -> gusset_hit_kind {
     match multiplicity {
         0 => GUSSET_HIT_INSIDE,
         1 => GUSSET_HIT_CROSSING,
@@ -166,7 +166,7 @@ pub(super) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>
     Ok(alloc::collect(lines)?)
 }
 
-fn which(which: gusset_which) -> Result<Which, Failure> {
+fn which(which: gusset_hits_wanted) -> Result<Which, Failure> {
     match which {
         GUSSET_WHICH_ALL => Ok(Which::All),
         GUSSET_WHICH_FIRST => Ok(Which::First),
@@ -177,12 +177,12 @@ fn which(which: gusset_which) -> Result<Which, Failure> {
 
 /// Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
 ///
-/// A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line touches the
-/// surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none. which:
-/// GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
+/// touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
+/// which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
 /// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
 /// SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
-/// threads. A carcass may be asked from many threads. Source: Leus, "Carcasses on smooth surfaces", task c.
+/// threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_lines(
@@ -190,7 +190,7 @@ pub unsafe extern "C" fn gusset_carcass_lines(
     carcass: *const gusset_carcass,
     lines: *const gusset_line,
     count: usize,
-    which: gusset_which,
+    which: gusset_hits_wanted,
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
@@ -201,8 +201,9 @@ pub unsafe extern "C" fn gusset_carcass_lines(
 
 /// The first hit of each of many lines, rays or segments: that of least t, which gusset_carcass_lines gives first.
 ///
-/// hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0, where there is none, and everywhere on failure.
-/// Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About O(log cells) a line; threads.
+/// lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
+/// where there is none, and everywhere on failure. Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About
+/// O(log cells) a line; threads. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_first_hits(
@@ -228,17 +229,17 @@ pub unsafe extern "C" fn gusset_carcass_first_hits(
 
 /// Where a curve in space meets a surface, in the order of the curve.
 ///
-/// As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits: receives the
-/// result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE,
-/// EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve comes near to;
-/// bounded for each segment and cell that run in each other; threads. Source: Leus, task c.
+/// As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
+/// receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
+/// comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_curve(
     context: *const gusset_context,
     carcass: *const gusset_carcass,
     curve: *const gusset_curve,
-    which: gusset_which,
+    which: gusset_hits_wanted,
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {

@@ -16,10 +16,11 @@ pub struct gusset_intersect_options {
     /// sizeof(gusset_intersect_options), set by the caller.
     pub struct_size: usize,
     /// A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
-    /// INFINITY: points are only where it crosses sides of cells of either surface.
+    /// INFINITY: points are only where it crosses sides of cells of either surface. (In gusset_level_options `between` says which of these is
+    /// meant, GUSSET_BETWEEN_AUTO, _CHORD or _NOTHING, and chord is read for the second only.)
     pub chord: f64,
-    /// A length: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0: the
-    /// smaller one of the tolerances of the two carcasses.
+    /// A length, finite: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0:
+    /// the smaller one of the tolerances of the two carcasses.
     pub tolerance: f64,
 }
 
@@ -41,7 +42,7 @@ pub struct gusset_cell_pair {
     pub column_b: u32,
 }
 
-/// Pairs of cells. Opaque and immutable.
+/// Pairs of cells. Opaque and immutable; it keeps nothing of the carcasses.
 pub struct gusset_cell_pairs(Vec<gusset_cell_pair>);
 
 /// The pairs. The pointer is valid until the handle is destroyed.
@@ -87,14 +88,14 @@ impl From<CellPair> for gusset_cell_pair {
 
 /// The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
 ///
-/// a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths: receives the
-/// curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at `others` are the same
-/// but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared; cells of a where the two
-/// touch, coincide, or meet in a single point are listed as unresolved, and curves may end there. Intersections of one surface with itself
-/// are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_RANGE (chord, tolerance), TOO_LARGE
-/// above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of cells that may meet, with a limit for each; threads; the
-/// same bits for any number of them. The carcasses may be in use by other threads. Source: Leus, "Carcasses on smooth surfaces", task e; the
-/// proofs are ours.
+/// a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths:
+/// receives the curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at
+/// `others` are the same but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared;
+/// cells of a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves may end there.
+/// Intersections of one surface with itself are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+/// OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of
+/// cells that may meet, with a limit for each; threads; the same bits for any number of them. From any thread. Source: Leus,
+/// "Carcasses on smooth surfaces", task e; the proofs are ours.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_intersect(
@@ -112,9 +113,9 @@ pub unsafe extern "C" fn gusset_carcass_intersect(
 
 /// Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
 ///
-/// within: a length; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs, and
-/// some for each level of the indices; 24 bytes a pair. The carcasses may be in use by other threads.
+/// within: a length, finite; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In
+/// proportion to the pairs, and some for each level of the indices; 24 bytes a pair. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_candidates(

@@ -161,8 +161,8 @@ pub unsafe extern "C" fn gusset_curve_view(
     })
 }
 
-/// The product of counts, for buffers.
-pub(super) fn times(count: usize, each: usize) -> Result<usize, Failure> {
+/// The product of counts, for buffers of `what`.
+pub(super) fn times(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
     let product = count.checked_mul(each);
-    product.ok_or(Failure::from(Error::SizeOverflow { what: "results", count: count as u64 }))
+    product.ok_or(Failure::from(Error::SizeOverflow { what, count: (count as u64).saturating_mul(each as u64) }))
 }

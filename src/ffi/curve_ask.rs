@@ -63,7 +63,7 @@ pub unsafe extern "C" fn gusset_curve_derivatives(
     guard(context, |_| {
         let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
         let found = view.derivatives_at(&places, order as usize)?;
-        write(&found, input::results(out, times(found.len(), 3)?, "out")?);
+        write(&found, input::results(out, times(found.len(), 3, "results")?, "out")?);
         Ok(())
     })
 }
@@ -81,7 +81,7 @@ pub unsafe extern "C" fn gusset_curve_tangents(
 ) -> gusset_status {
     guard(context, |_| {
         let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
-        write(&view.tangents_at(&places)?, input::results(out, times(count, 3)?, "out")?);
+        write(&view.tangents_at(&places)?, input::results(out, times(count, 3, "results")?, "out")?);
         Ok(())
     })
 }

@@ -80,6 +80,17 @@ pub(super) fn results<'a, T: bytemuck::Pod>(
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
+/// As [`results`], with every byte 0 at once, so that a failure leaves nothing old behind.
+pub(super) fn cleared<'a, T: bytemuck::Pod>(
+    pointer: *mut T,
+    count: usize,
+    name: &'static str,
+) -> Result<&'a mut [T], Failure> {
+    let out = results(pointer, count, name)?;
+    out.fill(T::zeroed());
+    Ok(out)
+}
+
 /// A buffer of the caller's for `count` handles.
 pub(super) fn handles<'a, T>(
     pointer: *mut *mut T,

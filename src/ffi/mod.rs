@@ -23,6 +23,7 @@
 //! | [`carcass_line`], [`carcass_curve`] | lines and curves that meet surfaces; curves through points and along surfaces |
 //! | [`carcass_leus`] | the paper's search, the documented reference |
 //! | [`carcass_meet`] | where two surfaces meet |
+//! | [`carcass_info`] | what carcasses and their sheets are |
 //! | [`carcass_level`] | sections, contours and isophotes of surfaces |
 //! | [`carcass_closest`] | nearest points of surfaces, places of locally least distance, regions of cells |
 //! | [`curve`] | the handle of a curve, and places on it |
@@ -42,6 +43,7 @@ pub mod carcass;
 pub mod carcass_closest;
 pub mod carcass_curve;
 pub mod carcass_evaluate;
+pub mod carcass_info;
 pub mod carcass_leus;
 pub mod carcass_level;
 pub mod carcass_line;

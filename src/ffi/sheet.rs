@@ -12,7 +12,8 @@ use crate::error::Error;
 use crate::mesh::Scalar;
 use libc::c_void;
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable; may be used from many threads.
+/// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all functions may use it from any thread, and many at
+/// the same time, each with a context of its own; it is destroyed when none uses it any more.
 pub struct gusset_sheet(pub(super) Sheet<'static>);
 
 /// How the surface is drawn through nodes.
@@ -140,10 +141,12 @@ fn grid(nodes: Nodes<'static>, options: &gusset_nodes) -> Result<gusset_sheet, F
 
 /// Makes a surface through a copy of nodes.
 ///
-/// nodes: at any alignment, finite; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
-/// gusset_sheet_destroy; NULL on failure. Errors: NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE
-/// with the node, SIDES_DIFFER if a closed direction does not end where it begins, with the place of the largest gap, OUT_OF_MEMORY.
-/// O(nodes); 24 bytes a node. Source: Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
+/// nodes: at any alignment, finite; of sheets for a carcass the greatest coordinate in absolute terms is from 1e-30 to 1e37, or
+/// 0, however the sheet is made; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
+/// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet), BAD_STRUCT_SIZE,
+/// NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE with the node, SIDES_DIFFER if a closed
+/// direction does not end where it begins, with the place of the largest gap, OUT_OF_MEMORY, CANCELLED. O(nodes); 24 bytes a
+/// node. From any thread. Source: Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_nodes(
@@ -160,8 +163,9 @@ pub unsafe extern "C" fn gusset_sheet_from_nodes(
 /// Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged until the sheet and all that was made
 /// of it are destroyed.
 ///
-/// nodes: as for gusset_sheet_from_nodes, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there; MISALIGNED_ARGUMENT.
-/// O(nodes); no memory a node.
+/// nodes: as for gusset_sheet_from_nodes, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there;
+/// MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32 and for strides that are no multiples of 8; CANCELLED. O(nodes); no memory
+/// a node. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_borrow(

@@ -10,7 +10,8 @@ use super::sheet::{copied_nodes, gusset_nodes, gusset_sheet};
 use super::status::{Failure, gusset_status};
 use crate::alloc;
 use crate::carcass::make::{CurveNet, FrameSurface, Spline, SplineAxis, Tangents, Twists};
-use crate::carcass::{Patches, Sheet};
+use crate::carcass::{MAX_DEGREE, Patches, Sheet};
+use crate::error::Error;
 use crate::outline::CurveView;
 
 /// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
@@ -95,7 +96,7 @@ pub struct gusset_curve_net {
     pub columns: *const *const gusset_curve,
     /// How many: 0, or at least 2, or 3 if closed_v. Without columns, or without rows, the surface is the skin of the others.
     pub column_count: usize,
-    /// How far apart curves may be where they meet; both are moved to the middle. 0: 1e-6 of the diagonal of their box.
+    /// How far apart curves may be where they meet, a length, finite; both are moved to the middle. 0: 1e-6 of the diagonal of their box.
     pub tolerance: f64,
     /// 1: the columns are closed curves, and the last row is followed by the first.
     pub closed_u: u32,
@@ -146,9 +147,11 @@ fn curves<'a>(
 
 /// Makes the bicubic Hermite surface through nodes with given tangents: C1.
 ///
-/// nodes: as for gusset_sheet_from_nodes; the scheme is not used. tangents: rows x columns vectors each; those of the repeated line of a closed direction
-/// are not read as tangents, but must be there. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: those of
-/// gusset_sheet_from_nodes, NOT_FINITE with the node for tangents and twists too, CANCELLED. O(nodes); 384 bytes a cell.
+/// nodes: as for gusset_sheet_from_nodes; the scheme is not used. tangents: rows x columns vectors each; those of the repeated
+/// line of a closed direction are not read as tangents, but must be there; at any alignment. sheet: receives the surface, for
+/// gusset_sheet_destroy; NULL on failure. Errors: those of gusset_sheet_from_nodes, among them NULL_ARGUMENT, BAD_STRUCT_SIZE and
+/// UNKNOWN_VALUE (twist, reserved) for the tangents, and NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW,
+/// OUT_OF_MEMORY, CANCELLED. O(nodes); 384 bytes a cell. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_tangents(
@@ -195,11 +198,12 @@ impl Given {
 
 /// Makes a surface of Bézier patches in rows and columns, neighbours of which should share their sides.
 ///
-/// points: x, y, z of the control points, packed: patch after patch, row after row of patches; in each patch degree_v + 1 points follow each other in
-/// v, degree_u + 1 times. degree_u, degree_v: 1 to 7. rows, columns: of patches, at least 1. Repeated points and sides that are one point are allowed.
-/// sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, OUT_OF_RANGE (degree), EMPTY_MESH without
-/// patches, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY. O(points); 384 bytes a patch up to degree 3, else
-/// 1536.
+/// points: x, y, z of the control points, packed, at any alignment: patch after patch, row after row of patches; in each patch
+/// degree_v + 1 points follow each other in v, degree_u + 1 times. degree_u, degree_v: 1 to 7. rows, columns: of patches, at
+/// least 1. Repeated points and sides that are one point are allowed. sheet: receives the surface, for gusset_sheet_destroy; NULL
+/// on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE (degree), EMPTY_MESH without patches, TOO_LARGE,
+/// SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(points); 384 bytes a patch up to
+/// degree 3, else 1536. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_patches(
@@ -213,8 +217,12 @@ pub unsafe extern "C" fn gusset_sheet_from_patches(
 ) -> gusset_status {
     create(context, sheet, "sheet", |_| {
         let degrees = [degree_u as usize, degree_v as usize];
-        let each = times(degrees[0].saturating_add(1), degrees[1].saturating_add(1))?;
-        let points = self::points(points, times(times(rows, columns)?, each)?, 3)?;
+        if let Some(&degree) = degrees.iter().find(|degree| !(1..=MAX_DEGREE).contains(*degree)) {
+            return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 }.into());
+        }
+        let each = (degrees[0] + 1) * (degrees[1] + 1);
+        let count = times(times(rows, columns, "patches")?, each, "control points")?;
+        let points = self::points(points, count, 3)?;
         Ok(gusset_sheet(if degree_u.max(degree_v) <= 3 {
             Sheet::Cubic(Patches::new(&points, degrees, rows, columns)?)
         } else {
@@ -226,10 +234,11 @@ pub unsafe extern "C" fn gusset_sheet_from_patches(
 /// Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding: cells are its spans that are not empty, so that knots become
 /// the whole numbers of rows and columns.
 ///
-/// sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE
-/// (degree), NET_TOO_SMALL (too few control points), BAD_KNOTS with the first knot that is not finite, out of order or repeated too often,
-/// TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(spans x degree^3); 384 bytes a span up to degree 3,
-/// else 1536.
+/// spline: its arrays are at any alignment. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (degree), NET_TOO_SMALL (too few control
+/// points), BAD_KNOTS with the first knot that is not finite, out of order or repeated too often, TOO_LARGE, SIZE_OVERFLOW,
+/// NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(spans x degree^3); 384 bytes a span up to degree 3,
+/// else 1536. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_spline(
@@ -239,7 +248,7 @@ pub unsafe extern "C" fn gusset_sheet_from_spline(
 ) -> gusset_status {
     create(context, sheet, "sheet", |job| {
         let given = input::read(spline, false, "spline")?;
-        let points = points(given.points, times(given.count_u, given.count_v)?, 3)?;
+        let points = points(given.points, times(given.count_u, given.count_v, "control points")?, 3)?;
         let u = numbers(given.knots_u, given.knot_count_u, "knots_u")?;
         let v = numbers(given.knots_v, given.knot_count_v, "knots_v")?;
         let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
@@ -260,10 +269,12 @@ pub unsafe extern "C" fn gusset_sheet_from_spline(
 /// (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a smooth surface draw curves through their points first,
 /// with gusset_outline_create.
 ///
-/// net: the curves may be destroyed afterwards. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT (with
-/// the item), BAD_STRUCT_SIZE, UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED,
-/// CURVES_APART with the row and the distance (the message has the column too), or if they meet out of order, TOO_LARGE, OUT_OF_MEMORY,
-/// CANCELLED. O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up to degree 3, else 1536. Source: Gordon (1969).
+/// net: the curves may be destroyed afterwards; the arrays of handles are at any alignment. sheet: receives the surface, for
+/// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT (with the item), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+/// UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED, CURVES_APART with the row and
+/// the distance (the message has the column too), or if they meet out of order, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
+/// CANCELLED. O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up to degree 3, else 1536. From any
+/// thread. Source: Gordon (1969).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_curves(
@@ -284,9 +295,10 @@ pub unsafe extern "C" fn gusset_sheet_from_curves(
 
 /// Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
 ///
-/// frame: may be destroyed afterwards. kind: GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES. sheet: receives the surface, for gusset_sheet_destroy; NULL on
-/// failure. Errors: NULL_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL; of curves OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or are
-/// out of order along a curve; NOT_FINITE, OUT_OF_MEMORY, CANCELLED. O(nodes).
+/// frame: may be destroyed afterwards. kind: GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES. sheet: receives the surface, for
+/// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL; of curves
+/// OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or are out of order along a curve; NOT_FINITE, OUT_OF_MEMORY,
+/// CANCELLED. O(nodes). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_from_frame(

@@ -28,7 +28,7 @@ pub struct gusset_sheet_mesh {
 pub struct gusset_sheet_mesh_options {
     /// sizeof(gusset_sheet_mesh_options), set by the caller.
     pub struct_size: usize,
-    /// How far triangles may be from the surface, a length more than 0; 0: no demand.
+    /// How far triangles may be from the surface, a length more than 0; 0, or INFINITY: no demand.
     pub tolerance: f64,
     /// The fewest parts of each cell in u; 0 stands for 1.
     pub least_u: u32,
@@ -85,8 +85,9 @@ impl gusset_sheet_mesh_options {
 /// Makes a mesh of points of a sheet. Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit; seams of closed
 /// directions and poles are closed. Faces are counter-clockwise seen from where S_u x S_v points to. A mesh without faces is no failure.
 ///
-/// options: NULL for the defaults. mesh: receives the result, for gusset_sheet_mesh_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED. O(cells + vertices).
+/// options: NULL for the defaults. mesh: receives the result, for gusset_sheet_mesh_destroy; NULL on failure. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and
+/// more), OUT_OF_MEMORY, CANCELLED. O(cells + vertices). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mesh_create(
@@ -124,7 +125,7 @@ pub unsafe extern "C" fn gusset_sheet_mesh_view(
     })
 }
 
-/// Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_view.
+/// Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_view. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_mesh_info(

@@ -148,7 +148,7 @@ pub const GUSSET_ELEMENT_BRIDGE: gusset_element = 17;
 pub const GUSSET_ELEMENT_ENTRY: gusset_element = 18;
 /// A byte of a stream.
 pub const GUSSET_ELEMENT_BYTE: gusset_element = 19;
-/// One of the operations, fields or gluings that were given.
+/// One of the operations, fields, gluings, lines, sheets or curves that were given.
 pub const GUSSET_ELEMENT_ITEM: gusset_element = 21;
 /// A place along the side of a net; the value is a distance.
 pub const GUSSET_ELEMENT_SIDE_PLACE: gusset_element = 20;
@@ -293,6 +293,7 @@ impl From<Error> for Failure {
             Error::FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node),
             Error::GluedInside => none(GUSSET_ERROR_GLUED_INSIDE),
             Error::BadLine { line, value } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, line, value),
+            Error::SheetOutOfRange { sheet, value } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, sheet, value),
             Error::OptionOutOfRange { value, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, value),
             Error::OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Error::Cancelled => none(GUSSET_ERROR_CANCELLED),

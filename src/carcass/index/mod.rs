@@ -23,6 +23,9 @@ const ORIENTED_LEVELS: usize = 4;
 /// Pairs of rows of blocks that one thread takes at once.
 const PAIRS: usize = 4;
 
+/// Cells between two reports of progress, or those that one thread takes at once, if these are more.
+const ROUND: usize = 1 << 18;
+
 /// The pyramid of one sheet.
 #[derive(Debug)]
 pub(crate) struct Pyramid {
@@ -106,8 +109,8 @@ impl Pyramid {
         let mut displacements = alloc::filled(Displacement::default(), rows * columns)?;
         let (across, together) = (columns.div_ceil(2), 2 * PAIRS * columns);
         let parts = base.groups.chunks_mut(PAIRS * across).zip(base.oriented.chunks_mut(together));
-        let parts: Vec<_> = parts.zip(displacements.chunks_mut(together)).enumerate().collect();
-        par::map(job.threads(), parts.into_iter(), |(k, ((groups, oriented), displacements))| {
+        let mut parts = parts.zip(displacements.chunks_mut(together)).enumerate();
+        let work = |(k, ((groups, oriented), displacements)): (usize, ((&mut [Group], &mut [Oriented]), &mut [_]))| {
             let first = 2 * PAIRS * k;
             let mut bounds = vec![Bounds::EMPTY; displacements.len()];
             cells.displacements(first..first + displacements.len() / columns, &mut bounds);
@@ -117,7 +120,13 @@ impl Pyramid {
                 let row = Row { row: first + r, displacements: bounds };
                 row.blocks(cells, origin, groups, oriented, displacements);
             }
-        });
+        };
+        let (count, round) = (rows.div_ceil(2 * PAIRS), (ROUND / (together * BLOCK * BLOCK)).max(1));
+        for from in (0..count).step_by(round) {
+            job.step(0.8 * from as f64 / count as f64, "index")?;
+            let slice: Vec<_> = parts.by_ref().take(round).collect();
+            par::map(job.threads(), slice.into_iter(), work);
+        }
         job.step(0.8, "index")?;
         let mut levels = vec![base];
         while let Some(last) = levels.last().filter(|last| last.groups.len() > 1) {

@@ -176,7 +176,7 @@ impl Carcass<'_> {
         job: &Job<'_>,
     ) -> Result<Paths> {
         let axis = direction(axis, "direction")?;
-        super::rising(angles)?;
+        super::rising(angles, "angles")?;
         let most = if unsigned { 0.5 * PI } else { PI };
         if let Some(&value) = angles.iter().find(|&&angle| !(0.0..=most + 1e-15).contains(&angle)) {
             return Err(Error::OptionOutOfRange { option: "angles", value });

@@ -95,7 +95,7 @@ impl Carcass<'_> {
     pub fn section(&self, planes: &Planes<'_>, between: Between, job: &Job<'_>) -> Result<Paths> {
         let normal = direction(planes.normal, "normal")?;
         finite(planes.point, "point")?;
-        rising(planes.offsets)?;
+        rising(planes.offsets, "offsets")?;
         let chord = self.chord(between)?;
         let reach = self.reach().max(planes.point.abs().max_element());
         // A few roundings of coordinates of this size.
@@ -142,7 +142,7 @@ impl Carcass<'_> {
     /// [`Error::ArrayTooShort`], or [`Error::TooLarge`] if there are too many; [`Error::NodeNotFinite`] with the number of the value;
     /// [`Error::OptionOutOfRange`] for levels that are not finite or do not rise; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn contours(&self, values: &[f64], levels: &[f64], between: Between, job: &Job<'_>) -> Result<Paths> {
-        rising(levels)?;
+        rising(levels, "levels")?;
         let chord = self.chord(between)?;
         self.check_values(values)?;
         let mut gathered = Gathered::default();
@@ -231,11 +231,11 @@ fn finite(given: DVec3, option: &'static str) -> Result<()> {
     }
 }
 
-/// Levels are finite and rise.
-fn rising(levels: &[f64]) -> Result<()> {
+/// Levels, by whatever name, are finite and rise.
+fn rising(levels: &[f64], option: &'static str) -> Result<()> {
     let bad = levels.iter().enumerate().find(|&(k, level)| !level.is_finite() || (k > 0 && *level <= levels[k - 1]));
     match bad {
-        Some((_, &value)) => Err(Error::OptionOutOfRange { option: "levels", value }),
+        Some((_, &value)) => Err(Error::OptionOutOfRange { option, value }),
         None => Ok(()),
     }
 }
