@@ -130,15 +130,18 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
     }
 
     /// The equation holds of pi - alpha too: of its arcs, those on which H has the sign of cos alpha. The sign is one along an arc, since H
-    /// and P vanish together only where the normal is none, as at poles, where it says nothing: the place where H is greatest decides.
-    fn keeps(&self, [i, j]: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> bool {
+    /// and P vanish together only where the normal is none, as at poles, where it says nothing. Next to such a place within a cell, what
+    /// is linked without being resolved may have both.
+    fn keeps(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
         if self.unsigned {
-            return true;
+            return Some(true);
         }
-        let patch = self.normals.cells.patch(i, j);
-        let along = places().map(|at| patch.jet(at.x, at.y).normal().dot(self.normals.frame[2]));
-        let most = along.into_iter().fold(0.0_f64, |most, x| if x.abs() > most.abs() { x } else { most });
-        most * self.angles[level][1] >= 0.0
+        let noise = self.normals.noise(&self.normals.hodographs::<N>(cell));
+        let patch = self.normals.cells.patch(cell[0], cell[1]);
+        let sign = self.angles[level][1].signum();
+        let along = places().map(|at| sign * patch.jet(at.x, at.y).normal().dot(self.normals.frame[2]));
+        let (right, wrong) = (along.iter().any(|&x| x > noise), along.iter().any(|&x| x < -noise));
+        if right && wrong { None } else { Some(!wrong) }
     }
 
     fn sides(&self) -> Sides {

@@ -225,7 +225,11 @@ impl<C, S> Search<'_, C, S> {
                 let amid = middle(piece.field, link, piece.noise).unwrap_or(link.from.at);
                 [link.from.at, amid, link.to.at]
             };
-            if !self.source.keeps(piece.cell, piece.level, places) {
+            let keeps = self.source.keeps(piece.cell, piece.level, places);
+            if keeps.is_none() {
+                alloc::push(&mut found.unresolved, (cell, link.from.at))?;
+            }
+            if keeps != Some(true) {
                 continue;
             }
             let first = found.inner.len() as u32;
