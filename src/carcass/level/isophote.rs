@@ -9,12 +9,12 @@ use super::normals::squares;
 use super::search::Found;
 use super::seen::{Corners, Normals, angles, frame};
 use super::source::{Sides, Source};
-use super::{Between, Gathered, Lattice, Strands, direction, lattice, paths};
+use super::{Between, Gathered, Lattice, direction, lattice, paths};
 use crate::alloc;
 use crate::carcass::cells::Cells;
 use crate::carcass::index::Pyramid;
 use crate::carcass::solve::Field;
-use crate::carcass::{Carcass, Paths, Place, Sheet};
+use crate::carcass::{Carcass, NormalKind, Paths, Place, Sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
@@ -24,6 +24,8 @@ use std::ops::Range;
 
 /// Sines and cosines smaller than that are 0.
 const SMALL: f64 = 1e-8;
+/// By how much the angles of points may be off for rounding, in radians.
+const SLACK: f64 = 1e-6;
 /// Blocks that are one thread's work, and such works between two reports of progress.
 const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
@@ -127,6 +129,21 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
         base.along.combined(sign * sin * sin, &base.across, -sign * cos * cos)
     }
 
+    /// The equation holds of pi - alpha too: of its arcs, those on which H has the sign of cos alpha. The sign is one along an arc, since H
+    /// and P vanish together only where the normal is none, as at poles, where it says nothing. Next to such a place within a cell, what
+    /// is linked without being resolved may have both.
+    fn keeps(&self, cell: [usize; 2], level: usize, places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
+        if self.unsigned {
+            return Some(true);
+        }
+        let noise = self.normals.noise(&self.normals.hodographs::<N>(cell));
+        let patch = self.normals.cells.patch(cell[0], cell[1]);
+        let sign = self.angles[level][1].signum();
+        let along = places().map(|at| sign * patch.jet(at.x, at.y).normal().dot(self.normals.frame[2]));
+        let (right, wrong) = (along.iter().any(|&x| x > noise), along.iter().any(|&x| x < -noise));
+        if right && wrong { None } else { Some(!wrong) }
+    }
+
     fn sides(&self) -> Sides {
         self.normals.sides
     }
@@ -207,7 +224,27 @@ impl Carcass<'_> {
         }
         let mut found = paths::paths(self, &curves.sheets, curves.unresolved, &job.part(0.9, 1.0))?;
         paths::add_points(self, &points, &mut found)?;
+        self.report_angles(axis, angles, unsigned, &mut found)?;
         super::leus::between(found, between)
+    }
+
+    /// Reports the places of curves where the normal is regular and makes another angle: once for points of a cell that follow each other.
+    fn report_angles(&self, axis: DVec3, angles: &[f64], unsigned: bool, paths: &mut Paths) -> Result<()> {
+        let mut last: Option<Place> = None;
+        for k in 0..paths.len() {
+            let goal = angles[paths.levels[k] as usize];
+            for at in paths.ends[k] as usize..paths.ends[k + 1] as usize {
+                let (place, normal) = (paths.places[at], paths.normals[at]);
+                let along = normal.dot(axis);
+                let angle = libm::atan2(normal.cross(axis).length(), if unsigned { along.abs() } else { along });
+                let known = last.is_some_and(|last| (last.sheet, last.cell) == (place.sheet, place.cell));
+                if (angle - goal).abs() > SLACK && !known && self.local(place).normal.kind == NormalKind::Regular {
+                    alloc::push(&mut paths.unresolved, place)?;
+                    last = Some(place);
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The greatest coordinate.
@@ -295,7 +332,6 @@ impl<C> Sought<'_, C> {
             let found = search.run::<N, M>(rows * across, block, &next())?;
             curves.add(self.sheet, found, &lattice, apart)?;
             if let Some((_, strands)) = curves.sheets.last_mut() {
-                self.keep_signs(strands, &kinds.others);
                 strands.strands.iter_mut().for_each(|strand| strand.level = kinds.numbers[strand.level as usize]);
             }
         }
@@ -308,22 +344,6 @@ impl<C> Sought<'_, C> {
             self.poles::<N, H>(sign, number, &lattice, curves, points, &next())?;
         }
         Ok(())
-    }
-
-    /// Of the curves where sin^2 alpha H^2 = cos^2 alpha P, those on which H has the sign of cos alpha.
-    fn keep_signs<const N: usize>(&self, strands: &mut Strands, angles: &[[f64; 2]])
-    where
-        C: Cells<N>,
-    {
-        let Strands { strands, steps } = strands;
-        strands.retain(|strand| {
-            let along = steps[strand.steps[0]..strand.steps[1]].iter().map(|&([i, j], at)| {
-                self.cells.patch(i as usize, j as usize).jet(at.x, at.y).normal().dot(self.frame[2])
-            });
-            // Where the normal is none, at poles, it says nothing.
-            let most = along.fold(0.0_f64, |most, x| if x.abs() > most.abs() { x } else { most });
-            self.unsigned || most * angles[strand.level as usize][1] >= 0.0
-        });
     }
 
     /// The points where the normal has the direction, or the opposite one.

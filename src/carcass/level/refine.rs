@@ -16,6 +16,8 @@ struct Curve<'a, const N: usize, const M: usize> {
     field: &'a Field<M>,
     graph: Graph,
     chord: f64,
+    /// Greater values are not 0.
+    noise: f64,
 }
 
 /// A place on it.
@@ -47,45 +49,65 @@ pub(super) fn is_straight<const M: usize>(
     slope > 0.0 && bend * (1.0 + step / slope) + 2.0 * deviation <= chord
 }
 
-/// Adds the places between the ends of an arc that keep the chords within `chord` of it, as seen at their middles and quarters.
+/// What rounding may leave of the field at a root, in parts of the field's noise.
+const RESIDUAL: f64 = 16.0;
+
+/// The place amid an arc in the parameter that it is a graph over; `None` if the field is not 0 there, or the arc is no graph.
+pub(super) fn middle<const M: usize>(field: &Field<M>, link: &Link, noise: f64) -> Option<DVec2> {
+    amid(field, link.graph?, [link.from.at, link.to.at], noise).ok()
+}
+
+/// Adds the places between the ends of an arc that keep the chords within `chord` of it, as seen at their middles and quarters. Values up
+/// to `noise` may be 0. Returns where the field is not 0 although the arc should be there; no such place is added.
 pub(super) fn refine<const N: usize, const M: usize>(
     patch: &Patch<N>,
     field: &Field<M>,
     link: &Link,
     chord: f64,
+    noise: f64,
     places: &mut Vec<DVec2>,
-) {
-    let Some(graph) = link.graph else { return };
-    let curve = Curve { patch, field, graph, chord };
+) -> Option<DVec2> {
+    let curve = Curve { patch, field, graph: link.graph?, chord, noise };
     let [from, to] = [link.from.at, link.to.at].map(|at| Node { at, point: patch.point(at.x, at.y) });
-    let middle = curve.between(from, to);
-    curve.halve(from, middle, to, DEPTH, places);
+    curve.between(from, to).and_then(|middle| curve.halve(from, middle, to, DEPTH, places)).err()
+}
+
+/// The place of a graph whose parameter is amid those of two others, or where it should be if the field is not 0 there.
+fn amid<const M: usize>(
+    field: &Field<M>,
+    Graph { over, range }: Graph,
+    [a, b]: [DVec2; 2],
+    noise: f64,
+) -> Result<DVec2, DVec2> {
+    let along = 0.5 * (a[over] + b[over]);
+    let c: [f64; M] = match over {
+        0 => std::array::from_fn(|k| polynomial(&field.c.map(|row| row[k]), along)[0]),
+        _ => field.c.map(|row| polynomial(&row, along)[0]),
+    };
+    let mut at = DVec2::splat(along);
+    at[1 - over] = bracketed(&c, range);
+    let [value, slope] = polynomial(&c, at[1 - over]);
+    // Beside rounding of the field, that of the parameter.
+    if value.abs() <= RESIDUAL * (noise + f64::EPSILON * slope.abs()) { Ok(at) } else { Err(at) }
 }
 
 impl<const N: usize, const M: usize> Curve<'_, N, M> {
     /// The place whose parameter is amid two others.
-    fn between(&self, a: Node, b: Node) -> Node {
-        let Graph { over, range } = self.graph;
-        let along = 0.5 * (a.at[over] + b.at[over]);
-        let c: [f64; M] = match over {
-            0 => std::array::from_fn(|k| polynomial(&self.field.c.map(|row| row[k]), along)[0]),
-            _ => self.field.c.map(|row| polynomial(&row, along)[0]),
-        };
-        let mut at = DVec2::splat(along);
-        at[1 - over] = bracketed(&c, range);
-        Node { at, point: self.patch.point(at.x, at.y) }
+    fn between(&self, a: Node, b: Node) -> Result<Node, DVec2> {
+        let at = amid(self.field, self.graph, [a.at, b.at], self.noise)?;
+        Ok(Node { at, point: self.patch.point(at.x, at.y) })
     }
 
     /// Adds what is needed between `from` and `to`, whose middle is known.
-    fn halve(&self, from: Node, middle: Node, to: Node, depth: u32, places: &mut Vec<DVec2>) {
-        let quarters = [self.between(from, middle), self.between(middle, to)];
+    fn halve(&self, from: Node, middle: Node, to: Node, depth: u32, places: &mut Vec<DVec2>) -> Result<(), DVec2> {
+        let quarters = [self.between(from, middle)?, self.between(middle, to)?];
         let far = |node: &Node| distance_squared(node.point, from.point, to.point) > self.chord * self.chord;
         if depth == 0 || ![quarters[0], middle, quarters[1]].iter().any(far) {
-            return;
+            return Ok(());
         }
-        self.halve(from, quarters[0], middle, depth - 1, places);
+        let before = self.halve(from, quarters[0], middle, depth - 1, places);
         places.push(middle.at);
-        self.halve(middle, quarters[1], to, depth - 1, places);
+        before.and(self.halve(middle, quarters[1], to, depth - 1, places))
     }
 }
 

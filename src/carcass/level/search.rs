@@ -2,7 +2,7 @@
 
 use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
 use super::lattice::Lattice;
-use super::refine::{is_straight, refine};
+use super::refine::{is_straight, middle, refine};
 use super::side::{crossings, positive};
 use super::source::{Sides, Source};
 use crate::alloc;
@@ -220,6 +220,18 @@ impl<C, S> Search<'_, C, S> {
             alloc::push(&mut found.unresolved, (cell, at))?;
         }
         for link in links.iter() {
+            // Places of the arc itself: what is amid its ends need not be near it.
+            let places = || {
+                let amid = middle(piece.field, link, piece.noise).unwrap_or(link.from.at);
+                [link.from.at, amid, link.to.at]
+            };
+            let keeps = self.source.keeps(piece.cell, piece.level, places);
+            if keeps.is_none() {
+                alloc::push(&mut found.unresolved, (cell, link.from.at))?;
+            }
+            if keeps != Some(true) {
+                continue;
+            }
             let first = found.inner.len() as u32;
             let corners = || [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner(i, j));
             let straight = |chord: f64| {
@@ -227,7 +239,9 @@ impl<C, S> Search<'_, C, S> {
             };
             if let Some(chord) = self.chord.filter(|&chord| !straight(chord)) {
                 let patch = patch.get_or_insert_with(|| self.cells.patch(i, j));
-                refine(patch, piece.field, link, chord, &mut found.inner);
+                if let Some(at) = refine(patch, piece.field, link, chord, piece.noise, &mut found.inner) {
+                    alloc::push(&mut found.unresolved, (cell, at))?;
+                }
             }
             let arc = Arc {
                 level: piece.level as u32,

@@ -66,16 +66,31 @@ fn isolate<const M: usize>(c: &[f64; M], from: f64, to: f64, depth: u32, found: 
     isolate(&high, middle, to, depth - 1, found);
 }
 
-/// A root between `from` and `to`, where the polynomial has different signs: Newton's method, kept between by halving.
+/// How near to the ends the first guess of a root may be, in parts of the interval.
+const EDGE: f64 = 1.0 / 1024.0;
+
+/// A root between `from` and `to`, where the polynomial has different signs and changes its sign once: Newton's method, kept between by
+/// halving.
+///
+/// A value of 0 at an end counts as positive. If the polynomial is positive next to it, the sign changes elsewhere: neither a secant nor a
+/// tangent may end there.
 #[inline]
-pub(super) fn bracketed<const M: usize>(c: &[f64; M], [mut from, mut to]: [f64; 2]) -> f64 {
-    let (start, end) = (polynomial(c, from)[0], polynomial(c, to)[0]);
+pub(super) fn bracketed<const M: usize>(c: &[f64; M], [low, high]: [f64; 2]) -> f64 {
+    let ([start, first], [end, last]) = (polynomial(c, low), polynomial(c, high));
     let rising = positive(end);
     if positive(start) == rising {
-        // Nothing to bracket but rounding.
-        return if start.abs() <= end.abs() { from } else { to };
+        // Nothing to bracket but rounding: whoever calls judges the value.
+        return if start.abs() <= end.abs() { low } else { high };
     }
-    let mut t = from + (to - from) * (start / (start - end));
+    // The sign changes at the end itself.
+    if start == 0.0 && first < 0.0 {
+        return low;
+    }
+    if end == 0.0 && last > 0.0 {
+        return high;
+    }
+    let (mut from, mut to) = (low, high);
+    let mut t = from + (to - from) * (start / (start - end)).clamp(EDGE, 1.0 - EDGE);
     for _ in 0..100 {
         let [value, slope] = polynomial(c, t);
         if positive(value) == rising {
@@ -85,7 +100,8 @@ pub(super) fn bracketed<const M: usize>(c: &[f64; M], [mut from, mut to]: [f64; 
         }
         let newton = t - value / slope;
         // NaN and infinity of slope 0 fail the test too.
-        let next = if newton >= from && newton <= to { newton } else { 0.5 * (from + to) };
+        let inside = newton >= from && newton <= to && newton > low && newton < high;
+        let next = if inside { newton } else { 0.5 * (from + to) };
         let step = (next - t).abs();
         t = next;
         if step <= 1e-11 && next == newton || to - from <= 4e-16 {
@@ -122,6 +138,11 @@ mod tests {
         // 0 all along is positive; 0 at the start of what is negative is a root there.
         assert!(found([0.0; 4], [true, true]).is_empty());
         assert_eq!(found([0.0, -1.0, -1.0, -1.0], [true, false]), [Crossing { t: 0.0, rising: false }]);
+        // 0 at an end of what is positive there, and changes its sign elsewhere.
+        let [inner] = found([-1.0, -0.1, 0.3, 0.0], [false, true])[..] else { panic!() };
+        assert!(inner.rising && inner.t < 0.9 && polynomial(&[-1.0, -0.1, 0.3, 0.0], inner.t)[0].abs() < 1e-15);
+        let [inner] = found([0.0, 0.3, -0.1, -1.0], [true, false])[..] else { panic!() };
+        assert!(!inner.rising && inner.t > 0.1 && polynomial(&[0.0, 0.3, -0.1, -1.0], inner.t)[0].abs() < 1e-15);
         // A double root, touched from above and from below.
         assert!(found([0.25, -0.25, 0.25], [true, true]).len() % 2 == 0);
         assert!(found([0.25 + 1e-12, -0.25, 0.25], [true, true]).is_empty());

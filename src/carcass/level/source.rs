@@ -3,7 +3,7 @@
 use crate::carcass::axis::{Axis, TAPS};
 use crate::carcass::cells::{BLOCK, Cells};
 use crate::carcass::solve::Field;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// How the fields of two cells fit along their common side.
@@ -40,6 +40,11 @@ pub(super) trait Source<const M: usize>: Sync {
 
     /// The field whose zero set is one level's.
     fn field(&self, base: &Self::Base, level: usize) -> Field<M>;
+
+    /// False if an arc of the zero set of a cell's field, three places of which are given, is not of the level; `None` if it is in part only.
+    fn keeps(&self, _cell: [usize; 2], _level: usize, _places: impl FnOnce() -> [DVec2; 3]) -> Option<bool> {
+        Some(true)
+    }
 
     /// How far the surface over a cell of the block, and the field too, may be from the bilinear ones through the cell's corners.
     fn deviation(&self, _block: &Self::Block) -> f64 {
