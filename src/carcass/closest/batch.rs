@@ -1,5 +1,6 @@
 //! Many nearest points at once: sorted along a curve that fills space, so that neighbours follow each other; on many threads.
 
+use super::region::unfit;
 use super::{Closest, Seeker};
 use crate::alloc;
 use crate::carcass::Carcass;
@@ -40,8 +41,7 @@ impl Carcass<'_> {
         if limit.is_nan() || limit < 0.0 {
             return Err(Error::OptionOutOfRange { option: "limit", value: limit });
         }
-        if let Some(at) = queries.iter().position(|query| !query.is_finite()) {
-            let value = queries[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+        if let Some((at, value)) = queries.iter().enumerate().find_map(|(k, &query)| Some((k, unfit(query)?))) {
             return Err(Error::QueryNotFinite { query: at as u32, value });
         }
         let order = alloc::with_capacity(queries.len().min(SORTED))?;

@@ -76,7 +76,7 @@ impl Has<8> for Seeker {
 }
 
 impl Carcass<'_> {
-    /// The nearest point that is no farther than `limit`; `None` if there is none, or the query is not finite.
+    /// The nearest point that is no farther than `limit`; `None` if there is none, or the query has a coordinate that is NaN or beyond 1e150.
     ///
     /// Of several at the same distance: of the first sheet, there of the first cell, by rows.
     pub fn closest(&self, query: DVec3, limit: f64) -> Option<Closest> {
@@ -84,7 +84,7 @@ impl Carcass<'_> {
     }
 
     pub(crate) fn closest_with(&self, query: DVec3, limit: f64, seeker: &mut Seeker) -> Option<Closest> {
-        if !query.is_finite() || limit.is_nan() || limit < 0.0 {
+        if region::unfit(query).is_some() || limit.is_nan() || limit < 0.0 {
             return None;
         }
         let tolerance = self.tolerance().max(self.rounding(query));
@@ -104,7 +104,7 @@ impl Carcass<'_> {
             normal: if found.normal == DVec3::ZERO { self.normal(place) } else { found.normal },
             distance: found.distance,
             bound,
-            proven: bound >= found.distance - tolerance,
+            proven: found.distance.is_finite() && bound >= found.distance - tolerance,
             many,
         })
     }
