@@ -2146,7 +2146,7 @@ typedef struct gusset_line {
      */
     double origin[3];
     /**
-     * x, y, z of the direction; finite and not 0, of any length. t counts lengths of it.
+     * x, y, z of the direction; of a length from 1e-150 to 1e150. t counts lengths of it.
      */
     double direction[3];
     /**

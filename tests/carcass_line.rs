@@ -3,9 +3,9 @@
 mod surfaces;
 
 use glam::{DMat3, DVec3};
-use gusset::Job;
 use gusset::carcass::line::{Line, Which};
 use gusset::carcass::{Carcass, Grid, Nodes, Patches, Scheme, Sheet};
+use gusset::{Error, Job};
 use surfaces::{Random, SHAPES, Shape, grid};
 
 /// Parameters of all points that Newton's method finds from 7 x 7 starts in every cell.
@@ -404,4 +404,21 @@ fn fourth_order_on_a_torus() {
     let orders = [errors[0] / errors[1], errors[1] / errors[2]].map(f64::log2);
     println!("lines and a torus: errors {errors:?}, orders {orders:?}");
     assert!(orders[1] > 3.8 && errors[2] < 1e-6, "{errors:?} {orders:?}");
+}
+
+#[test]
+fn directions_whose_squares_vanish_or_overflow() {
+    let surface = Carcass::new(vec![Sheet::Grid(grid(&SHAPES[0]))], None, &Job::default()).unwrap();
+    let job = Job::default();
+    let along = |length: f64| Line::ray(DVec3::new(-9.0, 0.1, 0.0), DVec3::new(length, 0.0, 0.0));
+    for length in [1e-320, 1e-160, 1e160] {
+        assert!(surface.line(&along(length), Which::First).is_err(), "{length}");
+        let lines = [along(1.0), along(length)];
+        let refused = surface.first_hits(&lines, &job).unwrap_err();
+        assert!(matches!(refused, Error::BadLine { line: 1, value } if value == length), "{refused:?}");
+    }
+    for length in [1e-150, 1e150] {
+        let hit = surface.line(&along(length), Which::First).unwrap();
+        assert!(hit[0].t.is_finite() && hit[0].t > 0.0, "{hit:?}");
+    }
 }

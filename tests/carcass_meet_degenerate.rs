@@ -236,3 +236,25 @@ fn a_teapot_cut_by_planes() {
         assert!(crossings > 100 && paths.unresolved.is_empty(), "{k}: {crossings} {}", summary(&paths));
     }
 }
+
+#[test]
+fn sheets_that_are_lines_do_not_take_long() {
+    let nodes = |axis: usize| -> Vec<f64> {
+        (0..36)
+            .flat_map(|k| std::array::from_fn::<f64, 3, _>(|n| if n == axis { (k / 6) as f64 - 2.3 } else { 0.0 }))
+            .collect()
+    };
+    let sheet = |axis: usize| {
+        let nodes = gusset::carcass::Nodes::strided(nodes(axis), 6, 6, 0, 0).unwrap();
+        Sheet::Grid(gusset::carcass::Grid::new(nodes, [false; 2], Scheme::SixTap).unwrap())
+    };
+    let [along, across] = [0, 1].map(|axis| Carcass::new(vec![sheet(axis)], None, &Job::default()).unwrap());
+    for other in [&along, &across] {
+        let clock = std::time::Instant::now();
+        let paths = meet(&along, other);
+        // Where they meet is not lost: it is in cells of the third row.
+        assert!(paths.is_empty() && paths.unresolved.iter().any(|place| place.cell[0] == 2), "{}", summary(&paths));
+        assert!(clock.elapsed().as_secs() < 20, "{:?}", clock.elapsed());
+        println!("{:?}", clock.elapsed());
+    }
+}

@@ -3,8 +3,8 @@
 mod surfaces;
 
 use glam::DVec3;
-use gusset::Job;
-use gusset::carcass::{Carcass, Grid, Sheet};
+use gusset::carcass::{Carcass, Grid, Nodes, Scheme, Sheet};
+use gusset::{Error, Job};
 use surfaces::{Random, SHAPES, grid};
 
 fn carcass(grid: &Grid<'static>) -> Carcass<'static> {
@@ -171,4 +171,79 @@ fn questions_that_are_none() {
     assert!(carcass.local_minima(DVec3::ZERO, f64::NAN, 0, &job).is_err());
     assert!(carcass.region(DVec3::INFINITY, 1.0, &job).is_err());
     assert!(carcass.region(DVec3::ZERO, -1.0, &job).is_err());
+}
+
+/// A surface through rows x columns nodes.
+fn through(rows: usize, columns: usize, node: impl Fn(usize, usize) -> [f64; 3]) -> Carcass<'static> {
+    let data: Vec<f64> = (0..rows * columns).flat_map(|k| node(k / columns, k % columns)).collect();
+    let nodes = Nodes::strided(data, rows, columns, 0, 0).unwrap();
+    carcass(&Grid::new(nodes, [false; 2], Scheme::SixTap).unwrap())
+}
+
+#[test]
+fn a_fold_that_meets_a_border() {
+    // x overshoots between nodes that are alike: S_u = 0 on lines that end on the borders, where the nearest points are.
+    let small = through(4, 2, |i, j| [[0.0, 0.0, 1.0, 1.0][i], j as f64, 0.0]);
+    let large = through(6, 6, |i, j| [(i / 2) as f64, j as f64, 0.0]);
+    let queries = [[3.0, -3.0, 3.0], [-3.0, -3.0, 3.0], [3.0, 8.0, 3.0], [100.0, -100.0, 100.0], [3.0, 0.5, 0.0]];
+    for (k, surface) in [&small, &large].into_iter().enumerate() {
+        for query in queries.map(DVec3::from_array) {
+            let nearest = surface.closest(query, f64::INFINITY).unwrap();
+            for most in [0, 1] {
+                let minima = surface.local_minima(query, f64::INFINITY, most, &Job::default()).unwrap();
+                let first = minima.points.first().unwrap_or_else(|| panic!("{k} {query} {most}: none"));
+                assert!((first.distance - nearest.distance).abs() < 1e-9, "{k} {query} {most}: {first:?} {nearest:?}");
+            }
+        }
+    }
+    // One that is not the nearest: the far end of the fold, where another sheet is nearer.
+    let query = DVec3::new(3.0, -3.0, 3.0);
+    let lone = small.closest(query, f64::INFINITY).unwrap();
+    let near = through(2, 2, |i, j| [3.0 + i as f64, -3.0 + j as f64, 2.0]);
+    let sheets = vec![near.sheet(0).clone(), small.sheet(0).clone()];
+    let both = Carcass::new(sheets, None, &Job::default()).unwrap();
+    let minima = both.local_minima(query, f64::INFINITY, 0, &Job::default()).unwrap();
+    assert!(minima.points.iter().any(|point| point.point.distance(lone.point) < 1e-9), "{minima:?}");
+}
+
+#[test]
+fn the_nearest_point_is_among_the_minima_of_any_surface() {
+    let mut random = Random(17);
+    for k in 0..24 {
+        // Nodes of few values: folds, cusps, sides and sheets without extent.
+        let values: Vec<[f64; 3]> = (0..16)
+            .map(|_| [0, 1, 2].map(|axis| if axis == k % 4 { 0.0 } else { (2.0 * random.next()).round() }))
+            .collect();
+        let surface = through(4, 4, |i, j| values[4 * i + j]);
+        for _ in 0..4 {
+            let query = random.point(6.0);
+            let nearest = surface.closest(query, f64::INFINITY).unwrap();
+            let minima = surface.local_minima(query, f64::INFINITY, 1, &Job::default()).unwrap();
+            let first = minima.points.first().unwrap_or_else(|| panic!("{values:?} {query}: none"));
+            assert!((first.distance - nearest.distance).abs() < 1e-6, "{values:?} {query}: {first:?} {nearest:?}");
+        }
+    }
+}
+
+#[test]
+fn a_sheet_that_is_a_line_has_one_nearest_point() {
+    let surface = through(6, 6, |i, _| [i as f64, 0.0, 0.0]);
+    let query = DVec3::new(2.001, 1.0, 0.0);
+    let minima = surface.local_minima(query, f64::INFINITY, 0, &Job::default()).unwrap();
+    assert_eq!(minima.points.len(), 1, "{minima:?}");
+    assert!((minima.points[0].distance - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn queries_whose_squares_overflow() {
+    let surface = carcass(&grid(&SHAPES[2]));
+    let job = Job::default();
+    let far = DVec3::new(0.0, 2e150, 0.0);
+    let refused = |error: Error, at: u32| matches!(error, Error::QueryNotFinite { query, value } if query == at && value == 2e150);
+    assert_eq!(surface.closest(far, f64::INFINITY), None);
+    assert!(refused(surface.closest_all(&[DVec3::ZERO, far], f64::INFINITY, &job).unwrap_err(), 1));
+    assert!(refused(surface.local_minima(far, f64::INFINITY, 0, &job).unwrap_err(), 0));
+    assert!(refused(surface.region(far, 1.0, &job).unwrap_err(), 0));
+    let found = surface.closest(DVec3::splat(1e150), f64::INFINITY).unwrap();
+    assert!(found.distance.is_finite() && found.proven, "{found:?}");
 }

@@ -73,6 +73,32 @@ impl<const N: usize> Patch<N> {
         side.iter().all(|p| p.distance(side[0]) <= noise)
     }
 
+    /// True if S_u x S_v cannot be told from 0 anywhere, as of a patch that is a curve or a point.
+    ///
+    /// Its control vectors are sums of products of those of S_u and S_v, with the products of their binomials as weights.
+    pub(super) fn has_no_area(&self) -> bool {
+        let p = &self.points;
+        let step_u = |a: usize, b: usize| p[a + 1][b] - p[a][b];
+        let step_v = |a: usize, b: usize| p[a][b + 1] - p[a][b];
+        let (lower, full) = (binomials::<N>(N - 2), binomials::<N>(N - 1));
+        let mut longest = 0.0_f64;
+        for (a, b) in (0..N - 1).flat_map(|a| (0..N).map(move |b| (a, b))) {
+            longest = longest.max(step_u(a, b).length()).max(step_v(b, a).length());
+        }
+        let noise = 2.0 * self.noise() * longest;
+        // i = a + c and j = b + d, where a and d are below N - 1.
+        let split = |k: usize| k.saturating_sub(N - 1)..=k.min(N - 2);
+        (0..2 * N - 2).flat_map(|i| (0..2 * N - 2).map(move |j| (i, j))).all(|(i, j)| {
+            let (mut sum, mut weight) = (DVec3::ZERO, 0.0);
+            for (a, d) in split(i).flat_map(|a| split(j).map(move |d| (a, d))) {
+                let share = lower[a] * full[j - d] * full[i - a] * lower[d];
+                sum += share * step_u(a, j - d).cross(step_v(i - a, d));
+                weight += share;
+            }
+            sum.length() <= weight * noise
+        })
+    }
+
     /// The unit normal and whether it is regular; 0 if there is none.
     fn normal(&self, u: f64, v: f64) -> Normal {
         let (jet, noise) = (self.jet(u, v), self.noise());

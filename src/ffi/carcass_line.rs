@@ -17,7 +17,7 @@ use std::ptr;
 pub struct gusset_line {
     /// x, y, z of the point where t is 0; finite.
     pub origin: [f64; 3],
-    /// x, y, z of the direction; finite and not 0, of any length. t counts lengths of it.
+    /// x, y, z of the direction; of a length from 1e-150 to 1e150. t counts lengths of it.
     pub direction: [f64; 3],
     /// The least t: -INFINITY for lines, 0 for rays and segments.
     pub from: f64,

@@ -2,6 +2,7 @@
 
 use super::Closest;
 use super::hunt::Hunt;
+use super::region::unfit;
 use crate::alloc;
 use crate::carcass::Carcass;
 use crate::error::{Error, Result};
@@ -41,8 +42,7 @@ impl Carcass<'_> {
         if limit.is_nan() || limit < 0.0 {
             return Err(Error::OptionOutOfRange { option: "limit", value: limit });
         }
-        if let Some(at) = queries.iter().position(|query| !query.is_finite()) {
-            let value = queries[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+        if let Some((at, value)) = queries.iter().enumerate().find_map(|(k, &query)| Some((k, unfit(query)?))) {
             return Err(Error::QueryNotFinite { query: at as u32, value });
         }
         let order = alloc::with_capacity(queries.len().min(SORTED))?;

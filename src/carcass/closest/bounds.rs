@@ -110,11 +110,11 @@ impl Hessian {
         sound.then(|| determinant / (u + v))
     }
 
-    /// True if some direction goes down from every point where the gradient is 0.
-    pub(super) fn is_nowhere_definite(&self) -> bool {
+    /// True if some direction goes down from every point where the gradient is 0. Second derivatives may be off by `noise`.
+    pub(super) fn is_nowhere_definite(&self, noise: f64) -> bool {
         let [low, high] = self.uv;
-        let mixed = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
-        let (u, v) = (self.uu[1], self.vv[1]);
+        let mixed = if low <= 0.0 && high >= 0.0 { 0.0 } else { (low.abs().min(high.abs()) - noise).max(0.0) };
+        let (u, v) = (self.uu[1] + noise, self.vv[1] + noise);
         u < 0.0 || v < 0.0 || u * v < mixed * mixed
     }
 }

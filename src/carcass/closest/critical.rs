@@ -15,6 +15,8 @@ use glam::{DVec2, DVec3};
 const DEPTH: i32 = 26;
 /// Parts of one patch that are looked at before it is given up.
 const PARTS: usize = 192;
+/// The same of a patch that has no area.
+const PARTS_OF_LINE: usize = 12;
 
 /// A place where the distance is locally least, or may be.
 #[derive(Debug, Clone, Copy)]
@@ -41,6 +43,8 @@ pub(super) fn minima<const N: usize>(patch: &Patch<N>, query: DVec3, tolerance: 
     }
     let mut parts = vec![Part { patch: *patch, from: DVec2::ZERO, size: DVec2::ONE, bound: 0.0 }];
     let mut looked_at = 0;
+    // No part of a line has a definite Hessian: cutting it up only tells where there is nothing.
+    let most = if patch.has_no_area() { PARTS_OF_LINE } else { PARTS };
     let mut open: Option<Least> = None;
     while let Some(part) = parts.pop() {
         if !may_be_flat(&part.patch, query) {
@@ -49,12 +53,14 @@ pub(super) fn minima<const N: usize>(patch: &Patch<N>, query: DVec3, tolerance: 
         looked_at += 1;
         let foot = descend(&part.patch, query, DVec2::splat(0.5), STEPS);
         let hessian = part.patch.hessian(query, &foot);
-        if hessian.is_nowhere_definite() {
+        let noise = part.patch.noise();
+        let speed = foot.jet.u.length() + foot.jet.v.length();
+        if hessian.is_nowhere_definite(noise * (foot.distance + speed + noise)) {
             continue;
         }
         let whole = || Foot::at(patch, query, part.from + part.size * foot.place);
         if part.patch.least_curvature(query, &foot).is_some() {
-            if is_flat(&foot, query) {
+            if is_flat(&part.patch, &foot, query) {
                 add(Least::new(&whole(), part.patch.convex(query, &foot), true));
             }
             continue;
@@ -62,7 +68,7 @@ pub(super) fn minima<const N: usize>(patch: &Patch<N>, query: DVec3, tolerance: 
         let direction = (query - foot.jet.point).normalize_or_zero();
         let bound = part.patch.half_space(query, direction).max(part.patch.box_distance(query));
         let small = part.size.min_element() <= 0.5_f64.powi(DEPTH);
-        if small || looked_at >= PARTS || part.patch.farthest(query) - bound <= tolerance {
+        if small || looked_at >= most || part.patch.farthest(query) - bound <= tolerance {
             let found = Least::new(&whole(), bound, false);
             open = Some(match open {
                 Some(other) if other.distance <= found.distance => Least { bound: other.bound.min(bound), ..other },
@@ -77,13 +83,25 @@ pub(super) fn minima<const N: usize>(patch: &Patch<N>, query: DVec3, tolerance: 
 }
 
 /// True if the slopes across borders of the part are no more than what rounding makes of 0; inside they are 0 where the descent ends.
-fn is_flat(foot: &Foot, query: DVec3) -> bool {
+fn is_flat<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3) -> bool {
     let (gradient, _) = slopes(&foot.jet, query);
-    let noise = 64.0 * f64::EPSILON * foot.jet.point.abs().max(query.abs()).max_element();
-    [(0, foot.jet.u), (1, foot.jet.v)].into_iter().all(|(k, along)| {
-        let inside = foot.place[k] > 0.0 && foot.place[k] < 1.0;
-        inside || gradient[k].abs() <= noise * along.length() + 1e-12 * along.length_squared()
-    })
+    let play = play(patch, foot, query, 1e-12);
+    (0..2).all(|k| (foot.place[k] > 0.0 && foot.place[k] < 1.0) || gradient[k].abs() <= play[k])
+}
+
+/// What slopes of |S - q|^2 / 2 may be where they are 0, if the place is off by `step`.
+///
+/// The slope (S - q) . S_u is off by |S_u| times the rounding of S - q, and by |S - q| times that of S_u, which is not small beside S_u where this
+/// vanishes, as on a fold. Over a step it grows by the second derivative, |S_u|^2 + (S - q) . S_uu, of which only the last part is left
+/// there.
+fn play<const N: usize>(patch: &Patch<N>, foot: &Foot, query: DVec3, step: f64) -> DVec2 {
+    let size = foot.jet.point.abs().max(query.abs()).max_element();
+    let noise = patch.noise();
+    let of = |along: DVec3, bend: DVec3| {
+        let rounding = 64.0 * f64::EPSILON * size * along.length() + foot.distance * noise;
+        rounding + step * (along.length_squared() + (foot.jet.point - query).dot(bend).abs())
+    };
+    DVec2::new(of(foot.jet.u, foot.jet.uu), of(foot.jet.v, foot.jet.vv))
 }
 
 /// False if a slope of the distance is not 0 anywhere in a patch.
@@ -105,8 +123,9 @@ fn may_be_flat<const N: usize>(patch: &Patch<N>, query: DVec3) -> bool {
         row.iter().zip(next).for_each(|(from, to)| add(0, *to - *from));
     }
     p.iter().flat_map(|row| row.windows(2)).for_each(|pair| add(1, pair[1] - pair[0]));
+    let noise = from.length() * patch.noise();
     (0..2).all(|k| {
-        let play = reach * most[k].sqrt() * (1.0 + 1e-9) + f64::MIN_POSITIVE;
+        let play = reach * most[k].sqrt() * (1.0 + 1e-9) + noise + f64::MIN_POSITIVE;
         ranges[k][0] <= play && ranges[k][1] >= -play
     })
 }
@@ -123,10 +142,8 @@ pub(super) fn side_minima<const N: usize>(patch: &Patch<N>, query: DVec3, mut ad
 /// Gives a place on the border to `add` if no permitted step from there goes down.
 fn judge<const N: usize>(patch: &Patch<N>, query: DVec3, place: DVec2, add: &mut impl FnMut(Least)) {
     let foot = Foot::at(patch, query, place);
-    let size = foot.jet.point.abs().max(query.abs()).max_element();
     let slope = foot.free_gradient(query);
-    let noise = |along: DVec3| 64.0 * f64::EPSILON * size * along.length() + 1e-9 * along.length_squared();
-    if slope.x.abs() <= noise(foot.jet.u) && slope.y.abs() <= noise(foot.jet.v) {
+    if slope.abs().cmple(play(patch, &foot, query, 1e-9)).all() {
         add(Least::new(&foot, foot.distance, true));
     }
 }

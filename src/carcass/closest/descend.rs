@@ -82,7 +82,8 @@ pub(super) fn slopes(jet: &Jet, query: DVec3) -> (DVec2, DMat2) {
     (DVec2::new(from.dot(jet.u), from.dot(jet.v)), DMat2::from_cols(DVec2::new(uu, mixed), DVec2::new(mixed, vv)))
 }
 
-/// Newton's step in the free directions, or that of Gauss and Newton where Newton's would not go down.
+/// Newton's step in the free directions, or that of Gauss and Newton where Newton's would not go down; where tangents are parallel or 0, the
+/// better one along a single parameter.
 fn step(gradient: DVec2, hessian: DMat2, jet: &Jet, free: [bool; 2]) -> Option<DVec2> {
     let solve = |m: DMat2| match free {
         [true, true] => {
@@ -97,5 +98,19 @@ fn step(gradient: DVec2, hessian: DMat2, jet: &Jet, free: [bool; 2]) -> Option<D
         let mixed = jet.u.dot(jet.v);
         DMat2::from_cols(DVec2::new(jet.u.length_squared(), mixed), DVec2::new(mixed, jet.v.length_squared()))
     };
-    solve(hessian).or_else(|| solve(gauss())).filter(|step| step.is_finite())
+    let single = || {
+        let of = |k: usize, along: DVec3| {
+            let (slope, square) = (gradient[k], along.length_squared());
+            // How far down it goes at most, within the patch: noise of a tangent that is 0 promises nothing.
+            let step = slope / square;
+            (free[k] && square > 0.0).then_some((slope.abs() * step.abs().min(1.0), step.clamp(-1.0, 1.0)))
+        };
+        match (of(0, jet.u), of(1, jet.v)) {
+            (Some((a, u)), Some((b, _))) if a >= b => Some(DVec2::new(u, 0.0)),
+            (_, Some((_, v))) => Some(DVec2::new(0.0, v)),
+            (Some((_, u)), None) => Some(DVec2::new(u, 0.0)),
+            (None, None) => None,
+        }
+    };
+    solve(hessian).or_else(|| solve(gauss())).or_else(single).filter(|step| step.is_finite())
 }

@@ -89,7 +89,7 @@ impl Carcass<'_> {
         let tolerance = self.tolerance().max(self.rounding(query));
         let mut search = Search { carcass: self, query, limit, tolerance, most, found: Vec::new(), open: Vec::new() };
         let bound = search.run(job)?;
-        search.end(bound)
+        search.end(bound, self.closest(query, limit))
     }
 }
 
@@ -222,14 +222,14 @@ impl Search<'_> {
     }
 
     /// What was found, with one place for all open cells that touch.
-    fn end(mut self, bound: f64) -> Result<Minima> {
+    fn end(mut self, bound: f64, nearest: Option<Closest>) -> Result<Minima> {
         let complete = self.open.len() <= OPEN;
         merge(&mut self.open, self.carcass);
         let proven = std::mem::take(&mut self.found);
         // An open place next to a proven one is that.
         let near = 16.0 * self.tolerance;
         self.open.retain(|open| proven.iter().all(|found| found.least.point.distance(open.least.point) > near));
-        let mut points = alloc::with_capacity(proven.len() + self.open.len())?;
+        let mut points = alloc::with_capacity(proven.len() + self.open.len() + 1)?;
         for Candidate { least, sheet, cell } in proven.into_iter().chain(self.open) {
             let (i, j) = (cell.0 as u32, cell.1 as u32);
             let place = Place { sheet: sheet as u32, cell: [i, j], u: least.place.x, v: least.place.y };
@@ -237,16 +237,38 @@ impl Search<'_> {
             let normal = self.carcass.normal(place);
             points.push(Closest { place, point, normal, distance, bound, proven, many: !proven });
         }
+        // The nearest point of all is a minimum, whatever the surface is like there.
+        let reached = |point: &Closest, nearest: &Closest| point.distance <= nearest.distance + self.tolerance;
+        if let Some(nearest) = nearest.filter(|nearest| !points.iter().any(|point| reached(point, nearest))) {
+            points.push(nearest);
+        }
         points.sort_by(|a, b| {
             let place = |c: &Closest| (c.place.sheet, c.place.cell);
             a.distance.total_cmp(&b.distance).then_with(|| place(a).cmp(&place(b)))
         });
         points.retain(|point| point.distance <= self.limit);
+        unite(&mut points, near)?;
         if self.most > 0 {
             points.truncate(self.most);
         }
         Ok(Minima { points, complete, bound })
     }
+}
+
+/// Leaves one of all points that are one in space, the first; a proven one next to it makes it proven.
+fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
+    let mut kept: Vec<Closest> = alloc::with_capacity(points.len())?;
+    for point in points.drain(..) {
+        // Points that are one are nearly as far: the last ones only need be compared.
+        let alike = kept.iter_mut().rev().take_while(|other| other.distance >= point.distance - near);
+        match { alike }.find(|other| other.point.distance(point.point) <= near) {
+            Some(other) if point.proven && !other.proven => *other = point,
+            Some(other) => other.bound = other.bound.min(point.bound),
+            None => kept.push(point),
+        }
+    }
+    *points = kept;
+    Ok(())
 }
 
 /// Leaves the nearest of all that are in cells of a sheet that touch, round seams too.

@@ -47,7 +47,7 @@ pub struct Closest {
 }
 
 impl Carcass<'_> {
-    /// The nearest point that is no farther than `limit`; `None` if there is none, or the query is not finite.
+    /// The nearest point that is no farther than `limit`; `None` if there is none, or the query has a coordinate that is NaN or beyond 1e150.
     ///
     /// Of several at the same distance: of the first sheet, there of the first cell, by rows.
     pub fn closest(&self, query: DVec3, limit: f64) -> Option<Closest> {
@@ -55,7 +55,7 @@ impl Carcass<'_> {
     }
 
     pub(crate) fn closest_with(&self, query: DVec3, limit: f64, hunt: &mut Hunt) -> Option<Closest> {
-        if !query.is_finite() || limit.is_nan() || limit < 0.0 {
+        if region::unfit(query).is_some() || limit.is_nan() || limit < 0.0 {
             return None;
         }
         let tolerance = self.tolerance().max(self.rounding(query));
@@ -80,7 +80,8 @@ impl Carcass<'_> {
             normal: if answer.normal == DVec3::ZERO { self.normal(place) } else { answer.normal },
             distance: answer.distance,
             bound,
-            proven: bound >= answer.distance - tolerance,
+    pub(crate) fn closest_with(&self, query: DVec3, limit: f64, hunt: &mut Hunt) -> Option<Closest> {
+        if region::unfit(query).is_some() || limit.is_nan() || limit < 0.0 {
             many,
         })
     }

@@ -5,6 +5,7 @@ use super::search::Block;
 use crate::alloc;
 use crate::carcass::cells::Cells;
 use crate::carcass::index::Pyramid;
+use crate::carcass::line::LARGEST;
 use crate::carcass::{Carcass, each_sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -67,9 +68,14 @@ impl Carcass<'_> {
     }
 }
 
+/// A coordinate that is NaN, or so great that its square would overflow.
+pub(super) fn unfit(query: DVec3) -> Option<f64> {
+    query.to_array().into_iter().find(|x| x.is_nan() || x.abs() > LARGEST)
+}
+
 /// [`Error::QueryNotFinite`], or [`Error::OptionOutOfRange`] for a distance that is negative or NaN.
 pub(super) fn check(option: &'static str, query: DVec3, distance: f64) -> Result<()> {
-    if let Some(value) = query.to_array().into_iter().find(|x| !x.is_finite()) {
+    if let Some(value) = unfit(query) {
         return Err(Error::QueryNotFinite { query: 0, value });
     }
     if distance >= 0.0 { Ok(()) } else { Err(Error::OptionOutOfRange { option, value: distance }) }

@@ -67,9 +67,9 @@ struct Candidate {
 }
 
 impl Goal {
-    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for 0.
-    fn deviation(&self, [x, y, z]: [f64; 3]) -> f64 {
-        if x == 0.0 && y == 0.0 && z == 0.0 {
+    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for what may be 0, but for `noise`.
+    fn deviation(&self, [x, y, z]: [f64; 3], noise: f64) -> f64 {
+        if x.abs() <= noise && y.abs() <= noise && z.abs() <= noise {
             return f64::INFINITY;
         }
         let along = if self.unsigned { z.abs() } else { z };
@@ -107,19 +107,26 @@ impl Goal {
     }
 }
 
+/// True if all components are within the noise.
+fn vanish(ranges: &[[f64; 2]; 3], noise: f64) -> bool {
+    ranges.iter().all(|&[low, high]| low >= -noise && high <= noise)
+}
+
 /// Part of a cell.
 struct Part<const H: usize> {
     normal: [Field<H>; 3],
     from: DVec2,
     size: f64,
     depth: u32,
+    /// What components of normals may be off by.
+    noise: f64,
     deviation: f64,
 }
 
 impl<const H: usize> Part<H> {
-    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, depth: u32, goal: &Goal) -> Self {
-        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value));
-        Part { normal, from, size, depth, deviation }
+    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, depth: u32, noise: f64, goal: &Goal) -> Self {
+        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value), noise);
+        Part { normal, from, size, depth, noise, deviation }
     }
 
     fn quarters(&self, goal: &Goal) -> [Part<H>; 4] {
@@ -128,7 +135,7 @@ impl<const H: usize> Part<H> {
         [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
             let k = 2 * corner.x as usize + corner.y as usize;
             let from = self.from + half * corner;
-            Part::new([first[k], second[k], along[k]], from, half, self.depth + 1, goal)
+            Part::new([first[k], second[k], along[k]], from, half, self.depth + 1, self.noise, goal)
         })
     }
 }
@@ -203,12 +210,13 @@ impl<C> Sought<'_, C> {
         let [i, j] = cell.map(|k| k as usize);
         let patch = self.normals.cells.patch(i, j);
         let of = Hodographs::new(&patch, &self.normals.frame);
-        let bound = self.goal.bound(angles(&of.ranges(), 0.0));
-        if bound >= best.deviation {
+        let (ranges, noise) = (of.ranges(), self.normals.noise(&of));
+        let bound = self.goal.bound(angles(&ranges, 0.0));
+        if bound >= best.deviation || vanish(&ranges, noise) {
             return Ok(());
         }
         let normal = patch.jet(0.5, 0.5).normal();
-        let deviation = self.goal.deviation(self.normals.frame.map(|axis| normal.dot(axis)));
+        let deviation = self.goal.deviation(self.normals.frame.map(|axis| normal.dot(axis)), noise);
         if deviation < best.deviation {
             *best = Best { deviation, place: Some(Place { sheet: self.sheet, cell, u: 0.5, v: 0.5 }) };
         }
@@ -222,8 +230,8 @@ impl<C> Sought<'_, C> {
     {
         let [i, j] = cell.map(|k| k as usize);
         let of = Hodographs::new(&self.normals.cells.patch(i, j), &self.normals.frame);
-        let normal = std::array::from_fn(|k| of.normal::<H>(k));
-        let mut waiting = vec![Part::new(normal, DVec2::ZERO, 1.0, 0, &self.goal)];
+        let (normal, noise) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.noise(&of));
+        let mut waiting = vec![Part::new(normal, DVec2::ZERO, 1.0, 0, noise, &self.goal)];
         let (mut bound, mut looked_at) = (f64::INFINITY, 0);
         while let Some(part) = waiting.pop() {
             looked_at += 1;
@@ -232,8 +240,13 @@ impl<C> Sought<'_, C> {
                 let place = Place { sheet: self.sheet, cell, u: at.x, v: at.y };
                 *best = Best { deviation: part.deviation, place: Some(place) };
             }
+            let ranges = part.normal.map(|field| field.range());
+            if vanish(&ranges, noise) {
+                // Here is no normal.
+                continue;
+            }
             let proved = (best.deviation - TOLERANCE).max(0.0);
-            let near = self.goal.bound(angles(&part.normal.map(|field| field.range()), 0.0));
+            let near = self.goal.bound(angles(&ranges, 0.0));
             if near >= proved || self.goal.is_beyond::<H, M>(&part.normal, proved) {
                 bound = bound.min(near.max(proved));
                 continue;
@@ -304,8 +317,8 @@ impl Carcass<'_> {
         Ok(best.place.map(|place| {
             let (point, normal) = self.point_and_normal(place);
             let seen = frame.map(|axis| normal.dot(axis));
-            let found = Goal { angle: 0.0, unsigned }.deviation(seen);
-            let deviation = goal.deviation(seen);
+            let found = Goal { angle: 0.0, unsigned }.deviation(seen, 0.0);
+            let deviation = goal.deviation(seen, 0.0);
             NearestAngle {
                 place,
                 point,

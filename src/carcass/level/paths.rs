@@ -194,7 +194,19 @@ pub(super) fn paths(
         }
         all.add(&sequence, closed, tolerance, &mut paths)?;
     }
+    once(&mut paths.unresolved)?;
     Ok(paths)
+}
+
+/// Leaves the first place of each cell, in their order: of several levels, or of pieces of curves, there may be many.
+fn once(places: &mut Vec<Place>) -> Result<()> {
+    let cell = |place: &Place| (place.sheet, place.cell);
+    let mut by: Vec<usize> = alloc::collect(0..places.len())?;
+    by.sort_by_key(|&k| cell(&places[k]));
+    by.dedup_by_key(|&mut k| cell(&places[k]));
+    by.sort_unstable();
+    *places = alloc::collect(by.into_iter().map(|k| places[k]))?;
+    Ok(())
 }
 
 /// Adds paths of one point each, of the given levels, and puts all in the order of levels. Points nearer than the tolerance to others of

@@ -29,7 +29,7 @@ pub(super) const LARGEST: f64 = 1e150;
 pub struct Line {
     /// Where t is 0; coordinates up to 1e150.
     pub origin: DVec3,
-    /// Not 0; of any length.
+    /// Of a length whose square neither vanishes nor overflows: from 1e-150 to 1e150.
     pub direction: DVec3,
     /// The least t: -infinity for lines, 0 for rays and segments.
     pub from: f64,
@@ -62,8 +62,10 @@ impl Line {
         if let Some(value) = self.direction.to_array().into_iter().find(|x| !x.is_finite()) {
             return bad(value, "direction");
         }
-        if self.direction == DVec3::ZERO {
-            return bad(0.0, "direction");
+        // Parameters of points are quotients by the length: they would be infinite.
+        let square = self.direction.length_squared();
+        if !(square >= f64::MIN_POSITIVE && square.is_finite()) {
+            return bad(self.direction.abs().max_element(), "direction");
         }
         if self.from.is_nan() || self.to.is_nan() || self.from > self.to {
             return bad(self.from, "from");

@@ -11,7 +11,7 @@ use crate::alloc;
 use crate::error::Result;
 use glam::{DVec3, DVec4};
 
-/// Boxes looked at before it is asked whether the cells touch.
+/// Boxes looked at before it is asked whether the cells touch, or have no area: curves that meet, meet in points.
 const PATIENCE: usize = 12;
 
 /// Spots apart from each other that one pair may have.
@@ -106,7 +106,8 @@ impl Task {
         let mut looked_at = 0;
         while let Some(part) = stack.pop() {
             looked_at += 1;
-            if looked_at == PATIENCE && self.coincide(equation) {
+            let hopeless = || equation.a.has_no_area() && equation.b.has_no_area();
+            if looked_at == PATIENCE && (hopeless() || self.coincide(equation)) {
                 pieces.truncate(before);
                 self.give_up(equation, &whole, spots, pieces);
                 return Ok(());
