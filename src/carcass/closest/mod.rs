@@ -80,8 +80,7 @@ impl Carcass<'_> {
             normal: if answer.normal == DVec3::ZERO { self.normal(place) } else { answer.normal },
             distance: answer.distance,
             bound,
-    pub(crate) fn closest_with(&self, query: DVec3, limit: f64, hunt: &mut Hunt) -> Option<Closest> {
-        if region::unfit(query).is_some() || limit.is_nan() || limit < 0.0 {
+            proven: answer.distance.is_finite() && bound >= answer.distance - tolerance,
             many,
         })
     }
