@@ -14,7 +14,7 @@ use std::ops::Range;
 /// Rows of cells, or chunks of them, between two reports of progress.
 const ROUND: usize = 64;
 /// Cells that a thread takes at a time, where they do not come by rows.
-const CHUNK: usize = 1 << 10;
+const CHUNK: usize = 1 << 8;
 
 impl Sheet<'_> {
     /// For each cell, row after row, an estimate of how far a grid's surface is from the smooth one that its nodes were taken from, at equal

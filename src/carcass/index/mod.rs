@@ -110,22 +110,22 @@ impl Pyramid {
         let (across, together) = (columns.div_ceil(2), 2 * PAIRS * columns);
         let parts = base.groups.chunks_mut(PAIRS * across).zip(base.oriented.chunks_mut(together));
         let mut parts = parts.zip(displacements.chunks_mut(together)).enumerate();
-        let work = |(k, ((groups, oriented), displacements)): (usize, ((&mut [Group], &mut [Oriented]), &mut [_]))| {
-            let first = 2 * PAIRS * k;
-            let mut bounds = vec![Bounds::EMPTY; displacements.len()];
-            cells.displacements(first..first + displacements.len() / columns, &mut bounds);
-            let parts = oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
-            for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
-                let groups = &mut groups[r / 2 * across..][..across];
-                let row = Row { row: first + r, displacements: bounds };
-                row.blocks(cells, origin, groups, oriented, displacements);
-            }
-        };
         let (count, round) = (rows.div_ceil(2 * PAIRS), (ROUND / (together * BLOCK * BLOCK)).max(1));
         for from in (0..count).step_by(round) {
             job.step(0.8 * from as f64 / count as f64, "index")?;
             let slice: Vec<_> = parts.by_ref().take(round).collect();
-            par::map(job.threads(), slice.into_iter(), work);
+            par::map(job.threads(), slice.into_iter(), |(k, ((groups, oriented), displacements))| {
+                let first = 2 * PAIRS * k;
+                let mut bounds = vec![Bounds::EMPTY; displacements.len()];
+                cells.displacements(first..first + displacements.len() / columns, &mut bounds);
+                let parts =
+                    oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
+                for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
+                    let groups = &mut groups[r / 2 * across..][..across];
+                    let row = Row { row: first + r, displacements: bounds };
+                    row.blocks(cells, origin, groups, oriented, displacements);
+                }
+            });
         }
         job.step(0.8, "index")?;
         let mut levels = vec![base];
