@@ -267,6 +267,8 @@ fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
             None => kept.push(point),
         }
     }
+    // A proven one may be a little farther than the one whose place it took.
+    kept.sort_by(|a, b| a.distance.total_cmp(&b.distance));
     *points = kept;
     Ok(())
 }
