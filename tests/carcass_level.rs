@@ -377,7 +377,7 @@ fn check_angles(carcass: &Carcass<'_>, axis: DVec3, angle: f64) -> [usize; 2] {
 fn sphere() -> Grid<'static> {
     let point = |i: usize, j: usize| {
         let (polar, around) = (PI * i as f64 / 10.0, 2.0 * PI * (j % 20) as f64 / 20.0);
-        let ring = if i % 10 == 0 { 0.0 } else { polar.sin() };
+        let ring = if [0, 10].contains(&i) { 0.0 } else { polar.sin() };
         DVec3::new(ring * around.cos(), ring * around.sin(), polar.cos())
     };
     let data = (0..=10).flat_map(|i| (0..=20).flat_map(move |j| point(i, j).to_array())).collect::<Vec<f64>>();
