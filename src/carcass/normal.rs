@@ -67,15 +67,8 @@ impl<const N: usize> Patch<N> {
     /// The unit normal and whether it is regular; 0 if there is none.
     fn normal(&self, u: f64, v: f64) -> Normal {
         let (jet, noise) = (self.jet(u, v), self.noise());
-        let normal = jet.normal();
-        let tangents = jet.u.length_squared().min(jet.v.length_squared());
-        let sine = normal.length_squared() > 1e-20 * jet.u.length_squared() * jet.v.length_squared();
-        if sine && tangents > noise * noise {
-            let direction = normal.normalize_or_zero();
-            // The product of tiny tangents may vanish where they do not.
-            if direction != DVec3::ZERO {
-                return Normal { direction, kind: NormalKind::Regular, spread: 0.0 };
-            }
+        if let Some(direction) = jet.regular_normal(noise) {
+            return Normal { direction, kind: NormalKind::Regular, spread: 0.0 };
         }
         let found = [self.limit(u, v, noise), -self.transposed().limit(v, u, noise)];
         match found {

@@ -20,12 +20,12 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    fn new(foot: &Foot, bound: f64) -> Found {
+    fn new<const N: usize>(patch: &Patch<N>, foot: &Foot, bound: f64) -> Found {
         let Foot { place, jet, distance } = *foot;
         Found {
             place,
             point: jet.point,
-            normal: jet.unit_normal().unwrap_or_default(),
+            normal: jet.regular_normal(patch.noise()).unwrap_or_default(),
             distance,
             bound: bound.min(distance),
         }
@@ -84,7 +84,7 @@ pub(crate) fn nearest<const N: usize>(
         return None;
     }
     if proven >= foot.distance - tolerance {
-        return Some(Found::new(&foot, proven));
+        return Some(Found::new(patch, &foot, proven));
     }
     divided(patch, query, foot, limit, tolerance, scratch, work)
 }
@@ -139,7 +139,7 @@ fn divided<const N: usize>(
         }
     }
     *work += looked_at;
-    (done <= limit).then(|| Found::new(&best, done))
+    (done <= limit).then(|| Found::new(patch, &best, done))
 }
 
 impl<const N: usize> Part<N> {
