@@ -107,6 +107,21 @@ impl<'a> Carcass<'a> {
         self.sheet(place.sheet as usize).normal(i as usize, j as usize, place.u, place.v)
     }
 
+    /// The same, of a place whose derivatives are known.
+    pub(crate) fn normal_by(&self, place: Place, jet: &Jet) -> DVec3 {
+        jet.regular_normal(self.slope_noise()).unwrap_or_else(|| self.normal(place))
+    }
+
+    /// True if the tangents at a place give a normal, beyond doubt.
+    pub(crate) fn is_regular(&self, place: Place) -> bool {
+        self.jet(place).regular_normal(self.slope_noise()).is_some()
+    }
+
+    /// No less than what derivatives of any patch may be off by for rounding of its control points.
+    fn slope_noise(&self) -> f64 {
+        1024.0 * f64::EPSILON * self.bounds.low.abs().max(self.bounds.high.abs()).max_element()
+    }
+
     /// The number of corners of cells of all sheets: of grids, their nodes.
     pub fn node_count(&self) -> u64 {
         self.sheets.iter().map(|(sheet, _)| sheet.cells().map(|count| count as u64 + 1).iter().product::<u64>()).sum()

@@ -51,7 +51,7 @@ fn binomials<const N: usize>(degree: usize) -> [f64; N] {
 }
 
 /// The unit normal of the plane that tangents span, if they do.
-fn regular(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
+pub(super) fn regular(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
     let normal = u.cross(v);
     let (u, v) = (u.length_squared(), v.length_squared());
     let spans = normal.length_squared() > 1e-20 * u * v && u.min(v) > noise * noise;
@@ -102,7 +102,7 @@ impl<const N: usize> Patch<N> {
     /// The unit normal and whether it is regular; 0 if there is none.
     fn normal(&self, u: f64, v: f64) -> Normal {
         let (jet, noise) = (self.jet(u, v), self.noise());
-        if let Some(direction) = regular(jet.u, jet.v, noise) {
+        if let Some(direction) = jet.regular_normal(noise) {
             return Normal { direction, kind: NormalKind::Regular, spread: 0.0 };
         }
         let found = [self.limit(u, v, noise), -self.transposed().limit(v, u, noise)];

@@ -123,11 +123,15 @@ impl Jet {
         self.u.cross(self.v)
     }
 
-    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not.
+    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not. Tangents that are nothing but rounding, as at a
+    /// pole, pass for such: [`super::Carcass::normal`] knows better.
     pub fn unit_normal(&self) -> Option<DVec3> {
-        let normal = self.normal();
-        let regular = normal.length_squared() > 1e-20 * self.u.length_squared() * self.v.length_squared();
-        if regular { normal.try_normalize() } else { None }
+        self.regular_normal(0.0)
+    }
+
+    /// The same, but `None` also where a tangent is no longer than `noise`.
+    pub(crate) fn regular_normal(&self, noise: f64) -> Option<DVec3> {
+        super::normal::regular(self.u, self.v, noise)
     }
 
     /// Mean and Gaussian curvature, for the normal S_u x S_v; `None` where the surface is not regular.

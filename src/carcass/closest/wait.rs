@@ -8,7 +8,7 @@ use super::search::Block;
 use crate::carcass::Patch;
 use crate::carcass::cells::Cells;
 use crate::carcass::index::Pyramid;
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use std::cmp::Ordering;
 
 /// Something of a sheet that has to wait, and a lower bound of its distance.
@@ -177,7 +177,7 @@ impl<const N: usize> Look<'_, N> {
 
     fn add(&self, foot: &Foot, hunt: &mut Hunt) {
         let Foot { place, jet, distance } = *foot;
-        let normal = jet.unit_normal().unwrap_or(DVec3::ZERO);
+        let normal = jet.regular_normal(self.patch.noise()).unwrap_or_default();
         let (sheet, cell) = (self.sheet, self.cell);
         hunt.add(Answer { point: jet.point, normal, distance, sheet, cell, parameters: place });
     }

@@ -1,7 +1,7 @@
 //! Points with their normals, without making patches.
 
 use crate::carcass::axis::{Axis, TAPS};
-use crate::carcass::{Carcass, Grid, Place, Sheet};
+use crate::carcass::{Carcass, Grid, Jet, Place, Sheet};
 use glam::DVec3;
 
 /// The weights of the nodes that a parameter within a cell depends on, and those of the derivative.
@@ -39,15 +39,13 @@ impl Carcass<'_> {
     /// The point at a place and the unit normal there, or its limit at a pole.
     pub(super) fn point_and_normal(&self, place: Place) -> (DVec3, DVec3) {
         let cell = place.cell.map(|k| k as usize);
-        let [point, u, v] = match self.sheet(place.sheet as usize) {
-            Sheet::Grid(grid) => grid.frame(cell, place.u, place.v),
-            sheet => {
-                let jet = sheet.jet(cell[0], cell[1], place.u, place.v);
-                [jet.point, jet.u, jet.v]
+        let jet = match self.sheet(place.sheet as usize) {
+            Sheet::Grid(grid) => {
+                let [point, u, v] = grid.frame(cell, place.u, place.v);
+                Jet { point, u, v, uu: DVec3::ZERO, uv: DVec3::ZERO, vv: DVec3::ZERO }
             }
+            sheet => sheet.jet(cell[0], cell[1], place.u, place.v),
         };
-        let normal = u.cross(v);
-        let regular = normal.length_squared() > 1e-20 * u.length_squared() * v.length_squared();
-        (point, if regular { normal.normalize_or_zero() } else { self.normal(place) })
+        (jet.point, self.normal_by(place, &jet))
     }
 }

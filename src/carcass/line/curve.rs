@@ -50,6 +50,8 @@ pub(super) struct Find {
     pub(super) gap: f64,
     pub(super) tangent: bool,
     pub(super) runs_inside: bool,
+    /// True for a touch that is resolved: at a crease, say.
+    pub(super) touches: bool,
 }
 
 /// The highest degree of a segment.
@@ -141,6 +143,7 @@ impl Carcass<'_> {
                 gap: a.lerp(b, hit.t).distance(hit.point),
                 tangent: hit.tangent,
                 runs_inside: false,
+                touches: hit.tangent && hit.span[0] == hit.span[1],
             });
         }
     }
@@ -163,7 +166,7 @@ impl Carcass<'_> {
         for find in finds.iter_mut().filter(|find| find.tangent) {
             find.runs_inside = find.length > self.longest_touch();
             let point = find.length <= POINT * reach || self.passes(find.place, direction(curve, find.at));
-            find.tangent = find.runs_inside || !point;
+            find.tangent = find.runs_inside || find.touches || !point;
         }
         finds.sort_unstable_by(in_order);
         let mut kept: Vec<Find> = alloc::with_capacity(finds.len())?;
@@ -183,6 +186,9 @@ impl Carcass<'_> {
             && first.point.distance(last.point) <= reach
         {
             kept.pop();
+        }
+        for find in kept.iter_mut().filter(|find| !find.tangent) {
+            find.tangent = self.is_touched(find.place, direction(curve, find.at), find.point.abs().max_element());
         }
         alloc::collect(kept.iter().map(|find| {
             let span = if find.tangent { find.span } else { [find.at; 2] };

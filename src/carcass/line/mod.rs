@@ -6,6 +6,7 @@
 
 mod batch;
 mod curve;
+mod fan;
 mod hits;
 mod search;
 mod walk;

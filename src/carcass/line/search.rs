@@ -73,7 +73,6 @@ impl Ray {
         let local = from + distance * along;
         let (first, second) = along.any_orthonormal_pair();
         let bounds = index.bounds();
-        let reach = bounds.low.abs().max(bounds.high.abs()).length() + from.length() + line.origin.length();
         Ray {
             line: *line,
             local,
@@ -82,7 +81,7 @@ impl Ray {
             length,
             across: [first, second],
             start: distance / length,
-            noise: (8.0 * f64::EPSILON * reach).min(FARTHEST * bounds.low.distance(bounds.high)),
+            noise: noise(line, index.origin(), [bounds.low, bounds.high]),
         }
     }
 
@@ -95,6 +94,13 @@ impl Ray {
     fn parameter(&self, point: DVec3) -> f64 {
         (point - self.line.origin).dot(self.along) / self.length
     }
+}
+
+/// How far points of a line and of what is in a box may be off for rounding, taken from an origin.
+pub(super) fn noise(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
+    let reach = low.abs().max(high.abs()).length();
+    let reach = reach + line.origin.distance(origin) + line.origin.length();
+    (8.0 * f64::EPSILON * reach).min(FARTHEST * low.distance(high))
 }
 
 /// A block to be looked at: where the line enters it, and where it is.
@@ -268,14 +274,20 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         }
         let t = t.clamp(ray.line.from, ray.line.to);
         let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
+        // What is said to be a root but is not on the line was not resolved, as in cells a million times as long as wide.
+        let miss = (jet.point - ray.foot).reject_from_normalized(ray.along).length();
+        let is_off = miss > self.tolerance.max(4.0 * ray.noise);
+        let span = span.or_else(|| is_off.then(|| [t - miss / ray.length, t + miss / ray.length]));
         let tangent = span.is_some();
         hits.push(Hit {
             t,
-            span: span.unwrap_or([t; 2]).map(|t| t.clamp(ray.line.from, ray.line.to)),
+            // What is nearest to the line may be beyond, by the tolerance.
+            span: span
+                .map_or([t; 2], |[low, high]| [low.min(t), high.max(t)].map(|t| t.clamp(ray.line.from, ray.line.to))),
             place,
             point: jet.point,
             // Where the surface is not regular, the sheet knows a limit.
-            normal: jet.unit_normal().unwrap_or(DVec3::ZERO),
+            normal: jet.regular_normal(patch.noise()).unwrap_or(DVec3::ZERO),
             tangent,
             multiplicity: if tangent { 2 } else { 1 },
         });

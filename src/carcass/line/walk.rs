@@ -187,6 +187,7 @@ impl<C> Search<'_, C> {
                 gap: part.point(t).distance(local.point(at.x, at.y)),
                 tangent,
                 runs_inside: false,
+                touches: false,
             });
         }
     }

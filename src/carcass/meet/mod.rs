@@ -282,11 +282,8 @@ impl Meeting<'_> {
         paths.normals = alloc::with_capacity(paths.places.len())?;
         for &place in &paths.places {
             let jet = self.carcasses[0].jet(place);
-            let normal = jet.normal();
-            // Next to poles normals are limits.
-            let is_regular = normal.length_squared() > 1e-12 * jet.u.length_squared() * jet.v.length_squared();
             paths.points.push(jet.point);
-            paths.normals.push(if is_regular { normal.normalize_or_zero() } else { self.carcasses[0].normal(place) });
+            paths.normals.push(self.carcasses[0].normal_by(place, &jet));
         }
         Ok(paths)
     }
