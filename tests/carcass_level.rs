@@ -797,7 +797,7 @@ impl Progress for Quiet {
 #[test]
 fn a_sheet_without_normals_has_no_angle() {
     let job = Job::default();
-    let nodes: Vec<f64> = (0..36).flat_map(|k| [(k / 6) as f64, (k / 6) as f64, 0.0]).collect();
+    let nodes: Vec<f64> = (0..36).flat_map(|k| [f64::from(k / 6), f64::from(k / 6), 0.0]).collect();
     let nodes = Nodes::strided(nodes, 6, 6, 0, 0).unwrap();
     let grid = Grid::new(nodes, [false; 2], Scheme::SixTap).unwrap();
     let line = Carcass::new(vec![Sheet::Grid(grid)], None, &job).unwrap();
@@ -809,7 +809,7 @@ fn a_sheet_without_normals_has_no_angle() {
 #[test]
 fn a_cell_is_unresolved_once() {
     let job = Job::default();
-    let nodes: Vec<f64> = (0..36).flat_map(|k| [(k / 6) as f64, (k / 6) as f64, 0.0]).collect();
+    let nodes: Vec<f64> = (0..36).flat_map(|k| [f64::from(k / 6), f64::from(k / 6), 0.0]).collect();
     let nodes = Nodes::strided(nodes, 6, 6, 0, 0).unwrap();
     let grid = Grid::new(nodes, [false; 2], Scheme::FourPoint).unwrap();
     let line = Carcass::new(vec![Sheet::Grid(grid)], None, &job).unwrap();

@@ -446,7 +446,7 @@ fn multiplicities(hits: &[Hit]) -> u32 {
 fn through_a_node_or_side(carcass: &Carcass<'_>, random: &mut Random, k: usize) -> Line {
     let [h, w] = carcass.sheet(0).cells();
     let cell = [(random.next() * h as f64) as u32, (random.next() * w as f64) as u32];
-    let v = if k % 2 == 0 { 0.0 } else { random.next() };
+    let v = if k.is_multiple_of(2) { 0.0 } else { random.next() };
     let point = carcass.jet(Place { sheet: 0, cell, u: 0.0, v }).point;
     let direction = random.point(1.0);
     Line::new(point - direction, direction)
