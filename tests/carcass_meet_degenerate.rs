@@ -241,7 +241,7 @@ fn a_teapot_cut_by_planes() {
 fn sheets_that_are_lines_do_not_take_long() {
     let nodes = |axis: usize| -> Vec<f64> {
         (0..36)
-            .flat_map(|k| std::array::from_fn::<f64, 3, _>(|n| if n == axis { (k / 6) as f64 - 2.3 } else { 0.0 }))
+            .flat_map(|k| std::array::from_fn::<f64, 3, _>(|n| if n == axis { f64::from(k / 6) - 2.3 } else { 0.0 }))
             .collect()
     };
     let sheet = |axis: usize| {
