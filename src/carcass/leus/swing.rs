@@ -43,7 +43,7 @@ pub fn swings_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
 }
 
 /// Swings from curvature: K d, and what the normals of neighbours jump at corners. `curvature`: K, no principal curvature of the
-/// surface is greater in absolute terms. That is the caller's promise; [`curvature_bound`] proves one.
+/// surface is greater in absolute terms. That is the caller's promise; [`super::curvature_bound`] proves one.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a curvature that is no number or negative, [`Error::OutOfMemory`], [`Error::Cancelled`].
