@@ -1,47 +1,21 @@
 //! Sections, contours and curves of angle: against fine sampling, against circles, and against what closed surfaces demand.
 
+mod levels;
 mod surfaces;
 
 use glam::DVec3;
 use gusset::Job;
 use gusset::carcass::level::{Between, Planes};
-use gusset::carcass::{Carcass, Grid, Nodes, NormalKind, Patches, Paths, Place, Scheme, Sheet};
+use gusset::carcass::{Carcass, Grid, Nodes, Paths, Scheme, Sheet};
 use gusset::{Error, Progress};
+use levels::{carcass, check, length};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::ControlFlow;
-use surfaces::{Random, SHAPES, Shape, grid, rough, torus};
-
-fn carcass(shape: &Shape) -> Carcass<'static> {
-    Carcass::new(vec![Sheet::Grid(grid(shape))], None, &Job::default()).unwrap()
-}
+use surfaces::{Random, SHAPES, Shape, grid, torus};
 
 fn torus_of(cells: [usize; 2]) -> Carcass<'static> {
     carcass(&Shape { name: "torus", cells, closed: [true, true], point: |u, v| torus(u, v, 0.0) })
-}
-
-fn length(paths: &Paths, k: usize) -> f64 {
-    let points = paths.points_of(k);
-    let around = if paths.closed[k] { points.len() } else { points.len() - 1 };
-    (0..around).map(|i| points[i].distance(points[(i + 1) % points.len()])).sum()
-}
-
-/// What holds of all curves: offsets, flags, points at their places, normals.
-fn check(carcass: &Carcass<'_>, paths: &Paths, name: &str) {
-    assert_eq!(paths.ends.len(), paths.len() + 1, "{name}");
-    assert_eq!((paths.levels.len(), paths.normals.len()), (paths.len(), paths.points.len()), "{name}");
-    assert_eq!((paths.ends[0], paths.ends[paths.len()] as usize), (0, paths.points.len()), "{name}");
-    assert!(paths.levels.is_sorted(), "{name}");
-    for k in 0..paths.len() {
-        assert!(paths.points_of(k).len() >= if paths.closed[k] { 3 } else { 2 }, "{name}");
-        let points = paths.points_of(k);
-        assert!(points.windows(2).all(|pair| pair[0] != pair[1]), "{name}: repeated points");
-    }
-    for ((&place, &point), &normal) in paths.places.iter().zip(&paths.points).zip(&paths.normals) {
-        assert!((0.0..=1.0).contains(&place.u) && (0.0..=1.0).contains(&place.v), "{name}: {place:?}");
-        assert!(carcass.jet(place).point.distance(point) < 1e-13, "{name}: {place:?}");
-        assert!(carcass.normal(place).distance(normal) < 1e-9, "{name}: {place:?}");
-    }
 }
 
 /// Connected parts of the zero set by marching over a very fine sampling of the surface: closed and open ones.
@@ -291,133 +265,6 @@ fn lines_of_the_carcass_and_tangent_planes() {
     assert_eq!((paths.len(), paths.unresolved.len()), (0, 20));
 }
 
-/// The other scheme through the same nodes.
-fn creased(shape: &Shape) -> Grid<'static> {
-    Grid::new(grid(shape).nodes().clone(), shape.closed, Scheme::FourPoint).unwrap()
-}
-
-/// Sections by random planes through nodes, and contours at nodes' values: 0 at a corner is no reason to leave the plane next to it.
-fn through_nodes(grid: Grid<'static>, closed: [bool; 2], scheme: Scheme, planes: usize, levels: usize) {
-    let job = Job::default();
-    let ([h, w], nodes) = (grid.cells(), grid.nodes().clone());
-    let carcass = Carcass::new(vec![Sheet::Grid(grid)], None, &job).unwrap();
-    let mut random = Random(41);
-    let all_closed = |paths: &Paths| closed != [true; 2] || paths.closed.iter().all(|&closed| closed);
-    let node = |random: &mut Random| [h, w].map(|count| (random.next() * count as f64) as usize);
-    for k in 0..planes {
-        let [i, j] = node(&mut random);
-        let point = nodes.get(i, j);
-        let small = random.point(4.0).round();
-        let normal = if k % 3 == 0 && small != DVec3::ZERO { small } else { random.point(1.0) };
-        let paths = carcass.section(&Planes { point, normal, offsets: &[0.0] }, Between::Auto, &job).unwrap();
-        let unit = normal.normalize();
-        let off = paths.points.iter().map(|&at| (at - point).dot(unit).abs()).fold(0.0, f64::max);
-        assert!(off < 1e-12 && all_closed(&paths), "{k}: {off:e} from the plane through node {i} {j}, normal {normal}");
-    }
-    let random_values: Vec<f64> = (0..h * w + h + w + 1).map(|_| random.next()).collect();
-    let round = |k: usize, count: usize, closed: bool| if closed { k % count } else { k };
-    let values: Vec<f64> = (0..=h)
-        .flat_map(|i| (0..=w).map(move |j| (i, j)))
-        .map(|(i, j)| random_values[round(i, h, closed[0]) * (w + 1) + round(j, w, closed[1])])
-        .collect();
-    let data: Vec<f64> = values.iter().flat_map(|&value| [value, 0.0, 0.0]).collect();
-    let field = Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap();
-    for k in 0..levels {
-        let [i, j] = node(&mut random);
-        let level = values[i * (w + 1) + j];
-        let paths = carcass.contours(&values, &[level], Between::Auto, &job).unwrap();
-        let value = |at: &Place| field.patch(at.cell[0] as usize, at.cell[1] as usize).point(at.u, at.v).x;
-        let off = paths.places.iter().map(|at| (value(at) - level).abs()).fold(0.0, f64::max);
-        assert!(off < 1e-12 && all_closed(&paths), "{k}: {off:e} from the value at node {i} {j}");
-    }
-}
-
-#[test]
-fn planes_and_contours_through_nodes() {
-    let job = Job::default();
-    // Examples: the arc next to the node is on the other side of a line of the carcass.
-    let example = |shape: &Shape, [i, j]: [usize; 2], normal: DVec3| {
-        let point = grid(shape).nodes().get(i, j);
-        let planes = Planes { point, normal, offsets: &[0.0] };
-        let paths = carcass(shape).section(&planes, Between::Auto, &job).unwrap();
-        let off = paths.points.iter().map(|&at| (at - point).dot(normal.normalize()).abs()).fold(0.0, f64::max);
-        assert!(off < 1e-12 && paths.unresolved.is_empty(), "{} {i} {j}: {off:e}", shape.name);
-    };
-    example(&SHAPES[3], [4, 10], DVec3::new(-0.4005429391700355, 0.26455396103711837, -0.9883190180791992));
-    example(&SHAPES[0], [14, 29], DVec3::new(-3.0, 0.0, -3.0));
-    for shape in &SHAPES {
-        through_nodes(grid(shape), shape.closed, Scheme::SixTap, 150, 10);
-    }
-    through_nodes(creased(&SHAPES[1]), [true; 2], Scheme::FourPoint, 60, 5);
-    through_nodes(rough([12, 17], [true; 2], Scheme::SixTap, 4), [true; 2], Scheme::SixTap, 150, 40);
-    through_nodes(rough([8, 9], [false; 2], Scheme::SixTap, 3), [false; 2], Scheme::SixTap, 150, 40);
-}
-
-/// Every point of a curve of angle has the angle, or its cell is reported. Returns how many points were looked at, and how many are in
-/// reported cells only.
-fn check_angles(carcass: &Carcass<'_>, axis: DVec3, angle: f64) -> [usize; 2] {
-    let paths = carcass.isophotes(axis, &[angle], false, Between::Auto, &Job::default()).unwrap();
-    let mut counts = [0; 2];
-    for &place in &paths.places {
-        let local = carcass.local(place);
-        if local.normal.kind != NormalKind::Regular {
-            continue;
-        }
-        counts[0] += 1;
-        if (local.normal.direction.angle_between(axis) - angle).abs() > 1e-6 {
-            counts[1] += 1;
-            let reported = paths.unresolved.iter().any(|at| at.cell == place.cell);
-            assert!(reported, "{axis} {angle}: {place:?} {}", local.normal.direction.angle_between(axis));
-        }
-    }
-    counts
-}
-
-/// A sphere, its poles repeated.
-fn sphere() -> Grid<'static> {
-    let point = |i: usize, j: usize| {
-        let (polar, around) = (PI * i as f64 / 10.0, 2.0 * PI * (j % 20) as f64 / 20.0);
-        let ring = if [0, 10].contains(&i) { 0.0 } else { polar.sin() };
-        DVec3::new(ring * around.cos(), ring * around.sin(), polar.cos())
-    };
-    let data = (0..=10).flat_map(|i| (0..=20).flat_map(move |j| point(i, j).to_array())).collect::<Vec<f64>>();
-    Grid::new(Nodes::strided(data, 11, 21, 0, 0).unwrap(), [false, true], Scheme::SixTap).unwrap()
-}
-
-#[test]
-fn angles_next_to_poles_and_of_one_sign() {
-    let of = |grid: Grid<'static>| Carcass::new(vec![Sheet::Grid(grid)], None, &Job::default()).unwrap();
-    let mut random = Random(13);
-    let round = of(sphere());
-    let axis = DVec3::new(0.08893091432537499, -0.9623978257264392, -0.25667434136328304);
-    let [count, wrong] = check_angles(&round, axis, FRAC_PI_2);
-    assert!(count > 100 && wrong == 0, "{wrong} of {count}");
-    // Where curves of alpha and pi - alpha are next to each other at creases.
-    let bumpy = of(creased(&SHAPES[1]));
-    let [count, wrong] = check_angles(&bumpy, DVec3::Z, 1.5217083479313647);
-    assert!(count > 1000 && wrong == 0, "{wrong} of {count}");
-    for k in 0..6 {
-        for carcass in [&round, &bumpy] {
-            let axis = random.point(1.0).normalize();
-            let angle = if k % 2 == 0 { FRAC_PI_2 } else { 0.3 + 2.5 * random.next() };
-            let [_, wrong] = check_angles(carcass, axis, angle);
-            assert_eq!(wrong, 0, "{axis} {angle}");
-        }
-    }
-    // With places where the normal vanishes nearly.
-    for (cells, closed, scheme, seed) in [
-        ([8, 9], [false; 2], Scheme::SixTap, 3),
-        ([12, 17], [true; 2], Scheme::SixTap, 4),
-        ([12, 17], [true; 2], Scheme::FourPoint, 5),
-    ] {
-        let carcass = of(rough(cells, closed, scheme, seed));
-        check_angles(&carcass, DVec3::Z, 1.5217083479313647);
-        for _ in 0..4 {
-            check_angles(&carcass, random.point(1.0).normalize(), 0.3 + 2.5 * random.next());
-        }
-    }
-}
-
 #[test]
 fn loops_round_every_summit() {
     let (shape, job) = (&SHAPES[2], Job::default());
@@ -447,137 +294,6 @@ fn check_points(carcass: &Carcass<'_>, paths: &Paths) {
     for (&place, &point) in paths.places.iter().zip(&paths.points) {
         assert!(carcass.jet(place).point.distance(point) < 1e-13);
         assert!(carcass.normal(place).cross(DVec3::Z).length() < 1e-9);
-    }
-}
-
-/// All cells of a grid as patches, in sheets of some columns each.
-fn patched<const N: usize>(grid: &Grid<'static>, columns: usize) -> Vec<Patches<N>> {
-    let [h, w] = grid.cells();
-    let sheet = |first: usize| {
-        let cells = (0..h).flat_map(|i| (first..w.min(first + columns)).map(move |j| (i, j)));
-        let points: Vec<DVec3> =
-            cells.flat_map(|(i, j)| grid.patch(i, j).points.into_iter().flatten().collect::<Vec<_>>()).collect();
-        Patches::new(&points, [3, 3], h, w.min(first + columns) - first).unwrap()
-    };
-    (0..w).step_by(columns).map(sheet).collect()
-}
-
-#[test]
-fn patches_and_several_sheets() {
-    let job = Job::default();
-    let shape = &SHAPES[1];
-    let (whole, grid) = (carcass(shape), grid(shape));
-    let of = |sheets: Vec<Sheet<'static>>| Carcass::new(sheets, None, &job).unwrap();
-    let cubic = of(patched::<4>(&grid, 53).into_iter().map(Sheet::Cubic).collect());
-    let pieces = of(patched::<4>(&grid, 17).into_iter().map(Sheet::Cubic).collect());
-    let high = of(patched::<8>(&grid, 30).into_iter().map(Sheet::High).collect());
-    let mut random = Random(21);
-    for k in 0..6 {
-        let planes = Planes { point: random.point(0.5), normal: random.point(1.0), offsets: &[-0.2, 0.0, 0.1] };
-        let truth = whole.section(&planes, Between::Nothing, &job).unwrap();
-        let mut lengths: Vec<f64> = (0..truth.len()).map(|k| length(&truth, k)).collect();
-        lengths.sort_by(f64::total_cmp);
-        for other in [&cubic, &pieces, &high] {
-            let paths = other.section(&planes, Between::Nothing, &job).unwrap();
-            check(other, &paths, "patches");
-            assert!(paths.closed.iter().all(|&closed| closed), "{k}");
-            assert!(paths.unresolved.is_empty(), "{k}: {:?}", paths.unresolved);
-            let mut found: Vec<f64> = (0..paths.len()).map(|k| length(&paths, k)).collect();
-            found.sort_by(f64::total_cmp);
-            assert_eq!(found.len(), lengths.len(), "{k}");
-            assert!(found.iter().zip(&lengths).all(|(a, b)| (a - b).abs() < 1e-9), "{k}: {found:?} {lengths:?}");
-        }
-    }
-    // Silhouettes: the normals of patches agree but for rounding, and no more is known of them.
-    let truth = whole.isophotes(DVec3::new(0.1, 0.7, 0.3), &[FRAC_PI_2], false, Between::Nothing, &job).unwrap();
-    let paths = cubic.isophotes(DVec3::new(0.1, 0.7, 0.3), &[FRAC_PI_2], false, Between::Nothing, &job).unwrap();
-    let all = |paths: &Paths| (0..paths.len()).map(|k| length(paths, k)).sum::<f64>();
-    assert!((all(&truth) - all(&paths)).abs() < 1e-7, "{} {}", all(&truth), all(&paths));
-    assert_eq!((paths.len(), paths.closed.iter().all(|&closed| closed)), (truth.len(), true));
-}
-
-#[test]
-fn normals_that_jump() {
-    // The four-point scheme has creases along all lines.
-    let job = Job::default();
-    let (mut total, mut ended, mut whole) = (0, 0, 0);
-    for shape in &SHAPES[..2] {
-        let smooth = grid(shape);
-        let nodes = smooth.nodes().clone();
-        let carcass =
-            Carcass::new(vec![Sheet::Grid(Grid::new(nodes, shape.closed, Scheme::FourPoint).unwrap())], None, &job)
-                .unwrap();
-        let other = self::carcass(shape);
-        let mut random = Random(31);
-        for k in 0..12 {
-            let axis = random.point(1.0);
-            let angles = [0.4 + 0.8 * random.next(), FRAC_PI_2, 2.0];
-            let paths = carcass.isophotes(axis, &angles, false, Between::Nothing, &job).unwrap();
-            // Where a crease itself is the curve for more than a cell, curves end, and their ends are reported.
-            let open = paths.closed.iter().filter(|&&closed| !closed).count();
-            // Both ends may be in one cell, which is listed once.
-            assert!(paths.unresolved.len() >= open, "{} {k}: {open} {:?}", shape.name, paths.unresolved);
-            (total, ended) = (total + paths.len(), ended + open);
-            let truth = other.isophotes(axis, &angles, false, Between::Nothing, &job).unwrap();
-            let all = |paths: &Paths| (0..paths.len()).map(|k| length(paths, k)).sum::<f64>();
-            // What is missing is along creases that are listed.
-            let (found, expected) = (all(&paths), all(&truth));
-            let near = (found / expected - 1.0).abs() < 0.05;
-            assert!(near || !paths.unresolved.is_empty(), "{} {k}: {found} {expected}", shape.name);
-            whole += usize::from(near);
-        }
-        // Seen along the axis, the silhouettes of the torus are creases.
-        let paths = carcass.isophotes(DVec3::Z, &[FRAC_PI_2], false, Between::Nothing, &job).unwrap();
-        assert!(paths.len() >= 2 || paths.unresolved.len() > 10, "{}: {paths:?}", shape.name);
-    }
-    assert!(total > 60 && ended * 2 < total && whole > 12, "{ended} of {total}, {whole}");
-}
-
-/// The teapot's patches, a sheet each; `None` where there are no data.
-fn teapot() -> Option<Carcass<'static>> {
-    let folder =
-        std::env::var("GUSSET_DATA").unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data").into());
-    let text = std::fs::read_to_string(format!("{folder}/carcass/teapot_bezier.json")).ok()?;
-    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let numbers = |value: &serde_json::Value| -> Vec<f64> {
-        value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
-    };
-    let vertices: Vec<DVec3> =
-        data["vertices"].as_array().unwrap().iter().map(|vertex| DVec3::from_slice(&numbers(vertex))).collect();
-    let patches = data["patches"].as_array().unwrap().iter().map(|patch| {
-        let points: Vec<DVec3> = numbers(patch).into_iter().map(|k| vertices[k as usize]).collect();
-        Sheet::Cubic(Patches::new(&points, [3, 3], 1, 1).unwrap())
-    });
-    Some(Carcass::new(patches.collect(), None, &Job::default()).unwrap())
-}
-
-#[test]
-fn teapot_patches_are_joined() {
-    let Some(carcass) = teapot() else { return println!("skipped: no data") };
-    let job = Job::default();
-    // Round the body, below the lid: no plane section of a teapot's body ends.
-    let planes = Planes { point: DVec3::ZERO, normal: DVec3::Y, offsets: &[0.1, 0.2, 0.35, 0.5] };
-    let paths = carcass.section(&planes, Between::Auto, &job).unwrap();
-    check(&carcass, &paths, "teapot");
-    for level in 0..4 {
-        let round = |k: &usize| {
-            let box_of =
-                |axis: fn(&DVec3) -> f64| paths.points_of(*k).iter().map(axis).fold(f64::NEG_INFINITY, f64::max);
-            paths.closed[*k] && paths.levels[*k] == level && box_of(|p| p.z) > 0.3 && box_of(|p| -p.z) > 0.3
-        };
-        assert_eq!((0..paths.len()).filter(round).count(), 1, "{level}");
-    }
-    // Any plane: no two ends are left that fit.
-    let mut random = Random(8);
-    for k in 0..20 {
-        let planes = Planes { point: random.point(0.4), normal: random.point(1.0), offsets: &[0.0] };
-        let paths = carcass.section(&planes, Between::Auto, &job).unwrap();
-        check(&carcass, &paths, "teapot");
-        let open: Vec<usize> = (0..paths.len()).filter(|&k| !paths.closed[k]).collect();
-        for (&a, &b) in open.iter().flat_map(|a| open.iter().map(move |b| (a, b))) {
-            let (tail, head) = (paths.points_of(a).last().unwrap(), paths.points_of(b)[0]);
-            assert!(tail.distance(head) > 1e-8, "{k}: {a} {b}");
-        }
     }
 }
 
