@@ -13,11 +13,13 @@ incdir  := $(DESTDIR)$(PREFIX)/include
 
 build_packages := cmake g++ pkg-config
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev
-test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind
+docs_packages  := doxygen
+test_packages  := $(host_packages) $(docs_packages) doctest-dev libeigen3-dev valgrind
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
+pictures_packages := $(host_packages)
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build test check exhaustive demo bench install stage clean
+.PHONY: help build test check exhaustive demo docs pictures bench install stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -26,6 +28,8 @@ help:
 	@echo 'make test                         all tests: Rust, lints, header drift, C and C++'
 	@echo 'make check                        the quick part of them: Rust tests and lints'
 	@echo 'make exhaustive                   long searches for wrong answers of carcasses, by brute force; minutes'
+	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
+	@echo 'make pictures                     draws the pictures of docs/ anew'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
 	@echo 'make build                        the libraries, in target/release'
@@ -53,6 +57,13 @@ test: check stage
 
 demo: stage
 	@scripts/demo.sh '$(stage)' '$(A)' '$(B)' $(demo_packages)
+
+docs:
+	@scripts/install-packages.sh $(docs_packages)
+	@scripts/docs.sh
+
+pictures: stage
+	@scripts/pictures.sh '$(stage)' $(pictures_packages)
 
 bench: stage
 	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' $(bench_packages)

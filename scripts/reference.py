@@ -1,0 +1,397 @@
+#!/usr/bin/env python3
+"""The reference that doxygen prints, made of what is written once.
+
+The comments of gusset.h are prose for readers of the header. As doxygen's filter (`reference.py FILE`) this sorts each one into
+brief, details, parameters, errors, complexity, threads, source and version, puts it into the group of the file of src/ffi
+that it comes from, and adds the example: the first block of examples/reference that calls the function, which is compiled and
+run. In the C++ headers it says of members without a comment which part of the C interface they are.
+
+`reference.py --check` tells what a function lacks, and fails if it lacks anything.
+"""
+
+import functools
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+HEADER = ROOT / "include/gusset.h"
+COMMENT = r"/\*\*((?:(?!\*/).)*)\*/\s*"
+FUNCTION = re.compile(COMMENT + r"(GUSSET_API\s[^;]*?(\w+)\(([^;]*)\)\s*;)", re.S)
+ANYTHING = re.compile(COMMENT + r"(?:#define (?P<constant>\w+)|(?:GUSSET_\w+\s+)*[^;{}()]*?\b(?P<function>\w+)\(|"
+                      r"typedef [^;{(]*?\(\*(?P<callback>\w+)\)|typedef (?:struct|enum)?\s*\w+ (?P<tag>\w+)(?:;| \{)|"
+                      r"enum (?P<enum>\w+))", re.S)
+# First words of sentences that go on about the parameter before them.
+GOES_ON = ("NULL ", "It ", "They ", "Either ", "Each has ", "Each may ", "Each names ")
+COMPLEXITY = re.compile(r"(?:About |At most |Besides )?O\(|Bounded work|In proportion|Loops of n|Time and memory|"
+                        r"Composite, blended|Linear|Extra memory|No memory")
+CONTEXT = "Threads, progress, cancelling and the account of an error; NULL for the defaults: then there is no account."
+
+
+@functools.cache
+def header():
+    return HEADER.read_text()
+
+
+@functools.cache
+def statuses():
+    return set(re.findall(r"\bGUSSET_ERROR_(\w+) =", header()))
+
+
+@functools.cache
+def groups():
+    """The groups of docs/reference.dox, and the source that each names for its methods."""
+    text = (ROOT / "docs/reference.dox").read_text()
+    pages = dict(re.findall(r"@defgroup (\w+)(.*?)\*/", text, re.S))
+    own = {name: re.search(r"@par Source\n \* (.*)", page) for name, page in pages.items()}
+
+    def source(name):
+        return own[name].group(1) if own[name] else source(name.rpartition("_")[0])
+
+    return {name: source(name) for name in pages}
+
+
+@functools.cache
+def origins():
+    """Where in src/ffi each name of the interface is declared: the stem of the file."""
+    found = {}
+    for path in sorted((ROOT / "src/ffi").glob("*.rs")):
+        for name in re.findall(r"^\s*pub (?:unsafe )?(?:extern \"C\" )?(?:const|fn|struct|type|enum) (\w+)", path.read_text(), re.M):
+            found[name] = path.stem
+    return found
+
+
+def group(name):
+    """The group whose name is the beginning of the file's name, and the longest of them."""
+    stem = origins().get(name, "")
+    fitting = [one for one in groups() if stem == one or stem.startswith(one + "_")]
+    return max(fitting, key=len, default=None)
+
+
+@functools.cache
+def blocks():
+    """The examples: file and name of each block, and what it says."""
+    found = []
+    for path in sorted((ROOT / "examples/reference").glob("*.c")):
+        for name, text in re.findall(r"^//! \[(\w+)\]\n(.*?)^//! \[\1\]\n", path.read_text(), re.S | re.M):
+            found.append((path.name, name, text))
+    return found
+
+
+def example(name):
+    return next(((file, block) for file, block, text in blocks() if re.search(rf"\b{name}\(", text)), None)
+
+
+def prose(comment):
+    """The paragraphs of a comment, each a list of sentences."""
+    text = "\n".join(re.sub(r"^\s*\* ?", "", line) for line in comment.strip().splitlines())
+    paragraphs = [re.sub(r"\s+", " ", part).strip() for part in re.split(r"\n\s*\n", text)]
+    return [re.split(r"(?<=[^\s.][.])\s+(?=[A-Za-z0-9(|])", part) for part in paragraphs if part]
+
+
+def parameters(declaration):
+    """Name and type of each parameter."""
+    inside = declaration[declaration.index("(") + 1:declaration.rindex(")")]
+    found = []
+    for part in re.split(r",\s*", re.sub(r"\s+", " ", inside)):
+        if part != "void":
+            kind, name = re.match(r"(.*?)(\w+)$", part.strip()).groups()
+            found.append((name, kind.strip()))
+    return found
+
+
+def usual(name, kind):
+    """What is said of a parameter that needs no words of its own, as its type says all."""
+    bare = re.sub(r"\b(const|struct)\b|[*\s]", "", kind)
+    stars = kind.count("*")
+    if name == "context":
+        return CONTEXT
+    if stars == 2 and re.search(rf"\b{bare}_destroy\(|\b{bare.replace('validation', 'validate')}_destroy\(", header()):
+        return f"Receives the result, for its _destroy function; NULL on failure. See ::{bare}."
+    if stars == 1 and name == "options":
+        return f"NULL for the defaults; see ::{bare}."
+    if stars == 1 and re.search(rf"^typedef struct {bare} \{{", header(), re.M):
+        if "const" in kind:
+            return f"See ::{bare}."
+        return f"Receives the answer, see ::{bare}; its struct_size set by the caller, all else is overwritten."
+    if stars == 1 and re.search(rf"^typedef struct {bare} {bare};", header(), re.M):
+        return f"A handle; see ::{bare}."
+    return None
+
+
+def direction(kind):
+    if "*" not in kind or kind.count("*") == 1 and "const" in kind:
+        return "in"
+    opaque = re.sub(r"\b(const|struct)\b|[*\s]", "", kind)
+    edited = kind.count("*") == 1 and re.search(rf"^typedef struct {opaque} {opaque};", header(), re.M)
+    return "in,out" if edited else "out" if not kind.startswith("const") or kind.count("*") == 2 else "in"
+
+
+def threads(name, given, said):
+    """What the types of the handles promise: const ones are shared, others are used alone."""
+    if name.endswith("_destroy"):
+        return "From any thread, when no other call uses the handle."
+    if any(text.startswith("From any thread") for text in said):
+        return " ".join(said)
+    edited = [n for n, kind in given if direction(kind) == "in,out" and n != "context"]
+    if edited:
+        return " ".join([f"From any thread; `{edited[0]}` is changed, and no other call may use it meanwhile.", *said])
+    if name.startswith("gusset_context_"):
+        return "From the thread that uses the context."
+    return " ".join(["From any thread; handles that are const may be shared by any number of calls.", *said])
+
+
+class Function:
+    """A function of the header, its comment sorted."""
+
+    def __init__(self, comment, declaration, name):
+        self.name, self.declaration, self.given = name, declaration, parameters(declaration)
+        self.described, self.errors, self.complexity, self.said, self.source, self.since = {}, [], [], [], [], []
+        self.details, self.brief = [], None
+        for sentences in prose(comment):
+            self.sort(sentences)
+        if name.endswith("_destroy") and not self.complexity:
+            self.complexity = ["At most in proportion to what the handle holds."]
+
+    def sort(self, sentences):
+        kept, last = [], None
+        names = {n for n, _ in self.given}
+        parts = []
+        for sentence in sentences:
+            # "query: x, y, z; radius: at least 0" speaks of two.
+            parts += re.split(r"(?<=;) (?=(?:%s): )" % "|".join(names or {"-"}), sentence)
+        for part in parts:
+            spoken = re.match(r"(\w+(?:, \w+)*): ", part)
+            if re.match(r"(?:Errors|The rest|All else|Otherwise|Errors and|Errors, )\b.*", part) or part.startswith("Errors:"):
+                self.errors.append(part)
+                last = "errors"
+            elif COMPLEXITY.match(part):
+                self.complexity.append(part)
+                last = "complexity"
+            elif re.match(r"From any thread", part) or re.match(r"The same b(its|ytes) for any", part):
+                self.said.append(part)
+                last = "threads"
+            elif re.match(r"Sources?: ", part):
+                self.source.append(part.split(": ", 1)[1])
+                last = "source"
+            elif part.startswith("Since: "):
+                self.since.append(part.split(": ", 1)[1])
+            elif spoken and set(spoken.group(1).split(", ")) <= names:
+                last = spoken.group(1).split(", ")
+                for one in last:
+                    self.described[one] = part[spoken.end():].rstrip(";")
+            elif isinstance(last, list) and part.startswith(GOES_ON):
+                for one in last:
+                    self.described[one] += " " + part
+            elif last == "complexity" and not self.errors_follow(part):
+                self.complexity.append(part)
+            elif last == "source":
+                self.source.append(part)
+            elif self.brief is None:
+                self.brief = part
+            else:
+                kept.append(part)
+                last = None
+        if kept:
+            self.details.append(" ".join(kept))
+
+    @staticmethod
+    def errors_follow(part):
+        return part.startswith("Errors")
+
+    def parameter(self, name, kind):
+        if name in self.described:
+            text = self.described[name][:1].upper() + self.described[name][1:]
+            if "struct" in kind and "*" in kind and "::" not in text:
+                text += " See ::%s." % re.sub(r"\b(const|struct)\b|[*\s]", "", kind) if text.endswith(".") else ""
+            return text
+        beside = next((other for other, text in self.described.items() if re.search(rf"\b{name}\b", text)), None)
+        if beside and re.search(r"count|capacity|stride|size", name):
+            return f"The number that `{beside}` speaks of."
+        standard = usual(name, kind)
+        if standard is None and re.search(rf"`{name}`", " ".join(self.details + [self.brief or ""])):
+            return f"As said of `{name}` above."
+        return standard
+
+    def lacks(self):
+        """What a reader would miss."""
+        missing = [f"parameter {n}" for n, kind in self.given if self.parameter(n, kind) is None]
+        fallible = re.search(r"\bgusset_status\b", self.declaration.split("(")[0])
+        found = {
+            "a brief": self.brief,
+            "a group (docs/reference.dox) for its file of src/ffi": group(self.name),
+            "errors": self.errors or not fallible,
+            "complexity": self.complexity or any("gusset_" in text for text in self.errors),
+            "an example (examples/reference)": example(self.name),
+        }
+        return missing + [what for what, there in found.items() if not there]
+
+    def page(self):
+        """The comment as doxygen takes it."""
+        lines = [f"@brief {self.brief}", "", f"@ingroup {group(self.name)}", ""]
+        for text in self.details:
+            lines += [text, ""]
+        lines += [f"@param[{direction(kind)}] {n} {self.parameter(n, kind)}" for n, kind in self.given]
+        if self.errors:
+            errors = " ".join(self.errors)
+            errors = re.sub(r"\b[A-Z][A-Z_]+\b", lambda m: f"::GUSSET_ERROR_{m.group()}" if m.group() in statuses() else m.group(), errors)
+            lines += [f"@return ::GUSSET_OK, or the status of the error. {errors}"]
+        elif not self.declaration.split("(")[0].split()[1:2] == ["void"]:
+            lines += [f"@return {self.brief}"]
+        like = re.findall(r"gusset_\w+", " ".join(self.errors))
+        lines += ["@par Complexity", " ".join(self.complexity) or f"As of ::{like[0]}."]
+        lines += ["@par Threads", threads(self.name, self.given, self.said)]
+        lines += ["@par Source", " ".join(self.source) or groups()[group(self.name)]]
+        lines += [f"@since {' '.join(self.since) or '0.1.0'}"]
+        if found := example(self.name):
+            lines += ["@par Example", f"@snippet {found[0]} {found[1]}"]
+        return "/**\n" + "\n".join(" * " + escaped(line) for line in lines) + "\n */\n" + self.declaration
+
+
+def escaped(line):
+    """Signs that doxygen would take for its own."""
+    return line if line.startswith("@snippet") else re.sub(r"(?<!\\)([<>#])", r"\\\1", line)
+
+
+def functions():
+    return [Function(*match.group(1, 2, 3)) for match in FUNCTION.finditer(header())]
+
+
+def c_header():
+    text = FUNCTION.sub(lambda m: Function(*m.group(1, 2, 3)).page() if group(m.group(3)) else m.group(), header())
+
+    def grouped(match):
+        name = next(filter(None, match.groupdict().values()), None)
+        if match.group("function") or not name or not group(name):
+            return match.group()
+        comment = "\n".join(escaped(line) for line in match.group(1).splitlines())
+        rest = match.group()[match.group().index("*/"):]
+        return f"/**{comment}\n@ingroup {group(name)}\n{rest}"
+
+    text = ANYTHING.sub(grouped, text)
+    # What is for compilers, and what its first line explains.
+    text = re.sub(r"^#define GUSSET_(API|MUST_USE)\b.*\n", "", text, flags=re.M)
+    text = re.sub(r"^(#define GUSSET_VERSION_(?:MINOR|PATCH|STRING) .*)", r"/** See ::GUSSET_VERSION_MAJOR. */\n\1", text, flags=re.M)
+    return "/** @file\n The C interface. */\n" + text
+
+
+CONSTANT = re.compile(r"(\w+) = (GUSSET_\w+)(,?)")
+USUAL_MEMBERS = {
+    r"\bvalue_type\b": "What the range holds.",
+    r"\b(?:class|struct|using) (?:const_)?iterator\b": "A place in the range.",
+    r"\b(?:iterator_category|difference_type|pointer|reference)\b =": "What the standard library asks of iterators.",
+    r"\b(?:begin|end)\(\)": "The ends of the range.",
+    r"\bsize\(\)": "How many there are.",
+    r"\bempty\(\)": "Whether there are none.",
+    r"\boperator(?:\+\+|--|->|\*|==|!=|-|\+=?|\[\])": "As the standard library has it.",
+    r"\biterator\(": "A place in the range.",
+    r"\bexplicit \w+\(gusset_\w+ \*owned\)": "Takes over a handle of the C interface.",
+    r"\bget\(\)": "What the C interface takes; still owned by this.",
+    r"\bdata\(\)": "The first element.",
+    r"\boperator=\(|\w+\((?:const )?\w+ &&?(?: ?other)?\)|~\w+\(\)": "As the class says of copies.",
+}
+
+
+def c_functions():
+    return {name for name in re.findall(r"\b(gusset_\w+)\(", header())}
+
+
+def fields():
+    """The structs of the C interface and their fields."""
+    return {name: set(re.findall(r"(\w+)(?:\[[^\]]*\])*;", body))
+            for name, body in re.findall(r"^typedef struct (gusset_\w+) \{(.*?)^\}", header(), re.S | re.M)}
+
+
+def snake(name):
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
+
+
+def said_of(lines, at, owner):
+    """What to say of the declaration that begins at a line and has no comment: a line, or None."""
+    line = lines[at]
+    for pattern, text in USUAL_MEMBERS.items():
+        if re.search(pattern, line.split("{")[0] if "operator" not in line else line):
+            return text
+    indent = len(line) - len(line.lstrip())
+    body = [line]
+    for later in lines[at + 1:]:
+        if body[-1].rstrip().endswith((";", "}")) and len(body[-1]) - len(body[-1].lstrip()) == indent:
+            break
+        body.append(later)
+    called = [name for name in re.findall(r"\bgusset_\w+", "\n".join(body)) if name in c_functions()]
+    if called:
+        return "See ::%s." % called[0]
+    variable = re.match(r"[^()]*?(\w+)(?:\{\}| = [^()]*(?:\(\))?[^()]*)?;$", line.strip())
+    if variable and owner:
+        known = fields()
+        for struct in (f"gusset_{snake(owner)}", f"gusset_{snake(owner)}_view", f"gusset_{snake(owner)}_options"):
+            if variable.group(1) in known.get(struct, ()):
+                return f"See ::{struct}::{variable.group(1)}."
+    return None
+
+
+def cpp_header(path):
+    lines, out, owners = path.read_text().splitlines(), [], []
+    hidden = private = False
+    title = lines[0].lstrip("/ ")
+    for at, line in enumerate(lines):
+        indent = len(line) - len(line.lstrip())
+        if re.match(r"namespace \w*::?detail|namespace detail", line):
+            hidden = True
+        if line.startswith("} // namespace detail"):
+            hidden = False
+        while owners and indent <= owners[-1][1] and line.strip() and not re.match(r"\s*(?:public|private):", line):
+            owners.pop()
+        found = re.match(r"\s*(?:class|struct) (\w+)(?: final)?(?: : [^;]*)?(?: \{|$)", line)
+        if re.match(r"\s*private:", line):
+            private = True
+        elif re.match(r"\s*(?:public:|\};)", line):
+            private = False
+        begins = line.strip() and not re.match(r"\s*(?://|#|\}|\)|public:|private:|namespace|extern|template|static_assert|friend struct|friend class|struct Destroy)", line)
+        level = len(owners) * 4
+        commented = at > 0 and re.match(r"\s*(?:///|template)", lines[at - 1])
+        whole = at == 0 or re.match(r".*[;{}:>]\s*(?://.*)?$|\s*//|^$|#", lines[at - 1])
+        if begins and not hidden and not private and indent == level and not commented and whole:
+            text = said_of(lines, at, owners[-1][0] if owners else None)
+            if text:
+                out.append(" " * indent + "/// " + text)
+        if not re.match(r"\s*//", line):
+            line = CONSTANT.sub(r"\1 = \2\3 ///< See ::\2." + "\n", line)
+        several = re.match(r"(\s*)([\w:]+(?:<[\w:<>, ]+>)?) ((?:\w+(?: = [\w.:]+|\{\})?, )+\w+(?: = [\w.:]+|\{\})?);$", line)
+        if several and out and re.match(r"\s*///", out[-1]):
+            # What is said of the first of them is said of all.
+            space, kind, names = several.groups()
+            line = f"\n{out[-1]}\n".join(f"{space}{kind} {name};" for name in names.split(", "))
+        out.append(line)
+        if found and not line.rstrip().endswith(";"):
+            owners.append((found.group(1), indent))
+            private = line.strip().startswith("class") and False
+    return f"/** @file\n {title} */\n" + "\n".join(out) + "\n"
+
+
+def check():
+    status = 0
+    for function in functions():
+        for what in function.lacks():
+            print(f"{function.name} lacks {what}")
+            status = 1
+    names = {function.name for function in functions()}
+    for file, block, text in blocks():
+        for name in sorted(set(re.findall(r"\b(gusset_\w+)\(", text)) - names):
+            print(f"examples/reference/{file}, {block}: there is no {name}")
+            status = 1
+    if not status:
+        print(f"{len(names)} functions, each with all its parts and one of {len(blocks())} examples")
+    return status
+
+
+def main(arguments):
+    if arguments == ["--check"]:
+        return check()
+    path = Path(arguments[0]).resolve()
+    sys.stdout.write(c_header() if path == HEADER else cpp_header(path))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
