@@ -74,7 +74,7 @@ install: build
 	ln -sf libgusset.so.$(version) $(libdir)/libgusset.so.$(abi)
 	ln -sf libgusset.so.$(abi) $(libdir)/libgusset.so
 	install -m 644 target/release/libgusset.a $(libdir)/libgusset.a
-	install -m 644 include/gusset.h include/gusset.hpp $(incdir)
+	install -m 644 include/*.h include/*.hpp $(incdir)
 	install -m 644 include/gusset/*.hpp $(incdir)/gusset
 	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(version)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc
 	install -m 644 LICENSE-MIT LICENSE-APACHE $(DESTDIR)$(PREFIX)/share/doc/gusset

@@ -11,6 +11,9 @@ const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 /// What a C program links besides the static library, on Linux. README.md and the pkg-config file say the same.
 const STATIC_LINK_LINE: &str = "-lgcc_s -lutil -lrt -lpthread -lm -ldl -lc";
 
+/// The library's, and a plugin host's.
+const HEADERS: [&str; 2] = ["gusset.h", "gusset_plugin.h"];
+
 /// Compares a committed file with what it must be, or rewrites it.
 fn committed(path: &str, generated: &str) {
     let path = Path::new(ROOT).join(path);
@@ -28,8 +31,11 @@ fn committed(path: &str, generated: &str) {
 }
 
 #[test]
-fn the_committed_header_is_the_generated_one() {
-    committed("include/gusset.h", &fs::read_to_string(concat!(env!("OUT_DIR"), "/gusset.h")).unwrap());
+fn the_committed_headers_are_the_generated_ones() {
+    for name in HEADERS {
+        let generated = Path::new(env!("OUT_DIR")).join(name);
+        committed(&format!("include/{name}"), &fs::read_to_string(generated).unwrap());
+    }
 }
 
 #[test]
@@ -87,7 +93,8 @@ fn the_library_exports_what_the_header_declares_and_nothing_else() {
     let listing = run(Command::new("nm").args(["-D", "--defined-only"]).arg(built("libgusset.so")));
     let symbols: Vec<_> = listing.lines().filter_map(|line| line.split_whitespace().nth(2)).collect();
     committed("include/gusset.symbols", &(symbols.join("\n") + "\n"));
-    let header = fs::read_to_string(Path::new(ROOT).join("include/gusset.h")).unwrap();
+    let headers = HEADERS.map(|name| fs::read_to_string(Path::new(ROOT).join("include").join(name)).unwrap());
+    let header = headers.concat();
     for symbol in &symbols {
         assert!(header.contains(&format!("{symbol}(")), "{symbol} is not declared");
     }

@@ -26,6 +26,7 @@
 //! | [`carcass_info`] | what carcasses and their sheets are |
 //! | [`carcass_level`] | sections, contours and isophotes of surfaces |
 //! | [`carcass_closest`] | nearest points of surfaces, places of locally least distance, regions of cells |
+//! | [`plugin`] | the other interface: one symbol and tables of filters, with a header of its own |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -81,6 +82,8 @@ pub mod net_validate;
 pub mod orient;
 pub mod outline;
 pub mod outline_options;
+/// cbindgen:ignore
+pub mod plugin;
 pub mod sheet;
 pub mod sheet_ask;
 pub mod sheet_make;

@@ -26,6 +26,7 @@ pub(super) const FILTER: Filter = Filter {
     min_inputs: 1,
     max_inputs: 1,
     outputs: &[OutputKind::Mesh],
+    replaces: true,
     params: &[
         Param::choice(
             "field",

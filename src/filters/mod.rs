@@ -54,6 +54,9 @@ pub struct Filter {
     pub max_inputs: usize,
     /// What comes out, in order.
     pub outputs: &'static [OutputKind],
+    /// The first output is the first input, mended, moved or made anew with other faces: an editor puts it in its place. Else
+    /// what comes out is something new beside the inputs, as what is joined from several of them is.
+    pub replaces: bool,
     /// The parameters, in the order of their values.
     pub params: &'static [Param],
     /// Values better than the defaults for these inputs, if the filter knows any.
@@ -87,13 +90,34 @@ impl Filter {
         FILTERS.iter().find(|filter| filter.id == id)
     }
 
+    /// The defaults of the parameters, whatever the inputs are.
+    pub fn plain_defaults(&self) -> Vec<f64> {
+        self.params.iter().flat_map(|param| param.default).copied().collect()
+    }
+
     /// The defaults, as the inputs suggest them; what [`Filter::run`] takes for values that are not given.
     pub fn defaults(&self, inputs: &[Input<'_>]) -> Vec<f64> {
-        let mut values: Vec<f64> = self.params.iter().flat_map(|param| param.default).copied().collect();
+        let mut values = self.plain_defaults();
         if let Some(suggest) = self.suggest {
             suggest(inputs, &mut values);
         }
         values
+    }
+
+    /// Whether the filter takes so many inputs of these kinds.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] if not, with their number, or else the place of the first of a wrong kind.
+    pub fn check_inputs(&self, inputs: &[Input<'_>]) -> Result<()> {
+        let refused = |value: usize| Err(Error::OptionOutOfRange { option: "inputs", value: value as f64 });
+        if !(self.min_inputs..=self.max_inputs).contains(&inputs.len()) {
+            return refused(inputs.len());
+        }
+        let wanted = |i: usize| self.inputs.get(i).or(self.inputs.last()).copied();
+        match inputs.iter().enumerate().find(|(i, input)| wanted(*i) != Some(input.kind())) {
+            Some((i, _)) => refused(i),
+            None => Ok(()),
+        }
     }
 
     /// Runs the filter.
@@ -102,15 +126,7 @@ impl Filter {
     /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, for more values than parameters, and for inputs
     /// of the wrong number or kind; besides those of the capability itself.
     pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
-        let refused = |value: usize| Err(Error::OptionOutOfRange { option: "inputs", value: value as f64 });
-        if !(self.min_inputs..=self.max_inputs).contains(&inputs.len()) {
-            return refused(inputs.len());
-        }
-        for (i, input) in inputs.iter().enumerate() {
-            if self.inputs.get(i).or(self.inputs.last()) != Some(&input.kind()) {
-                return refused(i);
-            }
-        }
+        self.check_inputs(inputs)?;
         let mut all = self.defaults(inputs);
         if values.len() > all.len() {
             return Err(Error::OptionOutOfRange { option: "values", value: values.len() as f64 });

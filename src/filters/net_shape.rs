@@ -22,6 +22,7 @@ pub(super) const FILTER: Filter = Filter {
     min_inputs: 0,
     max_inputs: 0,
     outputs: &[OutputKind::Mesh, OutputKind::Text],
+    replaces: false,
     params: &[
         Param::choice(
             "shape",

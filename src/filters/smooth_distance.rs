@@ -24,6 +24,7 @@ pub(super) const FILTER: Filter = Filter {
     min_inputs: 2,
     max_inputs: 2,
     outputs: &[OutputKind::Mesh, OutputKind::Text],
+    replaces: true,
     params: &[
         SCHEME,
         Param {

@@ -1,0 +1,32 @@
+//! The library as a plugin: one symbol, and behind it tables of filters that a host needs no header of ours to call but
+//! gusset_plugin.h, which is made from this folder alone.
+//!
+//! | file | what it owns |
+//! |---|---|
+//! | [`descriptor`] | the structs and constants |
+//! | [`table`] | the tables, made once of [`crate::filters::FILTERS`] |
+//! | [`inputs`] | what a host gives: meshes, curves, values, callbacks |
+//! | [`outputs`] | what a run leaves, and how a host reads it |
+//! | [`run`] | a run, and values suggested for one |
+
+pub mod descriptor;
+mod inputs;
+pub mod outputs;
+mod run;
+mod table;
+
+use descriptor::{GUSSET_PLUGIN_ABI, gusset_plugin};
+use std::panic::catch_unwind;
+use std::ptr;
+
+/// The plugin's tables, or NULL if it cannot serve a host of this ABI. host_abi: the host's GUSSET_PLUGIN_ABI. The tables are
+/// static: made at the first call, never freed; there is nothing to initialise or to shut down, and the library stays
+/// loaded after dlclose. May be called from any thread, as often as one likes.
+#[unsafe(no_mangle)]
+#[must_use]
+pub extern "C" fn gusset_plugin_entry(host_abi: u32) -> *const gusset_plugin {
+    if host_abi != GUSSET_PLUGIN_ABI {
+        return ptr::null();
+    }
+    catch_unwind(|| ptr::from_ref(&table::get().plugin)).unwrap_or(ptr::null())
+}
