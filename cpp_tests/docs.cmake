@@ -55,6 +55,21 @@ if(EXISTS ${GUSSET_PREFIX}/lib/cmake/gusset)
            --build-generator ${CMAKE_GENERATOR} --build-options -DCMAKE_PREFIX_PATH=${GUSSET_PREFIX} --test-command start_c)
 endif()
 
+# The pictures: the same bytes each time.
+add_executable(gallery ${root}/examples/pictures/gallery.cpp)
+target_compile_options(gallery PRIVATE ${strict} -Wconversion -Wshadow)
+target_link_libraries(gallery PRIVATE PkgConfig::gusset)
+foreach(time first second)
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/pictures/${time})
+  add_test(NAME pictures/${time} COMMAND gallery ${CMAKE_BINARY_DIR}/pictures/${time})
+  set_tests_properties(pictures/${time} PROPERTIES FIXTURES_SETUP pictures)
+endforeach()
+foreach(name stitch pieces fill meet)
+  add_test(NAME pictures/${name} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_BINARY_DIR}/pictures/first/${name}.svg
+           ${CMAKE_BINARY_DIR}/pictures/second/${name}.svg)
+  set_tests_properties(pictures/${name} PROPERTIES FIXTURES_REQUIRED pictures)
+endforeach()
+
 # Every function of the header: what it takes, gives and costs, and an example that is among those above.
 add_test(NAME docs/reference COMMAND Python3::Interpreter ${root}/scripts/reference.py --check)
 
