@@ -275,6 +275,12 @@ def c_header():
     return "/** @file\n The C interface. */\n" + text
 
 
+def plain_header(path):
+    """A header whose comments are as doxygen wants them: without what is for compilers."""
+    text = re.sub(r"^#define GUSSET_\w*(?:API|MUST_USE)\b.*\n", "", path.read_text(), flags=re.M)
+    return f"/** @file\n {text.split('.')[0].lstrip('/* ')}. */\n{text}"
+
+
 CONSTANT = re.compile(r"(\w+) = (GUSSET_\w+)(,?)")
 USUAL_MEMBERS = {
     r"\bvalue_type\b": "What the range holds.",
@@ -376,6 +382,11 @@ def check():
             print(f"{function.name} lacks {what}")
             status = 1
     names = {function.name for function in functions()}
+    guides = "".join(path.read_text() for path in sorted((ROOT / "examples/guides").glob("*.c")))
+    for symbol in (ROOT / "include/gusset.symbols").read_text().split():
+        if symbol not in names and symbol not in guides:
+            print(f"{symbol} is exported, and in no example")
+            status = 1
     for file, block, text in blocks():
         for name in sorted(set(re.findall(r"\b(gusset_\w+)\(", text)) - names):
             print(f"examples/reference/{file}, {block}: there is no {name}")
@@ -389,7 +400,7 @@ def main(arguments):
     if arguments == ["--check"]:
         return check()
     path = Path(arguments[0]).resolve()
-    sys.stdout.write(c_header() if path == HEADER else cpp_header(path))
+    sys.stdout.write(c_header() if path == HEADER else plain_header(path) if path.suffix == ".h" else cpp_header(path))
     return 0
 
 

@@ -86,3 +86,18 @@ fn pages_show_what_is_compiled_and_run() {
     }
     assert!(shown > 20);
 }
+
+#[test]
+fn the_errata_name_tests_that_there_are() {
+    let (page, mut named) = (read("docs/errata.md"), 0);
+    for line in page.lines().filter(|line| line.starts_with("| ")) {
+        let words: Vec<_> = line.split('`').skip(1).step_by(2).collect();
+        let Some(file) = words.iter().position(|word| word.starts_with("tests/")) else { continue };
+        assert!(file + 1 < words.len(), "no test: {line}");
+        for test in &words[file + 1..] {
+            assert!(read(words[file]).contains(&format!("fn {test}(")), "{} has no {test}", words[file]);
+            named += 1;
+        }
+    }
+    assert!(named > 40);
+}
