@@ -50,6 +50,12 @@ set_tests_properties(guides/plugin PROPERTIES PASS_REGULAR_EXPRESSION "weld: .*4
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/guides)
 add_test(NAME guides/commands COMMAND ${guides}/build.sh WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/guides)
 set_tests_properties(guides/commands PROPERTIES ENVIRONMENT PKG_CONFIG_PATH=${GUSSET_PREFIX}/lib/pkgconfig)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/home)
+file(CREATE_LINK ${GUSSET_PREFIX} ${CMAKE_BINARY_DIR}/home/gusset SYMBOLIC)
+configure_file(${root}/examples/c/stitch.c ${CMAKE_BINARY_DIR}/home/stitch.c COPYONLY)
+add_test(NAME guides/five_minutes COMMAND ${guides}/five_minutes.sh WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/home)
+set_tests_properties(guides/five_minutes PROPERTIES ENVIRONMENT HOME=${CMAKE_BINARY_DIR}/home
+                     PASS_REGULAR_EXPRESSION "10 vertices, 16 faces")
 if(EXISTS ${GUSSET_PREFIX}/lib/cmake/gusset)
   add_test(NAME guides/project COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${guides} ${CMAKE_BINARY_DIR}/guides/project
            --build-generator ${CMAKE_GENERATOR} --build-options -DCMAKE_PREFIX_PATH=${GUSSET_PREFIX} --test-command start_c)

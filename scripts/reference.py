@@ -78,6 +78,14 @@ def blocks():
     return found
 
 
+@functools.cache
+def first_version(name):
+    """The version that brought a function, as the package of the library lists it."""
+    lists = sorted((ROOT / "packaging/debian").glob("*.symbols"))
+    listed = re.search(rf"^ {name}@Base (\S+)", "".join(path.read_text() for path in lists), re.M)
+    return listed.group(1) if listed else re.search(r'VERSION_STRING "(.*?)"', header()).group(1)
+
+
 def example(name):
     return next(((file, block) for file, block, text in blocks() if re.search(rf"\b{name}\(", text)), None)
 
@@ -146,7 +154,7 @@ class Function:
 
     def __init__(self, comment, declaration, name):
         self.name, self.declaration, self.given = name, declaration, parameters(declaration)
-        self.described, self.errors, self.complexity, self.said, self.source, self.since = {}, [], [], [], [], []
+        self.described, self.errors, self.complexity, self.said, self.source = {}, [], [], [], []
         self.details, self.brief = [], None
         for sentences in prose(comment):
             self.sort(sentences)
@@ -174,8 +182,6 @@ class Function:
             elif re.match(r"Sources?: ", part):
                 self.source.append(part.split(": ", 1)[1])
                 last = "source"
-            elif part.startswith("Since: "):
-                self.since.append(part.split(": ", 1)[1])
             elif spoken and set(spoken.group(1).split(", ")) <= names:
                 last = spoken.group(1).split(", ")
                 for one in last:
@@ -242,7 +248,7 @@ class Function:
         lines += ["@par Complexity", " ".join(self.complexity) or f"As of ::{like[0]}."]
         lines += ["@par Threads", threads(self.name, self.given, self.said)]
         lines += ["@par Source", " ".join(self.source) or groups()[group(self.name)]]
-        lines += [f"@since {' '.join(self.since) or '0.1.0'}"]
+        lines += [f"@since {first_version(self.name)}"]
         if found := example(self.name):
             lines += ["@par Example", f"@snippet {found[0]} {found[1]}"]
         return "/**\n" + "\n".join(" * " + escaped(line) for line in lines) + "\n */\n" + self.declaration
