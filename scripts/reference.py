@@ -22,7 +22,7 @@ ANYTHING = re.compile(COMMENT + r"(?:#define (?P<constant>\w+)|(?:GUSSET_\w+\s+)
                       r"typedef [^;{(]*?\(\*(?P<callback>\w+)\)|typedef (?:struct|enum)?\s*\w+ (?P<tag>\w+)(?:;| \{)|"
                       r"enum (?P<enum>\w+))", re.S)
 # First words of sentences that go on about the parameter before them.
-GOES_ON = ("NULL ", "It ", "They ", "Either ", "Each has ", "Each may ", "Each names ")
+GOES_ON = ("NULL ", "It ", "They ", "Either ", "Each has ", "Each may ", "Each names ", "For gusset_", "No bound")
 COMPLEXITY = re.compile(r"(?:About |At most |Besides )?O\(|Bounded work|In proportion|Loops of n|Time and memory|"
                         r"Composite, blended|Linear|Extra memory|No memory")
 CONTEXT = "Threads, progress, cancelling and the account of an error; NULL for the defaults: then there is no account."
@@ -94,7 +94,7 @@ def prose(comment):
     """The paragraphs of a comment, each a list of sentences."""
     text = "\n".join(re.sub(r"^\s*\* ?", "", line) for line in comment.strip().splitlines())
     paragraphs = [re.sub(r"\s+", " ", part).strip() for part in re.split(r"\n\s*\n", text)]
-    return [re.split(r"(?<=[^\s.][.])\s+(?=[A-Za-z0-9(|])", part) for part in paragraphs if part]
+    return [re.split(r"(?:(?<=[^\s.][.])|(?<=_[.]{3}))\s+(?=[A-Za-z0-9(|])", part) for part in paragraphs if part]
 
 
 def parameters(declaration):
@@ -116,6 +116,8 @@ def usual(name, kind):
         return CONTEXT
     if stars == 2 and re.search(rf"\b{bare}_destroy\(|\b{bare.replace('validation', 'validate')}_destroy\(", header()):
         return f"Receives the result, for its _destroy function; NULL on failure. See ::{bare}."
+    if name == "index":
+        return "Its number, counted from 0; from the number of what is there on, ::GUSSET_ERROR_NO_SUCH_ELEMENT."
     if stars == 1 and name == "options":
         return f"NULL for the defaults; see ::{bare}."
     if stars == 1 and re.search(rf"^typedef struct {bare} \{{", header(), re.M):
@@ -207,13 +209,16 @@ class Function:
 
     def parameter(self, name, kind):
         if name in self.described:
-            text = self.described[name][:1].upper() + self.described[name][1:]
+            text = self.described[name]
             if "struct" in kind and "*" in kind and "::" not in text:
                 text += " See ::%s." % re.sub(r"\b(const|struct)\b|[*\s]", "", kind) if text.endswith(".") else ""
             return text
-        beside = next((other for other, text in self.described.items() if re.search(rf"\b{name}\b", text)), None)
-        if beside and re.search(r"count|capacity|stride|size", name):
-            return f"The number that `{beside}` speaks of."
+        if re.search(r"count|capacity|stride|size", name):
+            beside = [other for other, text in self.described.items() if re.search(rf"\b{name}\b", text)]
+            # points_b beside count_b; else what goes in before what comes out.
+            beside.sort(key=lambda other: (other[-2:] != name[-2:], direction(dict(self.given)[other]) != "in"))
+            if beside:
+                return f"See `{beside[0]}`."
         standard = usual(name, kind)
         if standard is None and re.search(rf"`{name}`", " ".join(self.details + [self.brief or ""])):
             return f"As said of `{name}` above."
@@ -250,7 +255,8 @@ class Function:
         lines += ["@par Source", " ".join(self.source) or groups()[group(self.name)]]
         lines += [f"@since {first_version(self.name)}"]
         if found := example(self.name):
-            lines += ["@par Example", f"@snippet {found[0]} {found[1]}"]
+            where = f"From examples/reference/{found[0]}, which the tests run. MUST: the call succeeds; HOLDS: so it is."
+            lines += ["@par Example", where, f"@snippet {found[0]} {found[1]}"]
         return "/**\n" + "\n".join(" * " + escaped(line) for line in lines) + "\n */\n" + self.declaration
 
 
