@@ -3,6 +3,7 @@
 
 PREFIX  ?= /usr/local
 LIBDIR  ?= $(PREFIX)/lib
+DOCDIR  ?= $(PREFIX)/share/doc/gusset
 DESTDIR ?=
 CARGO   ?= cargo
 
@@ -13,15 +14,17 @@ release := $(or $(CARGO_TARGET_DIR),target)/release
 stage   := $(CURDIR)/build/stage
 libdir   = $(DESTDIR)$(LIBDIR)
 incdir   = $(DESTDIR)$(PREFIX)/include
-docdir   = $(DESTDIR)$(PREFIX)/share/doc/gusset
+docdir   = $(DESTDIR)$(DOCDIR)
 
 build_packages := cmake g++ pkg-config
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev
 test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind clang abigail-tools
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
+cargo_c_packages := $(build_packages) libssl-dev
+deb_packages   := debhelper dpkg-dev lintian
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build test check exhaustive demo bench install install-strip check-abi abi-baseline stage clean
+.PHONY: help build test check exhaustive demo bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -37,6 +40,8 @@ help:
 	@echo 'make install-strip                the same, without what debuggers read'
 	@echo 'make check-abi                    whether the binary interface is that of packaging/abi; it is in make test too'
 	@echo 'make abi-baseline [UNRELEASED=1]  writes it anew, where its rule allows; UNRELEASED=1: although programs would break'
+	@echo 'make check-cargo-c                the installation that cargo-c makes, looked at like ours; builds cargo-c, minutes'
+	@echo 'make deb                          Debian packages, into build/deb'
 	@echo 'make clean                        remove build and target'
 
 build:
@@ -64,12 +69,14 @@ demo: stage
 bench: stage
 	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' $(bench_packages)
 
+# The static library without the Rust compiler's own code, half of it, which C linkers have no use for and nm stumbles over where clang is.
 install: build
 	install -d $(libdir)/pkgconfig $(libdir)/cmake/gusset $(incdir)/gusset $(DESTDIR)$(PREFIX)/share/gusset $(docdir)
 	install -m 755 $(release)/libgusset.so $(libdir)/libgusset.so.$(version)
 	ln -sf libgusset.so.$(version) $(libdir)/libgusset.so.$(abi)
 	ln -sf libgusset.so.$(abi) $(libdir)/libgusset.so
-	install -m 644 $(release)/libgusset.a $(libdir)
+	objcopy -D -R .llvmbc -R .llvmcmd $(release)/libgusset.a $(libdir)/libgusset.a
+	chmod 644 $(libdir)/libgusset.a
 	install -m 644 include/*.h include/*.hpp $(incdir)
 	install -m 644 include/gusset/*.hpp $(incdir)/gusset
 	install -m 644 include/cmake/*.cmake $(libdir)/cmake/gusset
@@ -90,6 +97,12 @@ check-abi abi-baseline:
 	@scripts/install-packages.sh abigail-tools
 	$(CARGO) test --locked --test c_interface
 	@UNRELEASED='$(UNRELEASED)' packaging/abi/abi.sh $(patsubst check-abi,check,$(@:abi-%=%)) include
+
+check-cargo-c:
+	@scripts/check-cargo-c.sh $(cargo_c_packages)
+
+deb:
+	@scripts/deb.sh $(deb_packages)
 
 # An installation of its own for tests and demo.
 stage:

@@ -23,11 +23,11 @@ grep -qE 'RPATH|RUNPATH' <<<"$dynamic" && fail "it looks for libraries in a fold
 diff <(nm -D --defined-only "libgusset.so.$version" | awk '{ print $3 }' | LC_ALL=C sort) <(LC_ALL=C sort "$manifest") ||
   fail "the symbols are not those of $manifest"
 cmp "$manifest" "$prefix/share/gusset/gusset.symbols" || fail 'the list installed is another'
-missing=$(nm -g --defined-only libgusset.a 2>/dev/null | awk 'NF == 3 { print $3 }' | LC_ALL=C sort -u |
+missing=$(readelf -sW libgusset.a | awk '$5 == "GLOBAL" && $7 != "UND" { print $8 }' | LC_ALL=C sort -u |
   LC_ALL=C comm -13 - <(LC_ALL=C sort "$manifest"))
 [ -z "$missing" ] || fail "the static library lacks $missing"
 
-for file in include/gusset.hpp lib/cmake/gusset/gussetConfigVersion.cmake share/doc/gusset/{LICENSE-MIT,LICENSE-APACHE,README.md}; do
+for file in include/gusset.hpp lib/pkgconfig/gusset.pc share/doc/gusset/{LICENSE-MIT,LICENSE-APACHE,README.md}; do
   [ -s "$prefix/$file" ] || fail "$file is missing"
 done
 echo "libgusset.so.$version: $(wc -l <"$manifest") symbols, needs $(tr '\n' ' ' <<<"$needed")"
