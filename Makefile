@@ -106,6 +106,7 @@ deb:
 
 # An installation of its own for tests and demo.
 stage:
+	@rm -rf '$(stage)'
 	@$(MAKE) --no-print-directory -s install PREFIX='$(stage)' DESTDIR=
 
 clean:
