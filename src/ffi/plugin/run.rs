@@ -76,7 +76,8 @@ impl<F: Into<Failure>> From<F> for Fault {
     fn from(failure: F) -> Self {
         let failure = failure.into();
         // Without an element it need not be about an input.
-        let input = if failure.element != 0 || failure.input != 0 { failure.input } else { GUSSET_PLUGIN_NONE };
+        let names_input = (failure.element != 0 || failure.input != 0) && !is_environment(&failure);
+        let input = if names_input { failure.input } else { GUSSET_PLUGIN_NONE };
         Fault { failure, param: GUSSET_PLUGIN_NONE, input }
     }
 }
@@ -84,8 +85,14 @@ impl<F: Into<Failure>> From<F> for Fault {
 impl Fault {
     /// The same of input `input`, whatever it is about in it.
     pub(super) fn of_input(self, input: u32) -> Self {
-        Fault { input, ..self }
+        if is_environment(&self.failure) { self } else { Fault { input, ..self } }
     }
+}
+
+/// A cancel or a want of memory is no input's fault.
+fn is_environment(failure: &Failure) -> bool {
+    use gusset_status::{GUSSET_ERROR_CANCELLED, GUSSET_ERROR_OUT_OF_MEMORY};
+    matches!(failure.status, GUSSET_ERROR_CANCELLED | GUSSET_ERROR_OUT_OF_MEMORY)
 }
 
 fn caught<T>(body: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
@@ -110,6 +117,8 @@ fn answer(filter: &Filter, given: &[Input<'_>], values: &[f64], job: &Job<'_>) -
             Error::OptionOutOfRange { option, .. } => filter.params.iter().position(|param| param.id == option),
             _ => None,
         };
-        Fault { param: param.map_or(GUSSET_PLUGIN_NONE, |place| place as u32), ..Fault::from(error) }
+        let fault = Fault { param: param.map_or(GUSSET_PLUGIN_NONE, |place| place as u32), ..Fault::from(error) };
+        // What is made of nothing has no input at fault.
+        if given.is_empty() { Fault { input: GUSSET_PLUGIN_NONE, ..fault } } else { fault }
     })
 }
