@@ -12,12 +12,12 @@ libdir  := $(DESTDIR)$(PREFIX)/lib
 incdir  := $(DESTDIR)$(PREFIX)/include
 
 build_packages := cmake g++ pkg-config
-host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev
+host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev libtinyobjloader-dev
 test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build test check exhaustive demo bench install stage clean
+.PHONY: help build test check exhaustive host check-cancel demo bench install stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -28,6 +28,8 @@ help:
 	@echo 'make exhaustive                   long searches for wrong answers of carcasses, by brute force; minutes'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
+	@echo 'make host                         gusset-host, which runs the filters of the plugin on files, into build/host'
+	@echo 'make check-cancel [ONLY=weld]     how fast the filters stop on large meshes, on a machine that does nothing else; minutes'
 	@echo 'make build                        the libraries, in target/release'
 	@echo 'make install [PREFIX=/usr/local] [DESTDIR=]   libraries, headers, pkg-config file, licences'
 	@echo 'make clean                        remove build and target'
@@ -50,6 +52,17 @@ test: check stage
 	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error
+
+host:
+	@scripts/install-packages.sh $(host_packages)
+	cmake -S examples/host -B build/host
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/host --parallel 2
+
+check-cancel: stage
+	@scripts/install-packages.sh $(test_packages)
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target plugin_cancel
+	build/cpp/plugin/plugin_cancel $(stage)/lib/libgusset.so $(ONLY)
 
 demo: stage
 	@scripts/demo.sh '$(stage)' '$(A)' '$(B)' $(demo_packages)

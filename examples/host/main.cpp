@@ -15,7 +15,7 @@ constexpr const char *footer = R"(Meshes are .obj, .off, .ply or .stl files, cur
 Exit status:
   0  done
   1  the command is wrong: no such filter or parameter, a value that is none, too many or too few inputs
-  2  a file cannot be read or written, or is of an unknown kind
+  2  a file cannot be read or written, is of an unknown kind, or too large for the memory
   3  the plugin cannot be loaded, or broke down
   4  the filter refused its parameters or its inputs, and said why
   5  cancelled)";
@@ -58,8 +58,14 @@ int command(int argc, char **argv) {
         run(plugin, request);
     } else if (describing->parsed()) {
         const gusset_filter &filter = *plugin.find(request.filter);
-        describe(std::cout, filter,
-                 request.inputs.empty() ? std::vector<double>() : suggest(filter, Inputs(filter, request.inputs)));
+        Suggested suggested{};
+        if (!request.inputs.empty()) {
+            suggested = suggest(filter, Inputs(filter, request.inputs));
+        }
+        if (suggested.status != GUSSET_PLUGIN_DONE) {
+            throw Failure(Exit::refused, request.filter + " refuses these inputs (status " + std::to_string(suggested.status) + ")");
+        }
+        describe(std::cout, filter, suggested.values);
     } else {
         list(std::cout, plugin);
     }
@@ -74,7 +80,7 @@ int main(int argc, char **argv) {
         std::cerr << "gusset-host: " << failure.what() << '\n';
         return static_cast<int>(failure.exit);
     } catch (const std::exception &error) {
-        // Memory, for one: whatever it is, it happened between files.
+        // Memory, that is to say.
         std::cerr << "gusset-host: " << error.what() << '\n';
         return static_cast<int>(Exit::file);
     }

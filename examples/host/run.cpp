@@ -51,18 +51,13 @@ Failure refusal(const Plugin &plugin, const gusset_filter &filter, const gusset_
     return {exit, text + ')'};
 }
 
-/// An output of count elements; a pointer to none may be anything.
-template <typename T> const unsigned char *bytes(const T *data) {
-    return static_cast<const unsigned char *>(static_cast<const void *>(data));
-}
-
 std::vector<Point> points(const void *data, std::size_t stride, std::size_t count, uint32_t scalar) {
     const std::size_t size = scalar == GUSSET_PLUGIN_F32 ? sizeof(float) : sizeof(double);
     const std::size_t step = stride == 0 ? 3 * size : stride;
     std::vector<Point> all(count);
     for (std::size_t p = 0; p < count; ++p) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const unsigned char *from = bytes(data) + p * step + k * size;
+            const unsigned char *from = static_cast<const unsigned char *>(data) + p * step + k * size;
             float single = 0;
             if (scalar == GUSSET_PLUGIN_F32) {
                 std::memcpy(&single, from, size);
@@ -150,11 +145,10 @@ void write(const Plugin &plugin, const gusset_outputs *outputs, const std::vecto
 }
 } // namespace
 
-std::vector<double> suggest(const gusset_filter &filter, const Inputs &inputs) {
-    std::vector<double> values(filter.value_count);
-    // After a failure it holds the plain defaults; run will say what is wrong with the inputs.
-    static_cast<void>(filter.suggest(&filter, inputs.data(), inputs.count(), values.data()));
-    return values;
+Suggested suggest(const gusset_filter &filter, const Inputs &inputs) {
+    Suggested suggested{std::vector<double>(filter.value_count), 0};
+    suggested.status = filter.suggest(&filter, inputs.data(), inputs.count(), suggested.values.data());
+    return suggested;
 }
 
 void run(const Plugin &plugin, const RunRequest &request) {
@@ -163,7 +157,8 @@ void run(const Plugin &plugin, const RunRequest &request) {
     // What is wrong with the command is said before anything is read.
     static_cast<void>(parse_values(filter, std::vector<double>(filter.value_count), request.params));
     const Inputs inputs(filter, request.inputs);
-    const std::vector<double> values = parse_values(filter, suggest(filter, inputs), request.params);
+    // If the inputs are refused already, the run will say why.
+    const std::vector<double> values = parse_values(filter, suggest(filter, inputs).values, request.params);
 
     Steering steering(request.threads, request.progress, request.cancel_after);
     gusset_outputs *raw = nullptr;

@@ -18,8 +18,12 @@ struct RunRequest {
     std::optional<double> cancel_after;
 };
 
-/// The values that the filter suggests for these inputs. Throws Failure.
-std::vector<double> suggest(const gusset_filter &filter, const Inputs &inputs);
+/// The values that the filter suggests for these inputs, or if it refuses them, its status and the defaults.
+struct Suggested {
+    std::vector<double> values;
+    int32_t status;
+};
+Suggested suggest(const gusset_filter &filter, const Inputs &inputs);
 
 /// Runs the filter, prints its texts and writes the rest to files. Throws Failure.
 void run(const Plugin &plugin, const RunRequest &request);

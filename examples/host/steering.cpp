@@ -42,10 +42,7 @@ Steering::Steering(uint32_t threads, bool bar_, std::optional<double> cancel_aft
     }
 }
 
-Steering::~Steering() {
-    finish();
-    on_interrupt(SIG_DFL, 0);
-}
+Steering::~Steering() { finish(); }
 
 void Steering::finish() {
     {
@@ -56,6 +53,7 @@ void Steering::finish() {
     if (watch.joinable()) {
         watch.join();
     }
+    on_interrupt(SIG_DFL, 0);
     if (terminal && !shown.empty()) {
         std::cerr << '\n';
         shown.clear();

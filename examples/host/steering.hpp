@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-/// While it lives Ctrl-C cancels the run, and a second one ends the program. There may be one at a time.
+/// Until it is finished Ctrl-C cancels the run, and a second one ends the program. There may be one at a time.
 class Steering {
 public:
     using Clock = std::chrono::steady_clock;
@@ -23,7 +23,7 @@ public:
 
     /// For the run.
     const gusset_host *host() const { return &callbacks; }
-    /// The run is over: ends the bar.
+    /// The run is over: ends the bar, and Ctrl-C means what it did before.
     void finish();
     /// From the request of cancel_after to `now` in milliseconds, if it came before that.
     std::optional<double> since_request(Clock::time_point now);
