@@ -320,6 +320,24 @@ def fields():
             for name, body in re.findall(r"^typedef struct (gusset_\w+) \{(.*?)^\}", header(), re.S | re.M)}
 
 
+@functools.cache
+def cpp_sources():
+    """The C++ programs that the tests build, those for readers first."""
+    paths = [path for folder in ("guides", "cpp", "pictures") for path in sorted((ROOT / "examples" / folder).glob("*.[ch]pp"), reverse=True)]
+    return [(path, path.read_text()) for path in paths + sorted((ROOT / "cpp_tests/cpp").glob("*.[ch]pp"))]
+
+
+def cpp_example(name):
+    """Lines about where a class is used: a block of the guides, or else the first program that names it."""
+    named = re.compile(rf"\b(?:gusset::)?{name}\b")
+    for path, text in cpp_sources():
+        for block, inside in re.findall(r"^\s*//! \[(\w+)\]\n(.*?)^\s*//! \[\1\]\n", text, re.S | re.M):
+            if re.search(rf"\bgusset::{name}\b", inside):
+                return ["@par Example", f"@snippet {path.name} {block}"]
+    found = next((path for path, text in cpp_sources() if named.search(text)), None)
+    return ["@par Example", f"Used in {found.relative_to(ROOT)}, which the tests build and run."] if found else []
+
+
 def snake(name):
     return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
 
@@ -381,6 +399,8 @@ def cpp_header(path):
             space, kind, names = several.groups()
             line = f"\n{out[-1]}\n".join(f"{space}{kind} {name};" for name in names.split(", "))
         out.append(line)
+        if found and not hidden and lines[at - 1].startswith("///") and not line.rstrip().endswith(";"):
+            out[-1:-1] = ["/// " + text for text in cpp_example(found.group(1))]
         if found and not line.rstrip().endswith(";"):
             owners.append((found.group(1), indent))
             private = line.strip().startswith("class") and False

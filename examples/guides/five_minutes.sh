@@ -3,7 +3,6 @@
 set -eu
 
 #! [commands]
-export PKG_CONFIG_PATH=$HOME/gusset/lib/pkgconfig
-cc stitch.c $(pkg-config --cflags --libs gusset) -Wl,-rpath,$HOME/gusset/lib -o stitch
+cc stitch.c -I$HOME/gusset/include -L$HOME/gusset/lib -lgusset -Wl,-rpath,$HOME/gusset/lib -o stitch
 ./stitch
 #! [commands]
