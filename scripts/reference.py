@@ -4,7 +4,7 @@
 The comments of gusset.h are prose for readers of the header. As doxygen's filter (`reference.py FILE`) this sorts each one into
 brief, details, parameters, errors, complexity, threads, source and version, puts it into the group of the file of src/ffi
 that it comes from, and adds the example: the first block of examples/reference that calls the function, which is compiled and
-run. In the C++ headers it says of members without a comment which part of the C interface they are.
+run. scripts/reference_cpp.py does the same for the C++ headers.
 
 `reference.py --check` tells what a function lacks, and fails if it lacks anything.
 """
@@ -56,8 +56,8 @@ def origins():
     """Where in src/ffi each name of the interface is declared: the stem of the file."""
     found = {}
     for path in sorted((ROOT / "src/ffi").glob("*.rs")):
-        for name in re.findall(r"^\s*pub (?:unsafe )?(?:extern \"C\" )?(?:const|fn|struct|type|enum) (\w+)", path.read_text(), re.M):
-            found[name] = path.stem
+        declared = r"^\s*pub (?:unsafe )?(?:extern \"C\" )?(?:const|fn|struct|type|enum) (\w+)"
+        found.update((name, path.stem) for name in re.findall(declared, path.read_text(), re.M))
     return found
 
 
@@ -164,6 +164,7 @@ class Function:
             self.complexity = ["At most in proportion to what the handle holds."]
 
     def sort(self, sentences):
+        """Puts each sentence of a paragraph where it belongs; those that begin with nothing known go on with the one before."""
         kept, last = [], None
         names = {n for n, _ in self.given}
         parts = []
@@ -172,13 +173,13 @@ class Function:
             parts += re.split(r"(?<=;) (?=(?:%s): )" % "|".join(names or {"-"}), sentence)
         for part in parts:
             spoken = re.match(r"(\w+(?:, \w+)*): ", part)
-            if re.match(r"(?:Errors|The rest|All else|Otherwise|Errors and|Errors, )\b.*", part) or part.startswith("Errors:"):
+            if re.match(r"(?:Errors|The rest|All else|Otherwise)\b", part):
                 self.errors.append(part)
                 last = "errors"
             elif COMPLEXITY.match(part):
                 self.complexity.append(part)
                 last = "complexity"
-            elif re.match(r"From any thread", part) or re.match(r"The same b(its|ytes) for any", part):
+            elif re.match(r"From any thread|The same b(?:its|ytes) for any", part):
                 self.said.append(part)
                 last = "threads"
             elif re.match(r"Sources?: ", part):
@@ -191,10 +192,8 @@ class Function:
             elif isinstance(last, list) and part.startswith(GOES_ON):
                 for one in last:
                     self.described[one] += " " + part
-            elif last == "complexity" and not self.errors_follow(part):
-                self.complexity.append(part)
-            elif last == "source":
-                self.source.append(part)
+            elif last in ("complexity", "source"):
+                {"complexity": self.complexity, "source": self.source}[last].append(part)
             elif self.brief is None:
                 self.brief = part
             else:
@@ -202,10 +201,6 @@ class Function:
                 last = None
         if kept:
             self.details.append(" ".join(kept))
-
-    @staticmethod
-    def errors_follow(part):
-        return part.startswith("Errors")
 
     def parameter(self, name, kind):
         if name in self.described:
@@ -244,8 +239,7 @@ class Function:
             lines += [text, ""]
         lines += [f"@param[{direction(kind)}] {n} {self.parameter(n, kind)}" for n, kind in self.given]
         if self.errors:
-            errors = " ".join(self.errors)
-            errors = re.sub(r"\b[A-Z][A-Z_]+\b", lambda m: f"::GUSSET_ERROR_{m.group()}" if m.group() in statuses() else m.group(), errors)
+            errors = re.sub(r"\b[A-Z][A-Z_]+\b", status_link, " ".join(self.errors))
             lines += [f"@return ::GUSSET_OK, or the status of the error. {errors}"]
         elif not self.declaration.split("(")[0].split()[1:2] == ["void"]:
             lines += [f"@return {self.brief}"]
@@ -258,6 +252,10 @@ class Function:
             where = f"From examples/reference/{found[0]}, which the tests run. MUST: the call succeeds; HOLDS: so it is."
             lines += ["@par Example", where, f"@snippet {found[0]} {found[1]}"]
         return "/**\n" + "\n".join(" * " + escaped(line) for line in lines) + "\n */\n" + self.declaration
+
+
+def status_link(word):
+    return f"::GUSSET_ERROR_{word.group()}" if word.group() in statuses() else word.group()
 
 
 def escaped(line):
@@ -293,120 +291,6 @@ def plain_header(path):
     return f"/** @file\n {text.split('.')[0].lstrip('/* ')}. */\n{text}"
 
 
-CONSTANT = re.compile(r"(\w+) = (GUSSET_\w+)(,?)")
-USUAL_MEMBERS = {
-    r"\bvalue_type\b": "What the range holds.",
-    r"\b(?:class|struct|using) (?:const_)?iterator\b": "A place in the range.",
-    r"\b(?:iterator_category|difference_type|pointer|reference)\b =": "What the standard library asks of iterators.",
-    r"\b(?:begin|end)\(\)": "The ends of the range.",
-    r"\bsize\(\)": "How many there are.",
-    r"\bempty\(\)": "Whether there are none.",
-    r"\boperator(?:\+\+|--|->|\*|==|!=|-|\+=?|\[\])": "As the standard library has it.",
-    r"\biterator\(": "A place in the range.",
-    r"\bexplicit \w+\(gusset_\w+ \*owned\)": "Takes over a handle of the C interface.",
-    r"\bget\(\)": "What the C interface takes; still owned by this.",
-    r"\bdata\(\)": "The first element.",
-    r"\boperator=\(|\w+\((?:const )?\w+ &&?(?: ?other)?\)|~\w+\(\)": "As the class says of copies.",
-}
-
-
-def c_functions():
-    return {name for name in re.findall(r"\b(gusset_\w+)\(", header())}
-
-
-def fields():
-    """The structs of the C interface and their fields."""
-    return {name: set(re.findall(r"(\w+)(?:\[[^\]]*\])*;", body))
-            for name, body in re.findall(r"^typedef struct (gusset_\w+) \{(.*?)^\}", header(), re.S | re.M)}
-
-
-@functools.cache
-def cpp_sources():
-    """The C++ programs that the tests build, those for readers first."""
-    paths = [path for folder in ("guides", "cpp", "pictures") for path in sorted((ROOT / "examples" / folder).glob("*.[ch]pp"), reverse=True)]
-    return [(path, path.read_text()) for path in paths + sorted((ROOT / "cpp_tests/cpp").glob("*.[ch]pp"))]
-
-
-def cpp_example(name):
-    """Lines about where a class is used: a block of the guides, or else the first program that names it."""
-    named = re.compile(rf"\b(?:gusset::)?{name}\b")
-    for path, text in cpp_sources():
-        for block, inside in re.findall(r"^\s*//! \[(\w+)\]\n(.*?)^\s*//! \[\1\]\n", text, re.S | re.M):
-            if re.search(rf"\bgusset::{name}\b", inside):
-                return ["@par Example", f"@snippet {path.name} {block}"]
-    found = next((path for path, text in cpp_sources() if named.search(text)), None)
-    return ["@par Example", f"Used in {found.relative_to(ROOT)}, which the tests build and run."] if found else []
-
-
-def snake(name):
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
-
-
-def said_of(lines, at, owner):
-    """What to say of the declaration that begins at a line and has no comment: a line, or None."""
-    line = lines[at]
-    for pattern, text in USUAL_MEMBERS.items():
-        if re.search(pattern, line.split("{")[0] if "operator" not in line else line):
-            return text
-    indent = len(line) - len(line.lstrip())
-    body = [line]
-    for later in lines[at + 1:]:
-        if body[-1].rstrip().endswith((";", "}")) and len(body[-1]) - len(body[-1].lstrip()) == indent:
-            break
-        body.append(later)
-    called = [name for name in re.findall(r"\bgusset_\w+", "\n".join(body)) if name in c_functions()]
-    if called:
-        return "See ::%s." % called[0]
-    variable = re.match(r"[^()]*?(\w+)(?:\{\}| = [^()]*(?:\(\))?[^()]*)?;$", line.strip())
-    if variable and owner:
-        known = fields()
-        for struct in (f"gusset_{snake(owner)}", f"gusset_{snake(owner)}_view", f"gusset_{snake(owner)}_options"):
-            if variable.group(1) in known.get(struct, ()):
-                return f"See ::{struct}::{variable.group(1)}."
-    return None
-
-
-def cpp_header(path):
-    lines, out, owners = path.read_text().splitlines(), [], []
-    hidden = private = False
-    title = lines[0].lstrip("/ ")
-    for at, line in enumerate(lines):
-        indent = len(line) - len(line.lstrip())
-        if re.match(r"namespace \w*::?detail|namespace detail", line):
-            hidden = True
-        if line.startswith("} // namespace detail"):
-            hidden = False
-        while owners and indent <= owners[-1][1] and line.strip() and not re.match(r"\s*(?:public|private):", line):
-            owners.pop()
-        found = re.match(r"\s*(?:class|struct) (\w+)(?: final)?(?: : [^;]*)?(?: \{|$)", line)
-        if re.match(r"\s*private:", line):
-            private = True
-        elif re.match(r"\s*(?:public:|\};)", line):
-            private = False
-        begins = line.strip() and not re.match(r"\s*(?://|#|\}|\)|public:|private:|namespace|extern|template|static_assert|friend struct|friend class|struct Destroy)", line)
-        level = len(owners) * 4
-        commented = at > 0 and re.match(r"\s*(?:///|template)", lines[at - 1])
-        whole = at == 0 or re.match(r".*[;{}:>]\s*(?://.*)?$|\s*//|^$|#", lines[at - 1])
-        if begins and not hidden and not private and indent == level and not commented and whole:
-            text = said_of(lines, at, owners[-1][0] if owners else None)
-            if text:
-                out.append(" " * indent + "/// " + text)
-        if not re.match(r"\s*//", line):
-            line = CONSTANT.sub(r"\1 = \2\3 ///< See ::\2." + "\n", line)
-        several = re.match(r"(\s*)([\w:]+(?:<[\w:<>, ]+>)?) ((?:\w+(?: = [\w.:]+|\{\})?, )+\w+(?: = [\w.:]+|\{\})?);$", line)
-        if several and out and re.match(r"\s*///", out[-1]):
-            # What is said of the first of them is said of all.
-            space, kind, names = several.groups()
-            line = f"\n{out[-1]}\n".join(f"{space}{kind} {name};" for name in names.split(", "))
-        out.append(line)
-        if found and not hidden and lines[at - 1].startswith("///") and not line.rstrip().endswith(";"):
-            out[-1:-1] = ["/// " + text for text in cpp_example(found.group(1))]
-        if found and not line.rstrip().endswith(";"):
-            owners.append((found.group(1), indent))
-            private = line.strip().startswith("class") and False
-    return f"/** @file\n {title} */\n" + "\n".join(out) + "\n"
-
-
 def check():
     status = 0
     for function in functions():
@@ -432,7 +316,7 @@ def main(arguments):
     if arguments == ["--check"]:
         return check()
     path = Path(arguments[0]).resolve()
-    sys.stdout.write(c_header() if path == HEADER else plain_header(path) if path.suffix == ".h" else cpp_header(path))
+    sys.stdout.write(c_header() if path == HEADER else plain_header(path))
     return 0
 
 
