@@ -270,8 +270,8 @@ impl Corners {
     }
 }
 
-/// True if the hull of four corners is farther from the origin than `limit`, by the half-space across the direction of their middle: from afar, that
-/// is nearly what there is to say of a cell.
+/// True if the hull of four corners is farther from the origin than `limit`, by the half-space across the direction of their middle: from
+/// afar, that is nearly all there is to say of a cell.
 #[inline(always)]
 fn is_beyond(corners: &[DVec3; 4], limit: f64) -> bool {
     let [a, b, c, d] = *corners;

@@ -1,8 +1,9 @@
 //! The one arc that a graph has within a box.
 //!
-//! The two points where the curve leaves the box are looked for along the line of the middle, or, if that does not lead to them, from a solution
-//! inside. That it does not come back is proved by the bounds of slopes: each parameter either always rises or always falls along the curve, or it stays inside. A parameter that does neither
-//! because the curve runs along a side of the box, to rounding, belongs to the box above that side.
+//! The two points where the curve leaves the box are looked for along the line of the middle, or, if that does not lead to them, from a
+//! solution inside. That it does not come back is proved by the bounds of slopes: each parameter either always rises or always falls along
+//! the curve, or it stays inside. A parameter that does neither because the curve runs along a side of the box, to rounding, belongs to the
+//! box above that side.
 
 use super::chart::{Chart, MARGIN, Part};
 use super::equation::{Equation, Frame};
@@ -97,7 +98,7 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
     }
 
     /// The same from a solution inside.
-    pub(super) fn from_inside(&self, middle: &Frame) -> Found {
+    pub(super) fn through_inside(&self, middle: &Frame) -> Found {
         let (x, frame) = match self.start() {
             Ok(Some(start)) => start,
             Ok(None) => return Found::Nothing,
@@ -170,7 +171,7 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
         Err(Unclear)
     }
 
-    /// Where the line of the middle is inside the box, by the free parameter, from its middle on; it may be nowhere, and then the first is the greater.
+    /// Where the line of the middle is inside the box, by the free parameter, from its middle on; if it is nowhere, the first is the greater.
     fn line_inside(&self) -> [f64; 2] {
         let Chart { free, base, line, .. } = *self.chart;
         let (mut from, mut to) = (self.low[free] - base[free], self.high[free] - base[free]);

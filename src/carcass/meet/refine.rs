@@ -81,8 +81,9 @@ impl<const N: usize, const M: usize> Refined<'_, N, M> {
         Ok(())
     }
 
-    /// The number of pieces whose chords are near enough to the arc between two knots: their distance falls by the square of it. That of the cubic with
-    /// directions T and U across the chord, L long, is of two parts: an arch, L / 8 |T - U|, and a wave, L / (12 sqrt 3) |T + U|.
+    /// The number of pieces whose chords are near enough to the arc between two knots: their distance falls by the square of it. That of
+    /// the cubic with directions T and U across the chord, L long, is of two parts: an arch, L / 8 |T - U|, and a wave,
+    /// L / (12 sqrt 3) |T + U|.
     fn pieces(&self, [first, last]: &[Knot; 2]) -> f64 {
         let whole = last.point - first.point;
         let length = whole.length();

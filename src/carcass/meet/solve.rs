@@ -142,7 +142,7 @@ impl Task {
                 let found = match search.along_line(&frame) {
                     Some(found) => found,
                     None if part.is_apart(&frame, self.noise) => Found::Nothing,
-                    None => search.from_inside(&frame),
+                    None => search.through_inside(&frame),
                 };
                 match found {
                     Found::Nothing => return Ok(None),
