@@ -118,8 +118,8 @@ impl<const N: usize, const M: usize> Part<N, M> {
         Proof::Graph(chart)
     }
 
-    /// True if there is no solution, as the directions show that [`Part::prove`] does not try of graphs: products with the one of the derivatives that
-    /// the curve runs along.
+    /// True if there is no solution, as the directions show that [`Part::prove`] does not try of graphs: products with the one of the
+    /// derivatives that the curve runs along.
     pub(super) fn is_apart(&self, frame: &Frame, noise: f64) -> bool {
         let columns: [DVec3; 4] = std::array::from_fn(|k| frame.columns[k] * self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();

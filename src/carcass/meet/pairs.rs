@@ -56,8 +56,8 @@ impl Solid {
         }
     }
 
-    /// False if one of the axes of separation shows that the solids are farther apart than `by`: those across faces and across pairs of edges. What a
-    /// solid reaches along these is made of products of the half edges of the one and the normals of the other.
+    /// False if one of the axes of separation shows that the solids are farther apart than `by`: those across faces and across pairs of edges.
+    /// What a solid reaches along these is made of products of the half edges of the one and the normals of the other.
     fn meets(&self, other: &Solid, by: f64) -> bool {
         let between = other.centre - self.centre;
         let products = |one: &Solid, other: &Solid| one.normals.map(|n| other.half.map(|half| half.dot(n).abs()));
