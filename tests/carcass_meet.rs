@@ -173,7 +173,8 @@ fn the_same_for_any_number_of_threads_and_any_scale() {
     let (a, b) = (carcass(&shape, |p| p + far), carcass(&shape, |p| turn * p + shift + far));
     let moved = meet(&a, &b);
     assert_eq!(moved.closed, paths[0].closed);
-    assert!((length(&moved) / length(&paths[0]) - 1.0).abs() < 1e-6);
+    // As nodes are rounded there, a chord more or less may be needed.
+    assert!((length(&moved) / length(&paths[0]) - 1.0).abs() < 4e-6);
 }
 
 #[test]

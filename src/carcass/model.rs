@@ -108,6 +108,7 @@ impl<'a> Carcass<'a> {
     }
 
     /// The same, of a place whose derivatives are known.
+    #[inline]
     pub(crate) fn normal_by(&self, place: Place, jet: &Jet) -> DVec3 {
         jet.regular_normal(self.slope_noise()).unwrap_or_else(|| self.normal(place))
     }
