@@ -103,6 +103,19 @@ impl<'a> Nodes<'a> {
         DVec3::from_slice(&self.data[at..at + 3])
     }
 
+    /// Nodes by row and column, each as four numbers for vectors of these: the fourth is of no use.
+    #[inline(always)]
+    pub(super) fn quads(&self) -> impl Fn(usize, usize) -> [f64; 4] {
+        let (data, strides): (&[f64], _) = (&self.data, [self.row_stride, self.column_stride]);
+        move |i, j| {
+            let at = i * strides[0] + j * strides[1];
+            match data[at..].first_chunk() {
+                Some(&four) => four,
+                None => [data[at], data[at + 1], data[at + 2], 0.0],
+            }
+        }
+    }
+
     /// Reads the coordinates of six nodes of a row.
     #[inline(always)]
     fn read(&self, i: usize, columns: &[usize; TAPS], window: &mut Window) {

@@ -130,6 +130,7 @@ impl Jet {
     }
 
     /// The same, but `None` also where a tangent is no longer than `noise`.
+    #[inline]
     pub(crate) fn regular_normal(&self, noise: f64) -> Option<DVec3> {
         super::normal::regular(self.u, self.v, noise)
     }
