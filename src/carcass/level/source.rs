@@ -202,10 +202,10 @@ pub(super) struct Kept(Option<([usize; 2], Window)>);
 
 impl Kept {
     fn get(&mut self, first: [usize; 2], make: impl FnOnce() -> Window) -> &Window {
-        if self.0.as_ref().is_none_or(|(of, _)| *of != first) {
-            self.0 = Some((first, make()));
+        if self.0.as_ref().is_some_and(|(of, _)| *of != first) {
+            self.0 = None;
         }
-        &self.0.get_or_insert_with(|| unreachable!("made above")).1
+        &self.0.get_or_insert_with(|| (first, make())).1
     }
 }
 
