@@ -2,8 +2,8 @@
 //! with a direction. All are zero sets of polynomials over the cells.
 //!
 //! `source` says what the polynomials are, `search` goes through the blocks that they may vanish in, `cell` finds the arcs in a cell,
-//! `simple` those that corners alone show, `refine` the points between, `chain` links arcs, `paths` makes curves of all sheets. Points are computed on the interpolant: they are
-//! of its order, four; the order of chords between them is two, whence the refinement.
+//! `simple` those that corners alone show, `refine` the points between, `chain` links arcs, `paths` makes curves of all sheets. Points are
+//! computed on the interpolant: they are of its order, four; the order of chords between them is two, whence the refinement.
 
 mod cell;
 mod chain;
