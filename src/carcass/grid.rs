@@ -110,6 +110,19 @@ impl<'a> Nodes<'a> {
         if follow { self.data[i * self.row_stride + 3 * columns[0]..].first_chunk() } else { None }
     }
 
+    /// Nodes by row and column, each as four numbers for vectors of these: the fourth is of no use.
+    #[inline(always)]
+    pub(super) fn quads(&self) -> impl Fn(usize, usize) -> [f64; 4] {
+        let (data, strides): (&[f64], _) = (&self.data, [self.row_stride, self.column_stride]);
+        move |i, j| {
+            let at = i * strides[0] + j * strides[1];
+            match data[at..].first_chunk() {
+                Some(&four) => four,
+                None => [data[at], data[at + 1], data[at + 2], 0.0],
+            }
+        }
+    }
+
     /// Reads the coordinates of six nodes of a row.
     #[inline(always)]
     fn read(&self, i: usize, columns: &[usize; TAPS]) -> Window {

@@ -119,6 +119,7 @@ impl<'a> Carcass<'a> {
     }
 
     /// No less than what derivatives of any patch may be off by for rounding of its control points.
+    #[inline]
     fn slope_noise(&self) -> f64 {
         1024.0 * f64::EPSILON * self.bounds.low.abs().max(self.bounds.high.abs()).max_element()
     }
