@@ -2,22 +2,29 @@
 # through sudo, or else prints the command and stops. `make help` lists the rest.
 
 PREFIX  ?= /usr/local
+LIBDIR  ?= $(PREFIX)/lib
+DOCDIR  ?= $(PREFIX)/share/doc/gusset
 DESTDIR ?=
 CARGO   ?= cargo
 
-version := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+manifest = $(shell sed -n 's/^$(1) = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+version := $(call manifest,version)
 abi     := $(basename $(version))
+release := $(or $(CARGO_TARGET_DIR),target)/release
 stage   := $(CURDIR)/build/stage
-libdir  := $(DESTDIR)$(PREFIX)/lib
-incdir  := $(DESTDIR)$(PREFIX)/include
+libdir   = $(DESTDIR)$(LIBDIR)
+incdir   = $(DESTDIR)$(PREFIX)/include
+docdir   = $(DESTDIR)$(DOCDIR)
 
 build_packages := cmake g++ pkg-config
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev
-test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind
+test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind clang abigail-tools
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
+cargo_c_packages := $(build_packages) libssl-dev
+deb_packages   := debhelper dpkg-dev lintian
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build test check exhaustive demo bench install stage clean
+.PHONY: help build test check exhaustive demo bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -29,7 +36,12 @@ help:
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
 	@echo 'make build                        the libraries, in target/release'
-	@echo 'make install [PREFIX=/usr/local] [DESTDIR=]   libraries, headers, pkg-config file, licences'
+	@echo 'make install [PREFIX=/usr/local] [LIBDIR=] [DESTDIR=]   libraries, headers, pkg-config file, CMake package, docs'
+	@echo 'make install-strip                the same, without what debuggers read'
+	@echo 'make check-abi                    whether the binary interface is that of packaging/abi; it is in make test too'
+	@echo 'make abi-baseline [UNRELEASED=1]  writes it anew, where its rule allows; UNRELEASED=1: although programs would break'
+	@echo 'make check-cargo-c                the installation that cargo-c makes, looked at like ours; builds cargo-c, minutes'
+	@echo 'make deb                          Debian packages, into build/deb'
 	@echo 'make clean                        remove build and target'
 
 build:
@@ -57,19 +69,44 @@ demo: stage
 bench: stage
 	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' $(bench_packages)
 
+# The static library without the Rust compiler's own code, half of it, which C linkers have no use for and nm stumbles over where clang is.
 install: build
-	install -d $(libdir)/pkgconfig $(incdir)/gusset $(DESTDIR)$(PREFIX)/share/doc/gusset
-	install -m 755 target/release/libgusset.so $(libdir)/libgusset.so.$(version)
+	install -d $(libdir)/pkgconfig $(libdir)/cmake/gusset $(incdir)/gusset $(DESTDIR)$(PREFIX)/share/gusset $(docdir)
+	install -m 755 $(release)/libgusset.so $(libdir)/libgusset.so.$(version)
 	ln -sf libgusset.so.$(version) $(libdir)/libgusset.so.$(abi)
 	ln -sf libgusset.so.$(abi) $(libdir)/libgusset.so
-	install -m 644 target/release/libgusset.a $(libdir)/libgusset.a
+	objcopy -D -R .llvmbc -R .llvmcmd $(release)/libgusset.a $(libdir)/libgusset.a
+	chmod 644 $(libdir)/libgusset.a
 	install -m 644 include/*.h include/*.hpp $(incdir)
 	install -m 644 include/gusset/*.hpp $(incdir)/gusset
-	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(version)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc
-	install -m 644 LICENSE-MIT LICENSE-APACHE $(DESTDIR)$(PREFIX)/share/doc/gusset
+	install -m 644 include/cmake/*.cmake $(libdir)/cmake/gusset
+	install -m 644 include/gusset.symbols $(DESTDIR)$(PREFIX)/share/gusset
+	sed -e 's|@UP@|$(shell realpath -ms --relative-to='$(LIBDIR)/pkgconfig' '$(PREFIX)')|' \
+	    -e 's|@LIB@|$(shell realpath -ms --relative-to='$(PREFIX)' '$(LIBDIR)')|' -e 's|@VERSION@|$(version)|' \
+	    -e 's|@DESCRIPTION@|$(call manifest,description)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc
+	install -m 644 README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE $(docdir)
+	find docs -name '*.md' -o -name '*.svg' | xargs -I% install -D -m 644 % $(docdir)/%
+
+# Without what debuggers read, which is most of their size.
+install-strip: install
+	strip --strip-unneeded $(libdir)/libgusset.so.$(version)
+	strip --strip-debug $(libdir)/libgusset.a
+
+# The binary interface against packaging/abi, whose script says the rule; `make test` does the same.
+check-abi abi-baseline:
+	@scripts/install-packages.sh abigail-tools
+	$(CARGO) test --locked --test c_interface
+	@UNRELEASED='$(UNRELEASED)' packaging/abi/abi.sh $(patsubst check-abi,check,$(@:abi-%=%)) include
+
+check-cargo-c:
+	@scripts/check-cargo-c.sh $(cargo_c_packages)
+
+deb:
+	@scripts/deb.sh $(deb_packages)
 
 # An installation of its own for tests and demo.
 stage:
+	@rm -rf '$(stage)'
 	@$(MAKE) --no-print-directory -s install PREFIX='$(stage)' DESTDIR=
 
 clean:

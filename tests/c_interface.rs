@@ -8,7 +8,7 @@ use std::process::Command;
 use std::{env, fs};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-/// What a C program links besides the static library, on Linux. README.md and the pkg-config file say the same.
+/// What a C program links besides the static library, on Linux.
 const STATIC_LINK_LINE: &str = "-lgcc_s -lutil -lrt -lpthread -lm -ldl -lc";
 
 /// The library's, and a plugin host's.
@@ -109,6 +109,16 @@ fn the_library_has_its_soname_and_stays_loaded() {
     let (major_minor, _) = env!("CARGO_PKG_VERSION").rsplit_once('.').unwrap();
     assert!(dynamic.contains(&format!("[libgusset.so.{major_minor}]")), "{dynamic}");
     assert!(dynamic.contains("NODELETE"), "{dynamic}");
+}
+
+#[test]
+fn all_that_name_the_static_link_line_agree() {
+    for (path, separator) in
+        [("README.md", " "), ("packaging/gusset.pc.in", " "), ("include/cmake/gussetConfig.cmake", ";")]
+    {
+        let text = fs::read_to_string(Path::new(ROOT).join(path)).unwrap();
+        assert!(text.contains(&STATIC_LINK_LINE.replace(' ', separator)), "{path}");
+    }
 }
 
 #[test]

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Every installed header by itself, in every standard that it is promised for: for C++20 those that are included by name suffice,
+# which include the others.
+#   headers.sh PREFIX C_COMPILER C++_COMPILER
+set -euo pipefail
+include=$1/include cc=$2 cxx=$3
+strict=(-fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror "-I$include")
+
+# One compilation a line: compiler, language, standard, header. What the adapters include of other libraries lies where compilers look
+# by themselves, and do not warn.
+cd "$include"
+jobs=$(
+  for header in *.h; do
+    for standard in c99 c11 c17 c2x; do echo "$cc c $standard $header"; done
+    echo "$cxx c++ c++11 $header"
+  done
+  for header in *.hpp gusset/*.hpp; do echo "$cxx c++ c++17 $header"; done
+  for header in *.hpp gusset/openmesh.hpp gusset/cgal.hpp; do echo "$cxx c++ c++20 $header"; done
+)
+one() { # The words of a line, then the flags.
+  local compiler=$1 language=$2 standard=$3 header=$4
+  shift 4
+  # Twice: a header may be included again. As a file of its own a header is no main file, of which compilers expect other things.
+  printf '#include <%s>\n#include <%s>\n' "$header" "$header" | "$compiler" -x "$language" "-std=$standard" "$@" - ||
+    { echo "FAILED: $header as $standard by $compiler" >&2; return 1; }
+}
+export -f one
+xargs -P "$(nproc)" -L 1 bash -c 'one "${@: -4}" "${@:1:$#-4}"' one "${strict[@]}" <<<"$jobs"
+echo "$(wc -l <<<"$jobs") compilations"
