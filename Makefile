@@ -17,14 +17,16 @@ incdir   = $(DESTDIR)$(PREFIX)/include
 docdir   = $(DESTDIR)$(DOCDIR)
 
 build_packages := cmake g++ pkg-config
-host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev
-test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind clang abigail-tools
+host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev libtinyobjloader-dev
+docs_packages  := doxygen
+test_packages  := $(host_packages) $(docs_packages) doctest-dev libeigen3-dev valgrind clang abigail-tools
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
 cargo_c_packages := $(build_packages) libssl-dev
 deb_packages   := debhelper dpkg-dev lintian
+pictures_packages := $(host_packages)
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build test check exhaustive demo bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build test check exhaustive host check-cancel demo docs pictures bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -33,8 +35,12 @@ help:
 	@echo 'make test                         all tests: Rust, lints, header drift, C and C++'
 	@echo 'make check                        the quick part of them: Rust tests and lints'
 	@echo 'make exhaustive                   long searches for wrong answers of carcasses, by brute force; minutes'
+	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
+	@echo 'make pictures                     draws the pictures of docs/ anew'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
+	@echo 'make host                         gusset-host, which runs the filters of the plugin on files, into build/host'
+	@echo 'make check-cancel [ONLY=weld]     how fast the filters stop on large meshes, on a machine that does nothing else; minutes'
 	@echo 'make build                        the libraries, in target/release'
 	@echo 'make install [PREFIX=/usr/local] [LIBDIR=] [DESTDIR=]   libraries, headers, pkg-config file, CMake package, docs'
 	@echo 'make install-strip                the same, without what debuggers read'
@@ -63,8 +69,26 @@ test: check stage
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error
 
+host:
+	@scripts/install-packages.sh $(host_packages)
+	cmake -S examples/host -B build/host
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/host --parallel 2
+
+check-cancel: stage
+	@scripts/install-packages.sh $(test_packages)
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
+	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --target plugin_cancel
+	build/cpp/plugin/plugin_cancel $(stage)/lib/libgusset.so $(ONLY)
+
 demo: stage
 	@scripts/demo.sh '$(stage)' '$(A)' '$(B)' $(demo_packages)
+
+docs:
+	@scripts/install-packages.sh $(docs_packages)
+	@scripts/docs.sh
+
+pictures: stage
+	@scripts/pictures.sh '$(stage)' $(pictures_packages)
 
 bench: stage
 	@scripts/bench.sh '$(stage)' '$(ONLY)' '$(SLOW)' $(bench_packages)

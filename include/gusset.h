@@ -6134,16 +6134,15 @@ gusset_status gusset_boundary_create(const struct gusset_context *context,
 GUSSET_API void gusset_boundary_destroy(struct gusset_boundary *boundary);
 
 /**
- * The number of loops and open chains: 0 if the mesh is closed, or for NULL.
+ * The number of loops and open chains: 0 if the mesh is closed, or for NULL. O(1). From any thread.
  */
 GUSSET_API size_t gusset_boundary_loop_count(const struct gusset_boundary *boundary);
 
 /**
- * The number of walks that the loops were cut from: loops that touch at vertices, counted as one where the walk round the
- * boundary passes from one to the next. 0 for NULL.
+ * The number of walks that the loops were cut from: loops that touch at vertices, counted as one where the walk round
+ * the boundary passes from one to the next. 0 for NULL. O(1). From any thread.
  */
-GUSSET_API
-size_t gusset_boundary_walk_count(const struct gusset_boundary *boundary);
+GUSSET_API size_t gusset_boundary_walk_count(const struct gusset_boundary *boundary);
 
 /**
  * Lends loop number `index`, below gusset_boundary_loop_count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
@@ -6156,9 +6155,10 @@ gusset_status gusset_boundary_loop(const struct gusset_boundary *boundary,
                                    struct gusset_loop_view *view);
 
 /**
- * Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh, and
- * the bow-tie vertices on its boundary. Valid until the boundary is destroyed; NULL and 0 if there is nothing.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ * Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh,
+ * and the bow-tie vertices on its boundary. They are valid until the boundary is destroyed; NULL and 0 if there is
+ * nothing. defects: receives the first one. count: receives how many. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * O(1). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6371,12 +6371,12 @@ gusset_status gusset_carcass_evaluate(const struct gusset_context *context,
                                       struct gusset_surface_point *results);
 
 /**
- * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round; what is beyond an open side is on
- * it. The other way the parameters of a place are row + u and column + v.
+ * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round;
+ * what is beyond an open side is on it. The other way the parameters of a place are row + u and column + v.
  *
- * parameters: u, v of each, packed, at any alignment. places: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any
- * thread.
+ * sheet: its number, counted from 0. parameters: u, v of each, packed, at any alignment. places: room for count; all 0
+ * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is
+ * not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6411,12 +6411,12 @@ gusset_status gusset_carcass_sheet(const struct gusset_carcass *carcass,
 /**
  * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
  *
- * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the
- * length of the shortest curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0;
- * either may be NULL alone. written: receives the number of cells. greatest: receives two numbers, the greatest of the first and
- * of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
- * CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. From any thread. Source: Leus, eqs. (1)
- * and (7); the bounds are ours.
+ * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
+ * of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
+ * room for; either may be NULL, both with capacity 0. written: receives the number of cells. greatest: receives two
+ * numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
+ * for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6743,8 +6743,8 @@ gusset_status gusset_check_view(const struct gusset_check *check,
                                 struct gusset_check_report *report);
 
 /**
- * Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+ * Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
  */
 GUSSET_API GUSSET_MUST_USE gusset_status gusset_context_create(struct gusset_context **context);
 
@@ -6754,13 +6754,14 @@ GUSSET_API GUSSET_MUST_USE gusset_status gusset_context_create(struct gusset_con
 GUSSET_API void gusset_context_destroy(struct gusset_context *context);
 
 /**
- * Sets the number of threads: 0 as many as the machine has, 1 the calling thread only. Results do not depend on it.
- * Errors: NULL_ARGUMENT, CONTEXT_BUSY.
+ * Sets the number of threads, on which results do not depend. threads: 0 as many as the machine has, 1 the calling
+ * thread only. Errors: NULL_ARGUMENT, CONTEXT_BUSY. O(1).
  */
 GUSSET_API gusset_status gusset_context_set_threads(struct gusset_context *context, uint32_t threads);
 
 /**
- * Sets the progress callback, or none if NULL; user is handed to it. Errors: NULL_ARGUMENT, CONTEXT_BUSY.
+ * Sets the progress callback. progress: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
+ * CONTEXT_BUSY. O(1).
  */
 GUSSET_API
 gusset_status gusset_context_set_progress(struct gusset_context *context,
@@ -6768,34 +6769,35 @@ gusset_status gusset_context_set_progress(struct gusset_context *context,
                                           void *user);
 
 /**
- * Sets the log callback, or none if NULL; user is handed to it. Errors: NULL_ARGUMENT, CONTEXT_BUSY.
+ * Sets the log callback. log: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
+ * CONTEXT_BUSY. O(1).
  */
 GUSSET_API gusset_status gusset_context_set_log(struct gusset_context *context, gusset_log_fn log, void *user);
 
 /**
- * Cancels the running call, and every later one until gusset_context_reset. From any thread; NULL is allowed.
+ * Cancels the running call, and every later one until gusset_context_reset. From any thread; NULL is allowed. O(1).
  */
 GUSSET_API void gusset_context_cancel(const struct gusset_context *context);
 
 /**
- * Takes a cancel back. NULL is allowed.
+ * Takes a cancel back. NULL is allowed. O(1).
  */
 GUSSET_API void gusset_context_reset(const struct gusset_context *context);
 
 /**
- * How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread.
+ * How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread. O(1).
  */
 GUSSET_API double gusset_context_progress(const struct gusset_context *context);
 
 /**
  * What went wrong in the last call with this context, as an English sentence; empty after a success. Never NULL. Valid
- * until the next call with the context. Empty too for NULL, and while a call is running.
+ * until the next call with the context. Empty too for NULL, and while a call is running. O(1).
  */
 GUSSET_API const char *gusset_context_message(const struct gusset_context *context);
 
 /**
  * What went wrong in the last call with this context, as numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, CONTEXT_BUSY.
+ * BAD_STRUCT_SIZE, CONTEXT_BUSY. O(1).
  */
 GUSSET_API gusset_status gusset_context_report(const struct gusset_context *context, struct gusset_report *report);
 
@@ -6834,10 +6836,10 @@ gusset_status gusset_curve_view(const struct gusset_curve *curve,
                                 struct gusset_curve_parts *parts);
 
 /**
- * Points and derivatives at many places. places: count of them. order: 0 for the points alone, at most 64. out: receives
- * 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t, and so on; 0 beyond the
- * degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE (order), UNKNOWN_VALUE,
- * SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
+ * Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
+ * out: receives 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t,
+ * and so on; 0 beyond the degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE
+ * (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6908,8 +6910,9 @@ gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
                                       double *out);
 
 /**
- * The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives count
- * places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
+ * The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives
+ * count places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW,
+ * OUT_OF_MEMORY. O(points + count log segments).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6961,9 +6964,10 @@ gusset_status gusset_curve_svg(const struct gusset_context *context,
                                struct gusset_curve_form **form);
 
 /**
- * The contour of a TrueType font: control points, and those joints that are not in the middle between two of them, within
- * tolerance (at least 0) or rounding. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED,
- * EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY. O(points).
+ * The contour of a TrueType font: control points, and those joints that are not in the middle between two of them.
+ * tolerance: how far from the middle still counts as there, at least 0, in the unit of the points; rounding always
+ * does. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a
+ * degree above 2, tolerance), OUT_OF_MEMORY. O(points).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7061,10 +7065,11 @@ gusset_status gusset_places_found(const struct gusset_places *places,
                                   struct gusset_places_view *view);
 
 /**
- * The part of a curve from one place to another, open. On a closed curve it may run over the start, and from a place to
- * itself it goes round once. part: receives the result, for gusset_curve_destroy, as for all functions of this group; NULL
- * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open
- * curve, and to before from), UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
+ * The part of a curve from one place to another, open. from: where it begins. to: where it ends. On a closed curve it
+ * may run over the start, and from a place to itself it goes round once. part: receives the result, for
+ * gusset_curve_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to before from),
+ * UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7075,7 +7080,8 @@ gusset_status gusset_curve_part(const struct gusset_context *context,
                                 struct gusset_curve **part);
 
 /**
- * The part of a curve before a place, or the part after it; both are open. after: 0 or 1. Otherwise as gusset_curve_part.
+ * The part of a curve before a place, or the part after it; both are open. at: the place. after: 0 for the part before
+ * it, 1 for the part after it. Otherwise as gusset_curve_part.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7108,10 +7114,11 @@ gusset_status gusset_curve_elevate(const struct gusset_context *context,
                                    struct gusset_curve **elevated);
 
 /**
- * The curve with segments of degree `degree` at most, 1 to 64, by least squares with fixed ends; segments that would deviate
- * by more than tolerance (at least 0; infinity is allowed) are kept. deviations: receives a bound on the deviation of each
- * segment from the original, of a kept one what it would have been; NULL if it is not wanted. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance), OUT_OF_MEMORY. O(degree^3) a segment.
+ * The curve with segments of a lower degree, by least squares with fixed ends. degree: of each at most, 1 to 64.
+ * tolerance: segments that would deviate by more are kept; at least 0, in the unit of the points; infinity is allowed.
+ * deviations: receives a bound on the deviation of each segment from the original, of a kept one what it would have
+ * been; NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance),
+ * OUT_OF_MEMORY. O(degree^3) a segment.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7123,11 +7130,11 @@ gusset_status gusset_curve_reduce(const struct gusset_context *context,
                                   struct gusset_curve **reduced);
 
 /**
- * The curve at a distance to the left of a plane curve, to the right if negative, re-fitted by segments with common
- * tangents. Places where it crosses itself are not removed. options: its tolerance must be given. report: what became of it;
- * NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE,
- * EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places
- * measured.
+ * The curve beside a plane curve, re-fitted by segments with common tangents. Places where it crosses itself are not
+ * removed. distance: how far to the left of it, to the right if negative; in the unit of the points, finite. options:
+ * its tolerance must be given. report: what became of it; NULL if it is not wanted. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance,
+ * tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7422,7 +7429,9 @@ gusset_status gusset_net_analyse_create(const struct gusset_context *context,
 
 /**
  * The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
- * count, time: as for gusset_net_deform, and its errors too. Also 8 bytes a cell, and a copy of the net.
+ * count, time: as for gusset_net_deform. tolerance: as for gusset_net_analyse_create. Errors: those of
+ * gusset_net_analyse_create and of gusset_net_deform. O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy
+ * of the net. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7464,11 +7473,12 @@ gusset_status gusset_net_absorb(const struct gusset_context *context,
                                 size_t count);
 
 /**
- * The net within row_count rows from row_first on and column_count columns from column_first on: coordinates bit for bit, the links
- * and runs of seams within it, the bridges that cross it. Links that lead back are within it if all rows, or all columns, are.
- * part: receives it, for gusset_net_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, NET_TOO_SMALL (a count below 2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made
- * opposite corners one), OUT_OF_MEMORY, CANCELLED. O(nodes of the part), and O(contracted links).
+ * A rectangle of a net: coordinates bit for bit, the links and runs of seams within it, the bridges that cross it.
+ * Links that lead back are within it if all rows, or all columns, are. row_first: its first row. row_count: how many
+ * rows, at least 2. column_first: its first column. column_count: how many columns, at least 2. part: receives it, for
+ * gusset_net_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * NET_TOO_SMALL (a count below 2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made opposite
+ * corners one), OUT_OF_MEMORY, CANCELLED. O(nodes of the part), and O(contracted links).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7491,8 +7501,8 @@ gusset_status gusset_net_transpose_create(const struct gusset_context *context,
                                           struct gusset_net **transposed);
 
 /**
- * The net with the last column first (GUSSET_DIRECTION_RIGHT), or the last row (GUSSET_DIRECTION_DOWN). Normals stay, as for
- * gusset_net_transpose_create. Errors: as there, UNKNOWN_VALUE. O(nodes).
+ * The net the other way round. direction: GUSSET_DIRECTION_RIGHT puts the last column first, GUSSET_DIRECTION_DOWN the
+ * last row. Normals stay, as for gusset_net_transpose_create. Errors: as there, UNKNOWN_VALUE. O(nodes).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7502,8 +7512,8 @@ gusset_status gusset_net_flip_create(const struct gusset_context *context,
                                      struct gusset_net **flipped);
 
 /**
- * The net turned by quarters: after one, the last column is the first row; any number, negative ones turn back. Errors: as
- * gusset_net_transpose_create. O(nodes).
+ * The net turned. quarters: how many quarters of a turn, any number: after one, the last column is the first row;
+ * negative ones turn back. Errors: as gusset_net_transpose_create. O(nodes).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7711,9 +7721,11 @@ gusset_status gusset_net_groups_view(const struct gusset_net_groups *groups,
 GUSSET_API void gusset_net_groups_destroy(struct gusset_net_groups *groups);
 
 /**
- * The local gluing at a node: which of its links have become a point. cyclic: 0, or 1 to count links that lead back to the first row or
- * column too. found: receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * UNKNOWN_VALUE, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for all. Source: Deryagin, Fig. 4.
+ * The local gluing at a node: which of its links have become a point. node: its number, row * columns + column.
+ * cyclic: 0, or 1 to count links that lead back to the first row or column too. found: receives one of
+ * GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * UNKNOWN_VALUE, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(1) for a net that its sides describe, else O(nodes): see
+ * gusset_net_histogram for all. Source: Deryagin, Fig. 4.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7724,8 +7736,9 @@ gusset_status gusset_net_classify_node(const struct gusset_context *context,
                                        gusset_gluing_type *found);
 
 /**
- * What a cell has become. found: receives one of GUSSET_TYPE_..., or GUSSET_TYPE_NONE for a quad. Errors and complexity: as
- * gusset_net_classify_node.
+ * What a cell has become. cell: its number, row * (columns - 1) + column. found: receives one of GUSSET_TYPE_..., or
+ * GUSSET_TYPE_NONE for a quad. Errors: as gusset_net_classify_node. O(1) for a net that its sides describe, else
+ * O(nodes).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7810,11 +7823,12 @@ gusset_status gusset_net_concatenate_create(const struct gusset_context *context
                                             struct gusset_net **joined);
 
 /**
- * Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as they were joined, unless they were
- * changed since; copies that were made to equalise sizes are removed. Of a net that was joined of joined ones, the last bridge is
- * such a one; take nets apart in the reverse order of joining. What is glued across the bridge is cut. first, second: receive the
- * nets, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such bridge, or it
- * is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+ * Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as they were joined,
+ * unless they were changed since; copies that were made to equalise sizes are removed. Of a net that was joined of
+ * joined ones, the last bridge is such a one; take nets apart in the reverse order of joining. What is glued across
+ * the bridge is cut. bridge: its number, counted from 0. first, second: receive the nets, for gusset_net_destroy; NULL
+ * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such bridge, or it is within a part of
+ * the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7833,8 +7847,8 @@ gusset_status gusset_net_bridge_count(const struct gusset_net *net,
                                       size_t *count);
 
 /**
- * A bridge of a net. bridge: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT.
- * O(1). From any thread.
+ * A bridge of a net. index: its number, below gusset_net_bridge_count. bridge: its struct_size set. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -7845,10 +7859,11 @@ gusset_status gusset_net_bridge(const struct gusset_net *net,
 /**
  * Does something else with the cells of a bridge, and gives it other properties.
  *
- * mode: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD. tolerance: how far nodes that are welded may be apart, at least 0.
- * properties: NULL leaves them. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER
- * with the place and the distance, CROSSING_CELL, OUT_OF_MEMORY; the net is then as it was. O(nodes) if welding begins or ends, or if
- * the net is shared with a copy or a scene; else O(1).
+ * index: of the bridge, below gusset_net_bridge_count. mode: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or
+ * GUSSET_BRIDGE_WELD. tolerance: how far nodes that are welded may be apart, at least 0. properties: NULL leaves them.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER with the
+ * place and the distance, CROSSING_CELL, OUT_OF_MEMORY; the net is then as it was. O(nodes) if welding begins or ends,
+ * or if the net is shared with a copy or a scene; else O(1).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8111,8 +8126,9 @@ gusset_status gusset_scene_add_net(const struct gusset_context *context,
                                    uint32_t *entry);
 
 /**
- * Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. Errors: NO_SUCH_ELEMENT
- * with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+ * Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. entry:
+ * its index. Errors: NO_SUCH_ELEMENT with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in
+ * the caller's memory.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8131,9 +8147,10 @@ gusset_status gusset_scene_add_group(const struct gusset_context *context,
                                      uint32_t *entry);
 
 /**
- * Puts an entry into a group, behind what is in it; again, if it is in it already. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * NO_SUCH_ELEMENT (no such entry, or group is a net), SCENE_CYCLE, OUT_OF_MEMORY. O(1) for an entry without children or a group
- * in no group; at most O(entries below the one or above the other, whichever are fewer).
+ * Puts an entry into a group, behind what is in it; again, if it is in it already. group: the index of the group.
+ * child: the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such entry, or group
+ * is a net), SCENE_CYCLE, OUT_OF_MEMORY. O(1) for an entry without children or a group in no group; at most O(entries
+ * below the one or above the other, whichever are fewer).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8143,8 +8160,9 @@ gusset_status gusset_scene_add_child(const struct gusset_context *context,
                                      uint32_t child);
 
 /**
- * Takes an entry out of a group: the first one, if it is in it several times. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * NO_SUCH_ELEMENT, also if it is not in the group. O(children of the group + groups of the child).
+ * Takes an entry out of a group: the first one, if it is in it several times. group: the index of the group. child:
+ * the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also if it is not in the group.
+ * O(children of the group + groups of the child).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8154,8 +8172,8 @@ gusset_status gusset_scene_remove_child(const struct gusset_context *context,
                                         uint32_t child);
 
 /**
- * Removes an entry from the scene and from all groups; what was in a group stays. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * NO_SUCH_ELEMENT. O(children of its groups + groups of its children).
+ * Removes an entry from the scene and from all groups; what was in a group stays. entry: its index. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT. O(children of its groups + groups of its children).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8164,8 +8182,8 @@ gusset_status gusset_scene_remove(const struct gusset_context *context,
                                   uint32_t entry);
 
 /**
- * Places an entry in the space of the groups that it is in. transform: twelve finite numbers. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_RANGE. O(1).
+ * Places an entry in the space of the groups that it is in. entry: its index. transform: twelve finite numbers.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_RANGE. O(1).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8175,8 +8193,8 @@ gusset_status gusset_scene_set_transform(const struct gusset_context *context,
                                          const struct gusset_transform *transform);
 
 /**
- * Shows an entry (1), or hides it and all that is in it (0). Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
- * UNKNOWN_VALUE. O(1).
+ * Shows an entry, or hides it and all that is in it. entry: its index. visible: 1 or 0. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE. O(1).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8186,8 +8204,8 @@ gusset_status gusset_scene_set_visible(const struct gusset_context *context,
                                        uint32_t visible);
 
 /**
- * What an entry is. out: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1).
- * From any thread.
+ * What an entry is. entry: its index. out: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8196,8 +8214,9 @@ gusset_status gusset_scene_entry_view(const struct gusset_scene *scene,
                                       struct gusset_scene_entry *out);
 
 /**
- * The net of an entry, as a handle that shares its memory until it is changed. net: receives it, for gusset_net_destroy; NULL on
- * failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a group. O(1).
+ * The net of an entry, as a handle that shares its memory until it is changed. entry: its index. net: receives it, for
+ * gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a group.
+ * O(1).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8207,8 +8226,9 @@ gusset_status gusset_scene_net(const struct gusset_context *context,
                                struct gusset_net **net);
 
 /**
- * The entries in a group, in order. children: room for capacity indices, or NULL with capacity 0 to ask for their number. written:
- * receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a net, BUFFER_TOO_SMALL. O(children).
+ * The entries in a group, in order. group: its index. children: room for capacity indices, or NULL with capacity 0 to
+ * ask for their number. written: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
+ * net, BUFFER_TOO_SMALL. O(children).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8259,11 +8279,11 @@ gusset_status gusset_scene_flatten_create(const struct gusset_context *context,
                                           struct gusset_net **net);
 
 /**
- * A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once: the inverse of
- * gusset_scene_flatten_create, in one group (entry 0). Nets come back as they
- * are in the space of the flat one, bit for bit; copies that were made to equalise sizes are removed. scene: receives it, for
- * gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY,
- * CANCELLED. O(nodes).
+ * A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once:
+ * the inverse of gusset_scene_flatten_create, in one group (entry 0). Nets come back as they are in the space of the
+ * flat one, bit for bit; copies that were made to equalise sizes are removed. direction: GUSSET_DIRECTION_..., that of
+ * the bridges. scene: receives it, for gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8329,9 +8349,9 @@ gusset_status gusset_net_decode_create(const struct gusset_context *context,
                                        struct gusset_net **net);
 
 /**
- * Begins to decode a stream that arrives in pieces. node_limit: a net of more nodes is refused, as its memory is taken before all of
- * the stream is there; 0 for no limit but the library's, 2^31 - 1. decoder: receives the decoder, for gusset_stream_decoder_destroy;
- * NULL on failure. O(1).
+ * Begins to decode a stream that arrives in pieces. node_limit: a net of more nodes is refused, as its memory is taken
+ * before all of the stream is there; 0 for no limit but the library's, 2^31 - 1. decoder: receives the decoder, for
+ * gusset_stream_decoder_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(1).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8340,9 +8360,10 @@ gusset_status gusset_stream_decoder_create(const struct gusset_context *context,
                                            struct gusset_stream_decoder **decoder);
 
 /**
- * Gives a decoder the next bytes of its stream, any number of them. rows_done: receives how many rows are complete, those of all
- * blocks so far; NULL if it is not wanted. After a failure every call fails alike. Errors: BAD_STREAM with the byte, TOO_LARGE,
- * OUT_OF_MEMORY. O(bytes + nodes of the blocks that they complete).
+ * Gives a decoder the next bytes of its stream, any number of them. data: the bytes, at any alignment. size: how many.
+ * rows_done: receives how many rows are complete, those of all blocks so far; NULL if it is not wanted. After a
+ * failure every call fails alike. Errors: BAD_STREAM with the byte, TOO_LARGE, OUT_OF_MEMORY. O(bytes + nodes of the
+ * blocks that they complete).
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8614,12 +8635,13 @@ gusset_status gusset_sheet_info(const struct gusset_sheet *sheet,
 /**
  * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
  *
- * errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal parameters:
- * C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if
- * the patches were given. bilinear: a bound of how far the surface is from the bilinear patch through the cell's corners;
- * triangles: from the two triangles that either diagonal makes. Each may be NULL, and has room for `capacity` numbers. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is
- * written then. O(cells); threads. From any thread.
+ * errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal
+ * parameters: C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes
+ * in a direction; 0 if the patches were given. bilinear: a bound of how far the surface is from the bilinear patch
+ * through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL.
+ * capacity: how many numbers each has room for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the
+ * value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then. O(cells); threads. From any
+ * thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8768,7 +8790,8 @@ gusset_status gusset_sheet_mesh_info(const struct gusset_sheet_mesh *mesh,
                                      struct gusset_sheet_mesh_parts *parts);
 
 /**
- * What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.
+ * What a status means, in a few English words. status: any number; for one that is no status, "unknown status". Never
+ * NULL; static. O(1). From any thread.
  */
 GUSSET_API const char *gusset_status_text(int32_t status);
 
@@ -8881,16 +8904,15 @@ gusset_status gusset_strip_view(const struct gusset_strip *strip,
                                 struct gusset_strip_parts *parts);
 
 /**
- * The library's version, "major.minor.patch". Never NULL; static.
+ * The library's version, "major.minor.patch". Never NULL; static. O(1). From any thread.
  */
 GUSSET_API const char *gusset_version(void);
 
 /**
- * The number of the binary interface. It changes whenever a program built against an older header could break; until 1.0
- * that is when the minor version changes.
+ * The number of the binary interface. It changes whenever a program built against an older header could break; until
+ * 1.0 that is when the minor version changes. O(1). From any thread.
  */
-GUSSET_API
-uint32_t gusset_abi(void);
+GUSSET_API uint32_t gusset_abi(void);
 
 /**
  * Makes one vertex of vertices that lie together.

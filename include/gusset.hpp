@@ -38,16 +38,20 @@ struct Loop {
     double length;
     uint32_t flags;
     uint32_t walk;
+    /// False for an open chain.
     bool is_closed() const noexcept { return (flags & GUSSET_LOOP_OPEN) == 0; }
 };
 
+/// How loops treat edges with three or more faces.
 enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
 
+/// How much of the mesh is looked at.
 enum class Survey : uint32_t {
     whole_mesh = GUSSET_SURVEY_WHOLE_MESH,
     boundary_only = GUSSET_SURVEY_BOUNDARY_ONLY
 };
 
+/// How loops are found; see gusset_boundary_options.
 struct BoundaryOptions {
     NonManifold non_manifold = NonManifold::cut;
     Survey survey = Survey::whole_mesh;
@@ -123,6 +127,7 @@ private:
     std::unique_ptr<gusset_boundary, Destroy> boundary_;
 };
 
+/// Which way faces run, seen from outside.
 enum class Winding : uint32_t {
     counter_clockwise = GUSSET_FACES_COUNTER_CLOCKWISE,
     clockwise = GUSSET_FACES_CLOCKWISE
@@ -140,16 +145,22 @@ public:
         context.call([&](gusset_context *c) { return gusset_winged_create(c, &mesh.get(), &given, &created); });
         winged_.reset(created);
     }
+    /// The edges; see gusset_winged_edge.
     Span<const gusset_winged_edge> edges() const {
         const gusset_winged_view found = view();
         return {found.edges, found.edge_count};
     }
+    /// Of each half-edge its edge.
     Indices edge_of_half_edge() const { return detail::indices(view().edge_of_half_edge); }
+    /// Of each face its first edge.
     Indices edge_of_face() const { return detail::indices(view().edge_of_face); }
+    /// Of each vertex an edge at it, or UINT32_MAX.
     Indices edge_of_vertex() const { return detail::indices(view().edge_of_vertex); }
     /// Loops of free edges, found on the tables: loop i has the vertices from loop_offsets()[i] to loop_offsets()[i + 1].
     Indices loop_vertices() const { return detail::indices(view().loop_vertices); }
+    /// The edges along the loops: edge i starts at vertex i.
     Indices loop_edges() const { return detail::indices(view().loop_edges); }
+    /// Where each loop starts; one entry more than there are loops.
     Indices loop_offsets() const { return detail::indices(view().loop_offsets); }
 
 private:
@@ -179,9 +190,13 @@ public:
         detail::check(gusset_check_view(check_.get(), &report));
         return report;
     }
+    /// Every edge has two faces or more.
     bool is_closed() const { return has(GUSSET_MESH_CLOSED); }
+    /// No edge has three faces, no vertex is a bow-tie.
     bool is_manifold() const { return has(GUSSET_MESH_MANIFOLD); }
+    /// Faces that share an edge run it in opposite directions.
     bool is_oriented() const { return has(GUSSET_MESH_ORIENTED); }
+    /// They could be made to.
     bool is_orientable() const { return has(GUSSET_MESH_ORIENTABLE); }
 
 private:

@@ -219,6 +219,37 @@ TEST_CASE("the steps by themselves") {
     CHECK_THROWS_AS(gusset::meridians_index(3, 5), gusset::Error);
 }
 
+TEST_CASE("strips that belong to no mesh, and arcs that are given") {
+    const std::vector<gusset::Point3> a = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, b = {{0, 1, 0}, {2, 1, 0}};
+    const gusset::Strip strip(a, b, false);
+    // From (0, 0) to (2, 1) one place at a time: three triangles.
+    CHECK(strip.start() == std::array<uint32_t, 2>{0, 0});
+    REQUIRE(strip.meridians().size() == 8);
+    CHECK(strip.meridians()[6] == 2);
+    CHECK(strip.meridians()[7] == 1);
+    double area = 0;
+    for (std::size_t k = 0; k < strip.triangles().size(); k += 3) {
+        const auto at = [&](std::size_t c) { const uint32_t v = strip.triangles()[k + c]; return v < 3 ? a[v] : b[v - 3]; };
+        const gusset::Point3 p = at(0), q = at(1), r = at(2);
+        area += 0.5 * std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+    }
+    CHECK(area == doctest::Approx(2.0));
+
+    // The right side of one square and the left side of another, and no more of either.
+    Soup left = square(), right = square();
+    for (auto &point : right.points) {
+        point[0] += 3;
+    }
+    gusset::StitchOptions options;
+    options.extent = gusset::Extent::arcs;
+    const std::vector<uint32_t> loop = {0, 1, 2, 3};
+    options.arc_a = gusset::Arc{1, 2};
+    options.arc_b = gusset::Arc{3, 2};
+    const gusset::Stitch stitch = gusset::stitch(left.view(), loop, right.view(), loop, options);
+    CHECK(stitch.quality().area == doctest::Approx(2.0));
+    CHECK(!stitch.is_closed_band());
+}
+
 TEST_CASE("views of any point type") {
     struct Vertex {
         float x, y, z;

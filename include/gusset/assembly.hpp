@@ -13,6 +13,7 @@ namespace gusset {
 struct AssemblyOptions {
     /// Nothing: no welding.
     std::optional<WeldOptions> weld = WeldOptions();
+    /// True: nothing is turned over.
     bool keep_orientation = false;
     /// Nothing: by the size of the loops. 0 leaves all gaps open.
     std::optional<double> max_gap;

@@ -25,6 +25,7 @@ namespace gusset {
 /// What went wrong. what() is a sentence.
 class Error : public std::runtime_error {
 public:
+    /// A sentence for people, and the report for programs.
     Error(const char *sentence, const gusset_report &report) : std::runtime_error(sentence), report_(report) {}
     /// GUSSET_ERROR_...
     int32_t status() const noexcept { return report_.status; }
@@ -39,7 +40,9 @@ private:
 template <class T>
 class Span {
 public:
+    /// No elements.
     Span() = default;
+    /// `size` elements from `data` on.
     Span(T *data, std::size_t size) : data_(data), size_(size) {}
     /// From any container that keeps its elements side by side.
     template <class Container, class = std::enable_if_t<std::is_convertible_v<
@@ -106,6 +109,7 @@ public:
         host_->progress = std::move(progress);
         install();
     }
+    /// Sets the function that remarks go to, or none if empty; it may throw.
     void set_log(Log log) {
         const InUse in_use(host_.get());
         host_->log = std::move(log);
@@ -206,6 +210,7 @@ private:
 /// A polygon mesh in memory: yours on the way in, a result's on the way out. It owns nothing.
 class MeshView {
 public:
+    /// A view as the C interface has it.
     explicit MeshView(const gusset_mesh_view &view) : view_(view) {}
 
     /// Faces of `face_size` corners each. `points`: any container or array that keeps its elements side by side; their first
@@ -221,6 +226,7 @@ public:
         }
         return MeshView(view);
     }
+    /// Triangles, three corners each.
     template <class Points>
     static MeshView triangles(const Points &points, Indices corners) {
         return uniform(points, corners, 3);
@@ -240,7 +246,9 @@ public:
     }
 
     const gusset_mesh_view &get() const noexcept { return view_; }
+    /// How many vertices.
     std::size_t vertex_count() const noexcept { return view_.vertex_count; }
+    /// How many faces.
     std::size_t face_count() const noexcept { return view_.face_count; }
 
     /// Position `v` < vertex_count().

@@ -17,10 +17,12 @@ public:
     Between() = default;
     /// Points that keep chords within a length.
     static Between chord(double length) { return {GUSSET_BETWEEN_CHORD, length, 0}; }
+    /// The crossings alone.
     static Between nothing() { return {GUSSET_BETWEEN_NOTHING, 0.0, 0}; }
     /// So many points of the paper's cubics.
     static Between leus(uint32_t points) { return {GUSSET_BETWEEN_LEUS, 0.0, points}; }
 
+    /// What the C interface takes.
     gusset_level_options as_c(bool unsigned_normals = false) const {
         gusset_level_options given{};
         given.struct_size = sizeof given;
@@ -75,6 +77,7 @@ public:
     iterator begin() const && = delete;
     iterator end() const & { return pairs().end(); }
     iterator end() const && = delete;
+    /// All pairs.
     Span<const CellPair> pairs() const & {
         const gusset_cell_pairs_parts all = parts();
         return {all.pairs, all.count};
@@ -109,6 +112,7 @@ public:
         });
         carcass_.reset(created);
     }
+    /// The index of one sheet.
     explicit Carcass(const Sheet &sheet, double tolerance = 0.0, const Context &context = Context())
         : Carcass(Span<const Sheet>(&sheet, 1), tolerance, context) {}
 
@@ -133,6 +137,7 @@ public:
         });
         return out;
     }
+    /// The nearest point to a query; see gusset_carcass_closest.
     Closest closest(const Point3 &query, const ClosestOptions &options = {}, const Context &context = Context()) const {
         return closest(Span<const Point3>(&query, 1), options, context)[0];
     }
@@ -156,6 +161,7 @@ public:
             return gusset_carcass_lines(c, get(), lines.data(), lines.size(), static_cast<gusset_hits_wanted>(which), out);
         });
     }
+    /// Where one line meets the surface; see gusset_carcass_lines.
     SurfaceHits line(const Line &line, Which which = Which::all, const Context &context = Context()) const {
         return lines({&line, 1}, which, context);
     }
@@ -247,6 +253,7 @@ public:
         });
         return out;
     }
+    /// One point; see gusset_carcass_evaluate.
     SurfacePoint evaluate(const SurfacePlace &place, const Context &context = Context()) const {
         return evaluate(Span<const SurfacePlace>(&place, 1), context)[0];
     }
@@ -260,6 +267,7 @@ public:
         });
         return out;
     }
+    /// The place of one pair of parameters of a sheet; see gusset_carcass_locate.
     SurfacePlace locate(uint32_t sheet, double u, double v, const Context &context = Context()) const {
         const std::array<double, 2> parameters{u, v};
         return locate(sheet, Span<const std::array<double, 2>>(&parameters, 1), context)[0];

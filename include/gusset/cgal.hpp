@@ -27,8 +27,10 @@ class Input {
                   "gusset reads points that are three doubles side by side; this kernel stores them otherwise");
 
 public:
+    /// The mesh of the host.
     using Mesh = CGAL::Surface_mesh<Point>;
 
+    /// Reads a mesh, which must stay as it is while this is used.
     explicit Input(const Mesh &mesh) : mesh_(&mesh) {
         offsets_.reserve(mesh.number_of_faces() + 1);
         corners_.reserve(mesh.number_of_halfedges());
@@ -59,7 +61,9 @@ public:
         return MeshView(view);
     }
 
+    /// The face of the host that face `f` of the view is.
     typename Mesh::Face_index face(uint32_t f) const { return faces_[f]; }
+    /// The vertex of the host that vertex `v` of the view is.
     typename Mesh::Vertex_index vertex(uint32_t v) const { return typename Mesh::Vertex_index(v); }
 
 private:

@@ -28,10 +28,12 @@ public:
     explicit Places(gusset_places *owned) : places_(owned) {}
 
     std::size_t size() const { return view().count; }
+    /// The places, in the order of the (first) curve.
     Span<const Place> places() const {
         const gusset_places_view found = view();
         return {found.places, found.count};
     }
+    /// The points there.
     Span<const Point3> points() const {
         const gusset_places_view found = view();
         return detail::points(found.points, found.count);
@@ -48,6 +50,7 @@ public:
     }
     /// Of crossings: the segments that lie in the line or plane.
     Indices inside() const { return detail::indices(view().inside); }
+    /// Whether some pair of segments was given up.
     bool undecided() const { return view().undecided != 0; }
 
 private:
@@ -68,10 +71,12 @@ class CurveForm {
 public:
     explicit CurveForm(gusset_curve_form *owned) : form_(owned) {}
 
+    /// The text of an SVG path; empty for other forms.
     std::string_view text() const {
         const gusset_curve_form_view parts = view();
         return {parts.text, parts.text_length};
     }
+    /// The points of a contour, or the control points of a spline.
     Span<const Point3> points() const {
         const gusset_curve_form_view parts = view();
         return detail::points(parts.points, parts.point_count);
@@ -81,10 +86,12 @@ public:
         const gusset_curve_form_view parts = view();
         return {parts.on_curve, parts.knot_count == 0 ? parts.point_count : 0};
     }
+    /// The knots of a spline.
     Span<const double> knots() const {
         const gusset_curve_form_view parts = view();
         return {parts.knots, parts.knot_count};
     }
+    /// The degree of a spline.
     std::size_t degree() const { return view().degree; }
 
 private:
@@ -100,6 +107,7 @@ private:
     std::unique_ptr<gusset_curve_form, Destroy> form_;
 };
 
+/// How samples are spread.
 enum class Sample : uint32_t {
     count = GUSSET_SAMPLE_COUNT,
     step = GUSSET_SAMPLE_STEP,
@@ -110,7 +118,9 @@ enum class Sample : uint32_t {
 enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
 
 struct Line;
+/// A box along the axes.
 struct Bounds {
+    /// The least and the greatest x, y, z.
     Point3 low, high;
 };
 struct Reduced;
@@ -146,15 +156,21 @@ public:
     }
 
     const gusset_curve *get() const noexcept { return curve_.get(); }
+    /// The control points.
     Span<const Point3> points() const {
         const gusset_curve_parts parts = view();
         return detail::points(parts.points, parts.point_count);
     }
+    /// 0, then the place of the last control point of each segment.
     Indices ends() const { return detail::indices(view().ends); }
+    /// Whether it ends where it begins and goes on there.
     bool is_closed() const { return view().closed != 0; }
+    /// How many segments.
     std::size_t segment_count() const { return view().ends.count - (view().ends.count != 0 ? 1 : 0); }
 
+    /// The point at a place.
     Point3 point(Place at, const Context &context = Context()) const { return derivatives({&at, 1}, 0, context)[0]; }
+    /// The points at many places.
     std::vector<Point3> points_at(Span<const Place> places, const Context &context = Context()) const {
         return derivatives(places, 0, context);
     }
@@ -340,13 +356,17 @@ private:
 
 /// A curve of lower degree, and a bound on the deviation of each segment; those with more than the tolerance were kept.
 struct Reduced {
+    /// The curve of lower degree.
     Curve curve;
+    /// Of each segment a bound of how far it is from the original.
     std::vector<double> deviations;
 };
 
 /// An offset curve and what is said about it.
 struct Offset {
+    /// The curve beside the original.
     Curve curve;
+    /// How far it is from the true one, and what is odd.
     gusset_offset_report report;
 };
 

@@ -12,6 +12,7 @@ enum class Weight : uint32_t {
     bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA,
     area = GUSSET_WEIGHT_AREA
 };
+/// Whether holes get new vertices.
 enum class Refine : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
 
 /// How to fill holes; see gusset_fill_options. 0 is no limit.

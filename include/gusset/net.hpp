@@ -81,8 +81,11 @@ public:
         return made(context, [&](gusset_context *c, gusset_net **net) { return gusset_net_from_heights_create(c, &given, net); });
     }
 
+    /// The rows of nodes.
     std::size_t rows() const { return view().rows; }
+    /// The columns of nodes.
     std::size_t columns() const { return view().columns; }
+    /// rows() * columns().
     std::size_t node_count() const {
         const gusset_net_arrays arrays = view();
         return arrays.rows * arrays.columns;
@@ -191,7 +194,9 @@ public:
     void glue(Span<const LocalGluing> gluings, const Context &context = Context()) {
         context.call([&](gusset_context *c) { return gusset_net_glue(c, get(), gluings.data(), gluings.size()); });
     }
+    /// Glues one thing; see gusset_net_glue.
     void glue(const LocalGluing &gluing, const Context &context = Context()) { glue({&gluing, 1}, context); }
+    /// Glues all of them or none.
     void glue(std::initializer_list<LocalGluing> gluings, const Context &context = Context()) {
         glue({gluings.begin(), gluings.size()}, context);
     }
@@ -203,9 +208,11 @@ public:
         });
         return moved;
     }
+    /// Unglues one thing; see gusset_net_unglue.
     std::size_t unglue(const LocalGluing &gluing, double separation = 0.0, const Context &context = Context()) {
         return unglue({&gluing, 1}, separation, context);
     }
+    /// Unglues all of them.
     std::size_t unglue(std::initializer_list<LocalGluing> gluings, double separation = 0.0,
                        const Context &context = Context()) {
         return unglue({gluings.begin(), gluings.size()}, separation, context);
@@ -319,7 +326,9 @@ public:
     void transform(Span<const Operation> operations, const Context &context = Context()) {
         context.call([&](gusset_context *c) { return gusset_net_transform(c, get(), operations.data(), operations.size()); });
     }
+    /// Moves all nodes by one operation; see gusset_net_transform.
     void transform(const Operation &operation, const Context &context = Context()) { transform({&operation, 1}, context); }
+    /// Moves all nodes by several, the first one first.
     void transform(std::initializer_list<Operation> operations, const Context &context = Context()) {
         transform({operations.begin(), operations.size()}, context);
     }
@@ -328,7 +337,9 @@ public:
         const std::vector<gusset_field> given = detail::as_c(fields);
         context.call([&](gusset_context *c) { return gusset_net_deform(c, get(), given.data(), given.size(), time); });
     }
+    /// Moves all nodes by one field; see gusset_net_deform.
     void deform(const Field &field, double time = 0.0, const Context &context = Context()) { deform({&field, 1}, time, context); }
+    /// Moves all nodes by several, the first one first.
     void deform(std::initializer_list<Field> fields, double time = 0.0, const Context &context = Context()) {
         deform({fields.begin(), fields.size()}, time, context);
     }
@@ -457,8 +468,11 @@ private:
 
 /// The net that was left, its rows and columns among the old ones, and how far it deviates.
 struct Decimated {
+    /// What is left of the net.
     Net net;
+    /// Which rows and columns of the old one these are.
     std::vector<uint32_t> rows, columns;
+    /// The deviation that was reached.
     double deviation;
 };
 

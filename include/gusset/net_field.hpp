@@ -37,6 +37,7 @@ void put_all(double *to, const Parts &...parts) {
 
 /// A spatial operation: a step of Net::transform. See the constants GUSSET_OPERATION_...
 struct Operation : gusset_operation {
+    /// Moves by a vector.
     static Operation translate(const Point3 &by) { return Operation(GUSSET_OPERATION_TRANSLATE, by); }
     /// About the axis through `point`, by the right hand, in radians.
     static Operation rotate(const Point3 &direction, double angle, const Point3 &point = {}) {
@@ -54,7 +55,9 @@ struct Operation : gusset_operation {
         made.axis = static_cast<gusset_axis>(axis);
         return made;
     }
+    /// Scales x, y and z.
     static Operation stretch(const Point3 &ratios) { return Operation(GUSSET_OPERATION_STRETCH, ratios); }
+    /// Any affine map.
     static Operation matrix(const Transform &map) {
         Operation made(GUSSET_OPERATION_MATRIX);
         std::memcpy(made.values, map.rows, sizeof map.rows);
@@ -78,12 +81,14 @@ enum class Easing : uint32_t {
 };
 /// A time, and the strength of a field there.
 struct Key {
+    /// A time, and how much of the field is done then.
     double time, strength;
 };
 
 /// A field of deformation, for Net::deform. It owns its keys and offsets. See the constants GUSSET_FIELD_... and gusset_field.
 class Field {
 public:
+    /// An affine map; see GUSSET_FIELD_AFFINE.
     static Field affine(const Transform &map) {
         Field made(GUSSET_FIELD_AFFINE);
         std::memcpy(made.field_.values, map.rows, sizeof map.rows);
@@ -108,12 +113,14 @@ public:
         made.field_.other_axis = static_cast<gusset_axis>(other);
         return made;
     }
+    /// Onto a sphere; see GUSSET_FIELD_SPHERIFY.
     static Field spherify(const Point3 &centre, double radius) { return Field(GUSSET_FIELD_SPHERIFY, centre, radius); }
     /// Of the two axes that follow, the first becomes the arc, from the second one on, and the second the height above the
     /// cylinder.
     static Field wrap_cylinder(Axis axis, double radius) {
         return Field(GUSSET_FIELD_CYLINDER_WRAP, radius).about(axis);
     }
+    /// Round a torus; see GUSSET_FIELD_TORUS_WRAP.
     static Field wrap_torus(Axis axis, double radius, double tube_radius) {
         return Field(GUSSET_FIELD_TORUS_WRAP, radius, tube_radius).about(axis);
     }
@@ -136,6 +143,7 @@ public:
         std::memcpy(made.field_.counts, counts.data(), sizeof made.field_.counts);
         return made;
     }
+    /// A map of homogeneous coordinates; see GUSSET_FIELD_PROJECTION.
     static Field projection(const Projection &map) {
         Field made(GUSSET_FIELD_PROJECTION);
         std::memcpy(made.field_.values, map.data(), sizeof made.field_.values);

@@ -116,6 +116,7 @@ inline Net concatenate(Span<const Net *const> nets, const JoinOptions &options =
     });
     return Net(joined);
 }
+/// Joins nets side by side to one; see gusset_net_concatenate_create.
 inline Net concatenate(Span<const Net> nets, const JoinOptions &options = {}, const Context &context = Context()) {
     std::vector<const Net *> pointers;
     for (const Net &net : nets) {
@@ -123,10 +124,12 @@ inline Net concatenate(Span<const Net> nets, const JoinOptions &options = {}, co
     }
     return concatenate(Span<const Net *const>(pointers), options, context);
 }
+/// The same of nets that are where they are, and are not copied.
 inline Net concatenate(std::initializer_list<const Net *> nets, const JoinOptions &options = {},
                        const Context &context = Context()) {
     return concatenate(Span<const Net *const>(nets.begin(), nets.size()), options, context);
 }
+/// Joins two nets.
 inline Net concatenate(const Net &first, const Net &second, const JoinOptions &options = {},
                        const Context &context = Context()) {
     const Net *const nets[] = {&first, &second};

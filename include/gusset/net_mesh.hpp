@@ -97,7 +97,9 @@ public:
         context.call([&](gusset_context *c) { return gusset_net_grid_net(c, grid_.get(), &found); });
         return Net(found);
     }
+    /// Of each node its vertex.
     Indices vertex_of_node() const { return detail::indices(parts().vertex_of_node); }
+    /// Of each cell its face.
     Indices face_of_cell() const { return detail::indices(parts().face_of_cell); }
 
 private:

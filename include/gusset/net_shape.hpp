@@ -22,17 +22,26 @@ class Shape {
 public:
     /// Rows and columns of nodes; 0: the library's choice.
     std::size_t rows = 0, columns = 0;
+    /// The type of coordinates.
     Scalar scalar = Scalar::f64;
 
+    /// A rectangle in the plane z = 0.
     static Shape plane(double width, double depth) { return Shape(GUSSET_NET_PLANE).sized({width, depth, 0.0}); }
+    /// A sphere with two poles.
     static Shape sphere(double radius) { return Shape(GUSSET_NET_SPHERE, radius); }
+    /// A sphere that is a disc whose rim is drawn together.
     static Shape one_pole_sphere(double radius) { return Shape(GUSSET_NET_ONE_POLE_SPHERE, radius); }
+    /// A cylinder without caps.
     static Shape tube(double radius, double height) { return Shape(GUSSET_NET_TUBE, radius, height); }
+    /// A cylinder with caps.
     static Shape cylinder(double radius, double height) { return Shape(GUSSET_NET_CYLINDER, radius, height); }
+    /// A prism over a regular polygon, with the radius of the circle through its corners.
     static Shape prism(uint32_t sides, double radius, double height) {
         return Shape(GUSSET_NET_PRISM, radius, height).sided(sides);
     }
+    /// A cone with its base.
     static Shape cone(double radius, double height) { return Shape(GUSSET_NET_CONE, radius, height); }
+    /// A pyramid over a regular polygon.
     static Shape pyramid(uint32_t sides, double radius, double height) {
         return Shape(GUSSET_NET_PYRAMID, radius, height).sided(sides);
     }
@@ -42,6 +51,7 @@ public:
         shape.profile_ = std::move(profile);
         return shape;
     }
+    /// A torus: the radius to the middle of the tube, and that of the tube.
     static Shape torus(double radius, double tube_radius) {
         Shape shape(GUSSET_NET_TORUS, radius);
         shape.given_.minor_radius = tube_radius;
@@ -54,12 +64,15 @@ public:
         shape.given_.box_kind = static_cast<gusset_net_box>(kind);
         return shape;
     }
+    /// A Moebius strip: the radius of its middle line, and its width.
     static Shape moebius(double radius, double width) { return Shape(GUSSET_NET_MOEBIUS, radius).sized({width, 0.0, 0.0}); }
+    /// A Klein bottle.
     static Shape klein(double radius, double minor_radius) {
         Shape shape(GUSSET_NET_KLEIN, radius);
         shape.given_.minor_radius = minor_radius;
         return shape;
     }
+    /// Boy's surface; the radius is a scale.
     static Shape projective_plane(double radius) { return Shape(GUSSET_NET_PROJECTIVE_PLANE, radius); }
     /// `thickness`: the distance of the sheets in the middle.
     static Shape pillow(double width, double depth, double thickness) {

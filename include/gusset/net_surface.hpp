@@ -26,9 +26,13 @@ public:
         detail::check(gusset_net_complex_view(complex_.get(), &report));
         return report;
     }
+    /// No boundary edges.
     bool is_closed() const { return has(GUSSET_NET_CLOSED); }
+    /// A surface everywhere.
     bool is_manifold() const { return has(GUSSET_NET_MANIFOLD); }
+    /// Faces that share an edge run it in opposite directions.
     bool is_oriented() const { return has(GUSSET_NET_ORIENTED); }
+    /// They could be made to.
     bool is_orientable() const { return has(GUSSET_NET_ORIENTABLE); }
     /// Vertices - edges + faces.
     int64_t euler() const { return report().euler; }
@@ -37,6 +41,7 @@ public:
         const int64_t genus = report().genus;
         return genus < 0 ? std::nullopt : std::optional<int64_t>(genus);
     }
+    /// How many chains of boundary edges.
     std::size_t boundary_count() const { return report().boundary_offsets.count - 1; }
     /// The vertices of chain `i` of boundary edges, each by its smallest node; throws std::out_of_range.
     Indices boundary(std::size_t i) const {
@@ -129,10 +134,12 @@ public:
         const gusset_net_validation_report found = view();
         return {found.findings, found.count};
     }
+    /// What is wrong.
     Span<const Finding> violations() const {
         const gusset_net_validation_report found = view();
         return {found.findings, found.violation_count};
     }
+    /// What is suspicious.
     Span<const Finding> warnings() const {
         const gusset_net_validation_report found = view();
         // Without findings there is no pointer to add to.

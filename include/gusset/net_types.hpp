@@ -22,6 +22,7 @@ enum class Sides : uint32_t {
     one_pole = GUSSET_SIDES_ONE_POLE,
     torus = GUSSET_SIDES_TORUS
 };
+/// Both.
 constexpr Sides operator|(Sides a, Sides b) {
     return static_cast<Sides>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
 }
@@ -31,13 +32,18 @@ using Seam = gusset_seam;
 
 /// What is glued to what; see gusset_net_gluing.
 struct Gluing {
+    /// What becomes of the four sides.
     Gluing() = default;
+    /// Runs of nodes glued to runs of nodes.
     Gluing(Sides given) : sides(given) {}
+    /// Runs of nodes glued to runs of nodes, besides.
     explicit Gluing(std::vector<Seam> given) : seams(std::move(given)) {}
 
+    /// What becomes of the four sides.
     Sides sides = Sides::sheet;
     /// 2 * rows rows of columns bytes, 0 or 1; empty: sides says it all.
     std::vector<uint8_t> matrix;
+    /// Runs of nodes glued to runs of nodes, besides.
     std::vector<Seam> seams;
     /// Faces are to be taken the other way round.
     bool reversed = false;
@@ -45,11 +51,13 @@ struct Gluing {
 
 /// The links of a node, for LocalGluing::star; combine with |.
 enum class Links : uint32_t { east = 1, south = 2, west = 4, north = 8, all = 15 };
+/// Both.
 constexpr Links operator|(Links a, Links b) {
     return static_cast<Links>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
 }
 /// The links of a cell, for LocalGluing::cell; combine with |.
 enum class CellSides : uint32_t { top = 1, right = 2, bottom = 4, left = 8, all = 15 };
+/// Both.
 constexpr CellSides operator|(CellSides a, CellSides b) {
     return static_cast<CellSides>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
 }
@@ -86,15 +94,19 @@ struct LocalGluing : gusset_gluing {
     static LocalGluing vertical(uint32_t node) { return link(2 * node + 1); }
     /// A link by its number: 2 * node, and 1 more if it is vertical.
     static LocalGluing link(uint32_t link) { return LocalGluing(GUSSET_GLUING_LINK, link, 0); }
+    /// A node and its neighbours in some directions.
     static LocalGluing star(uint32_t node, Links links) {
         return LocalGluing(GUSSET_GLUING_STAR, node, static_cast<uint32_t>(links));
     }
+    /// The ends of some sides of a cell.
     static LocalGluing cell(uint32_t cell, CellSides sides) {
         return LocalGluing(GUSSET_GLUING_CELL, cell, static_cast<uint32_t>(sides));
     }
+    /// Opposite corners of a cell.
     static LocalGluing diagonal(uint32_t cell, Diagonal corners) {
         return LocalGluing(GUSSET_GLUING_DIAGONAL, cell, static_cast<uint32_t>(corners));
     }
+    /// Two runs of nodes.
     static LocalGluing along(const Seam &seam) {
         LocalGluing made(GUSSET_GLUING_SEAM, 0, 0);
         made.seam = seam;
@@ -116,6 +128,7 @@ static_assert(sizeof(LocalGluing) == sizeof(gusset_gluing), "nothing added");
 
 /// How many nodes, and how many cells, have each local gluing, by GluingType; see gusset_net_histogram.
 struct Histogram {
+    /// How many nodes, and how many cells, have each type.
     std::array<uint64_t, 18> nodes, cells;
 };
 
@@ -123,15 +136,20 @@ struct Histogram {
 template <class T>
 class MatrixView {
 public:
+    /// rows x columns numbers; stride: numbers from row to row.
     MatrixView(T *data, std::size_t rows, std::size_t columns, std::size_t stride)
         : data_(data), rows_(rows), columns_(columns), stride_(stride) {}
 
+    /// The rows of nodes.
     std::size_t rows() const noexcept { return rows_; }
+    /// The columns of nodes.
     std::size_t columns() const noexcept { return columns_; }
     /// Numbers from row to row.
     std::size_t stride() const noexcept { return stride_; }
     T *data() const noexcept { return data_; }
+    /// Row `i`.
     Span<T> row(std::size_t i) const { return {data_ + i * stride_, columns_}; }
+    /// Number (i, j).
     T &operator()(std::size_t i, std::size_t j) const { return data_[i * stride_ + j]; }
 
 private:
@@ -142,12 +160,14 @@ private:
 /// The coordinates of a net.
 template <class T>
 struct Coordinates {
+    /// The three matrices.
     MatrixView<T> x, y, z;
 };
 
 /// The unit normals of all nodes, row after row.
 template <class T>
 struct Normals {
+    /// The coordinates of the normals, row after row.
     std::vector<T> x, y, z;
     /// How many nodes have none, and get zeros.
     uint64_t without = 0;
@@ -171,11 +191,13 @@ enum class Replicate : uint32_t {
 struct ReformatOptions {
     /// 0: as many as there are.
     std::size_t rows = 0, columns = 0;
+    /// Which rows, and which columns, are replicated.
     Replicate row_replication = Replicate::uniform, column_replication = Replicate::uniform;
     /// Read for Replicate::at.
     uint32_t row_index = 0, column_index = 0;
 };
 
+/// How positions between nodes are found.
 enum class Interpolation : uint32_t {
     bicubic = GUSSET_INTERPOLATION_BICUBIC,
     bilinear = GUSSET_INTERPOLATION_BILINEAR
@@ -187,6 +209,7 @@ enum class BridgeMode : uint32_t {
     hide = GUSSET_BRIDGE_HIDE,
     weld = GUSSET_BRIDGE_WELD
 };
+/// What a bridge looks like.
 enum class BridgeKind : uint32_t {
     ribbon = GUSSET_BRIDGE_RIBBON,
     tube = GUSSET_BRIDGE_TUBE,
@@ -225,6 +248,7 @@ struct JoinOptions {
 
 /// How plane the cells of a net are; see gusset_net_planarity.
 struct Planarity {
+    /// The worst, the mean, and how many are above the tolerance.
     gusset_planarity summary;
     /// Of each cell; NaN for cells that are not there.
     std::vector<double> cells;

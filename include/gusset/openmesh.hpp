@@ -20,6 +20,7 @@ namespace gusset::openmesh {
 template <class Mesh>
 class Input {
 public:
+    /// Reads a mesh, which must stay as it is while this is used.
     explicit Input(const Mesh &mesh) : mesh_(&mesh) {
         offsets_.reserve(mesh.n_faces() + 1);
         corners_.reserve(3 * mesh.n_faces());
@@ -38,12 +39,15 @@ public:
         }
     }
 
+    /// What the library reads.
     MeshView view() const {
         const Span<const typename Mesh::Point> points(mesh_->points(), mesh_->n_vertices());
         return MeshView::polygons(points, offsets_, corners_);
     }
 
+    /// The face of the host that face `f` of the view is.
     OpenMesh::FaceHandle face(uint32_t f) const { return faces_[f]; }
+    /// The vertex of the host that vertex `v` of the view is.
     OpenMesh::VertexHandle vertex(uint32_t v) const { return OpenMesh::VertexHandle(static_cast<int>(v)); }
 
 private:

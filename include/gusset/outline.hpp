@@ -22,22 +22,28 @@ enum class Method : uint32_t {
     symmedian = GUSSET_METHOD_SYMMEDIAN,
     alpha = GUSSET_METHOD_ALPHA
 };
+/// How parameters are tied to points.
 enum class Lock : uint32_t {
     parameter = GUSSET_LOCK_PARAMETER,
     self_consistent = GUSSET_LOCK_SELF_CONSISTENT,
     data_guide = GUSSET_LOCK_DATA_GUIDE
 };
+/// Where the joints of composite curves are.
 enum class JointShare : uint32_t {
     half = GUSSET_JOINT_SHARE_HALF,
     knot = GUSSET_JOINT_SHARE_KNOT,
     g2 = GUSSET_JOINT_SHARE_G2
 };
+/// How curves are sought.
 enum class Solver : uint32_t { fast = GUSSET_SOLVER_FAST, step = GUSSET_SOLVER_STEP };
+/// How open outlines end.
 enum class Ends : uint32_t { free = GUSSET_ENDS_FREE, perpendicular = GUSSET_ENDS_PERPENDICULAR };
 
 /// What is demanded of a curve at a point.
 struct Constraint : gusset_constraint {
+    /// A corner at a point.
     static Constraint corner(uint32_t point) { return {{point, GUSSET_DEMAND_CORNER, {0.0, 0.0, 0.0}}}; }
+    /// A direction at a point.
     static Constraint tangent(uint32_t point, double x, double y, double z = 0.0) {
         return {{point, GUSSET_DEMAND_TANGENT, {x, y, z}}};
     }
@@ -127,7 +133,9 @@ using Points = Span<const std::array<double, 3>>;
 
 /// The curve of one outline: segment s is the Bezier curve of the control points ends[s] to ends[s + 1].
 struct OutlineCurve {
+    /// The control points.
     Points controls;
+    /// Segment s has the control points ends[s] to ends[s + 1].
     Indices ends;
     /// The number of segments.
     std::size_t size() const noexcept { return ends.empty() ? 0 : ends.size() - 1; }

@@ -16,6 +16,7 @@ struct WeldOptions {
     std::optional<double> tolerance;
     /// Corners of one face may become one.
     bool collapse = false;
+    /// True: vertices that no face uses are left out.
     bool remove_unused = false;
 };
 
@@ -53,13 +54,17 @@ public:
     }
     /// Old index to new one, or none.
     Indices vertex_map() const { return detail::indices(parts().vertex_map); }
+    /// Of each old face its index in the result; UINT32_MAX if it was dropped.
     Indices face_map() const { return detail::indices(parts().face_map); }
     /// Half-edges of the old mesh: free edges that lie on another and were left.
     Indices left_edges() const { return detail::indices(parts().left_edges); }
     /// Vertices of the old mesh that lie together with another and are not one with it.
     Indices left_vertices() const { return detail::indices(parts().left_vertices); }
+    /// How many vertices became one with a smaller one.
     uint32_t welded_vertices() const { return parts().welded_vertices; }
+    /// How many edges were two free edges.
     uint32_t sewn_edges() const { return parts().sewn_edges; }
+    /// How many faces were dropped.
     uint32_t dropped_faces() const { return parts().dropped_faces; }
 
 private:
@@ -101,12 +106,15 @@ public:
         const gusset_orient_parts found = parts();
         return {found.turned, found.face_count};
     }
+    /// How many faces were turned over.
     uint32_t turned_faces() const { return parts().turned_faces; }
+    /// How many components.
     uint32_t component_count() const { return parts().component_count; }
     /// Closed components that face outwards now and otherwise would not.
     uint32_t inverted_components() const { return parts().inverted_components; }
     /// The smallest face of each component that has one side only, and a half-edge at which it shows.
     Indices one_sided_faces() const { return detail::indices(parts().one_sided_faces); }
+    /// For each one-sided component a half-edge where two faces disagree.
     Indices one_sided_half_edges() const { return detail::indices(parts().one_sided_half_edges); }
 
 private:

@@ -11,11 +11,13 @@ enum class EntryKind : uint32_t { net = GUSSET_SCENE_NET, group = GUSSET_SCENE_G
 
 /// An entry of a scene; see gusset_scene_entry.
 struct Entry {
+    /// A net or a group.
     EntryKind kind;
     /// Into the space of the groups that it is in.
     Transform transform;
     /// A group that it is in may hide it all the same.
     bool visible;
+    /// The number of entries in a group.
     std::size_t child_count;
 };
 

@@ -128,6 +128,7 @@ public:
     std::size_t rows() const { return info().rows; }
     /// Columns of cells.
     std::size_t columns() const { return info().columns; }
+    /// Cells of all rows.
     std::size_t cell_count() const {
         const gusset_sheet_parts all = info();
         return all.rows * all.columns;

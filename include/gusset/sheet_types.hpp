@@ -21,8 +21,11 @@ enum class Along : uint32_t { rows = GUSSET_ALONG_ROWS, columns = GUSSET_ALONG_C
 
 /// How nodes become a surface. A direction that is closed ends with its first line again.
 struct SheetOptions {
+    /// Closed along columns: the last row is the first one again.
     bool closed_u = false;
+    /// Closed along rows.
     bool closed_v = false;
+    /// How the surface is drawn through nodes.
     Scheme scheme = Scheme::six_tap;
 };
 
@@ -76,7 +79,9 @@ struct SplineAxis {
     std::size_t count;
     /// 1 to 7.
     uint32_t degree;
+    /// The knots; see gusset_spline.
     Span<const double> knots;
+    /// Whether the direction is closed.
     bool closed = false;
 };
 
@@ -104,7 +109,9 @@ struct SheetEstimates {
 
 /// Bounds of the diameters of cells, row after row; see gusset_sheet_diameters.
 struct CellDiameters {
+    /// Of each cell a bound of the distance between two of its points, and of the way within the cell.
     std::vector<double> euclidean, intrinsic;
+    /// The greatest of each.
     double greatest_euclidean, greatest_intrinsic;
 };
 
@@ -112,7 +119,9 @@ struct CellDiameters {
 struct MaskTask : gusset_mask_task {
     /// A point. It is kept in the field `point`.
     static MaskTask at(const Point3 &place) { return {GUSSET_MASK_POINT, place, {}}; }
+    /// What is near a plane.
     static MaskTask plane(const Point3 &place, const Point3 &normal) { return {GUSSET_MASK_PLANE, place, normal}; }
+    /// What is near a line.
     static MaskTask line(const Point3 &place, const Point3 &along) { return {GUSSET_MASK_LINE, place, along}; }
     /// From a place to the place and the direction.
     static MaskTask segment(const Point3 &place, const Point3 &along) { return {GUSSET_MASK_SEGMENT, place, along}; }
@@ -169,20 +178,25 @@ public:
         return made;
     }
 
+    /// Rows of cells.
     std::size_t rows() const noexcept { return rows_; }
+    /// Columns of cells.
     std::size_t columns() const noexcept { return columns_; }
     /// They live as long as the mask, and are not lent by a temporary.
     Span<const uint64_t> words() const & { return words_; }
     Span<const uint64_t> words() const && = delete;
+    /// Whether a cell is in.
     bool operator()(std::size_t row, std::size_t column) const {
         const std::size_t bit = row * columns_ + column;
         return (words_[bit / 64] >> (bit % 64) & 1) != 0;
     }
+    /// Puts a cell in, or takes it out.
     void set(std::size_t row, std::size_t column, bool on) {
         const std::size_t bit = row * columns_ + column;
         const uint64_t mask = uint64_t{1} << (bit % 64);
         words_[bit / 64] = on ? words_[bit / 64] | mask : words_[bit / 64] & ~mask;
     }
+    /// How many cells are in.
     std::size_t count() const {
         std::size_t found = 0;
         for (uint64_t word : words_) {
@@ -217,7 +231,9 @@ private:
 
 /// The cells that the paper's search left, and what it did.
 struct Masked {
+    /// The cells that are left.
     CellMask mask;
+    /// What the search did.
     gusset_mask_report report;
 };
 

@@ -16,41 +16,55 @@ enum class Meridians : uint32_t {
     smooth = GUSSET_MERIDIANS_SMOOTH,
     quad = GUSSET_MERIDIANS_QUAD
 };
+/// How hard the best strip is sought.
 enum class Search : uint32_t { automatic = GUSSET_SEARCH_AUTO, exact = GUSSET_SEARCH_EXACT };
+/// Where the first meridian is.
 enum class Start : uint32_t { automatic = GUSSET_START_AUTO, closest = GUSSET_START_CLOSEST, given = GUSSET_START_GIVEN };
+/// Whether faces that cut each other are looked for.
 enum class Intersections : uint32_t {
     automatic = GUSSET_INTERSECTIONS_AUTO,
     ignore = GUSSET_INTERSECTIONS_IGNORE,
     report = GUSSET_INTERSECTIONS_REPORT
 };
+/// What becomes of pieces that are oriented against each other.
 enum class Orientation : uint32_t {
     fix = GUSSET_ORIENTATION_FIX,
     refuse = GUSSET_ORIENTATION_REFUSE,
     keep = GUSSET_ORIENTATION_KEEP
 };
 
+/// Whether whole loops are joined, or arcs of them.
 enum class Extent : uint32_t {
     whole_loops = GUSSET_EXTENT_WHOLE_LOOPS,
     open_arcs = GUSSET_EXTENT_OPEN_ARCS,
     automatic = GUSSET_EXTENT_AUTO,
     arcs = GUSSET_EXTENT_ARCS
 };
+/// Which of several facing runs is taken.
 enum class Run : uint32_t { closest = GUSSET_RUN_CLOSEST, longest = GUSSET_RUN_LONGEST };
+/// What the centres of loops are the means of.
 enum class Centres : uint32_t { vertices = GUSSET_CENTRES_VERTICES, length = GUSSET_CENTRES_LENGTH };
+/// What the faces of strips are.
 enum class Cells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
 
 /// Interior rows: none, by the mean edge, or a number.
 struct Rows {
     uint32_t mode = GUSSET_ROWS_NONE;
+    /// How many, for GUSSET_ROWS_COUNT.
     uint32_t count = 0;
+    /// No interior rows.
     static Rows none() { return {}; }
+    /// As many as make edges across about as long as those along.
     static Rows mean_edge() { return {GUSSET_ROWS_MEAN_EDGE, 0}; }
+    /// So many.
     static Rows exactly(uint32_t count) { return {GUSSET_ROWS_COUNT, count}; }
 };
 
 /// An arc of a loop: its first place and its number of vertices.
 struct Arc {
+    /// The first place on the loop.
     uint32_t first = 0;
+    /// How many vertices.
     uint32_t count = 0;
 };
 
@@ -207,6 +221,7 @@ public:
 
     /// Old index to new one, of mesh 0 or 1.
     Indices vertex_map(int mesh) const { return detail::indices(parts().vertex_map[mesh != 0]); }
+    /// Of each old face of mesh 0 or 1 its index in the result.
     Indices face_map(int mesh) const { return detail::indices(parts().face_map[mesh != 0]); }
     /// The vertices of a rim in the result, from the first meridian on.
     Indices rim(int mesh) const { return detail::indices(parts().rim[mesh != 0]); }
@@ -219,9 +234,11 @@ public:
     }
     /// The paper's matrix P, row by row: (row_count() + 2) rows of as many vertices as there are meridians.
     Indices matrix() const { return detail::indices(parts().matrix); }
+    /// Interior rows.
     uint32_t row_count() const { return parts().row_count; }
     /// Of each new vertex its two parents, by turns, and the weight of the second.
     Indices parents() const { return detail::indices(parts().parents); }
+    /// Of each new vertex the weight of its second parent.
     Span<const double> weights() const {
         const gusset_stitch_parts found = parts();
         return {found.weights, found.parents.count / 2};

@@ -10,10 +10,12 @@ namespace gusset {
 
 /// A line, ray or segment; see gusset_line.
 struct Line : gusset_line {
+    /// A line, to infinity both ways.
     static Line line(const Point3 &origin, const Point3 &direction) {
         const double infinity = std::numeric_limits<double>::infinity();
         return {origin, direction, -infinity, infinity};
     }
+    /// A ray: from its origin on.
     static Line ray(const Point3 &origin, const Point3 &direction) {
         return {origin, direction, 0.0, std::numeric_limits<double>::infinity()};
     }
@@ -21,6 +23,7 @@ struct Line : gusset_line {
     static Line segment(const Point3 &from, const Point3 &to) {
         return {from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]}, 0.0, 1.0};
     }
+    /// From parameter `least` to `greatest`.
     Line(const Point3 &start, const Point3 &along, double least, double greatest) : gusset_line{} {
         std::memcpy(origin, start.data(), sizeof origin);
         std::memcpy(direction, along.data(), sizeof direction);
@@ -42,8 +45,11 @@ enum class HitKind : uint32_t {
 
 /// A point that a line or a curve and a surface have in common; see gusset_surface_hit.
 struct Hit : gusset_surface_hit {
+    /// Nothing hit.
     Hit() : gusset_surface_hit{} {}
+    /// A hit as the C interface has it.
     explicit Hit(const gusset_surface_hit &hit) : gusset_surface_hit(hit) {}
+    /// What kind of hit it is.
     HitKind what() const noexcept { return static_cast<HitKind>(kind); }
     /// There is one.
     bool is_found() const noexcept { return kind != GUSSET_HIT_NONE; }

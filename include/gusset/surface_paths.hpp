@@ -90,7 +90,9 @@ public:
         const Data *at_ = nullptr;
     };
 
+    /// No elements.
     Values() = default;
+    /// `size` elements from `data` on.
     Values(const Data *data, std::size_t size) : data_(data, size) {}
 
     /// The structures themselves.
@@ -108,9 +110,11 @@ private:
 
 /// One curve on a surface. Spans live as long as the paths it is of.
 struct SurfacePath {
+    /// The points.
     Span<const Point3> points;
     /// Unit normals of the surface; 0 where there is none.
     Span<const Point3> normals;
+    /// Where they are on the surface.
     Span<const SurfacePlace> places;
     /// Of intersections: the places on the second surface.
     Span<const SurfacePlace> others;

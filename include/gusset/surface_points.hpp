@@ -10,7 +10,9 @@ namespace gusset {
 
 /// A point that was found for a query; see gusset_surface_closest.
 struct Closest : gusset_surface_closest {
+    /// Nothing found.
     Closest() : gusset_surface_closest{} {}
+    /// A point as the C interface has it.
     explicit Closest(const gusset_surface_closest &found) : gusset_surface_closest(found) {}
     /// There is one within the limit.
     bool is_found() const noexcept { return (flags & GUSSET_SURFACE_CLOSEST_FOUND) != 0; }
@@ -45,6 +47,7 @@ inline gusset_closest_options as_c(const ClosestOptions &options) {
 class SurfacePoints {
 public:
     using value_type = Closest;
+    /// What the points lie in.
     using Points = Values<Closest, gusset_surface_closest>;
     using iterator = Points::iterator;
 
@@ -52,6 +55,7 @@ public:
 
     std::size_t size() const { return parts().count; }
     bool empty() const { return size() == 0; }
+    /// The points, the nearest first.
     Points points() const & { return all(); }
     Points points() const && = delete;
     iterator begin() const & { return all().begin(); }

@@ -199,14 +199,14 @@ pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary)
     input::destroy(boundary);
 }
 
-/// The number of loops and open chains: 0 if the mesh is closed, or for NULL.
+/// The number of loops and open chains: 0 if the mesh is closed, or for NULL. O(1). From any thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_loop_count(boundary: *const gusset_boundary) -> usize {
     input::reference(boundary, "boundary").map_or(0, |b| b.boundary.len())
 }
 
-/// The number of walks that the loops were cut from: loops that touch at vertices, counted as one where the walk round the
-/// boundary passes from one to the next. 0 for NULL.
+/// The number of walks that the loops were cut from: loops that touch at vertices, counted as one where the walk round
+/// the boundary passes from one to the next. 0 for NULL. O(1). From any thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_boundary_walk_count(boundary: *const gusset_boundary) -> usize {
     input::reference(boundary, "boundary").map_or(0, |b| b.boundary.walk_count() as usize)
@@ -239,9 +239,10 @@ pub unsafe extern "C" fn gusset_boundary_loop(
     })
 }
 
-/// Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh, and
-/// the bow-tie vertices on its boundary. Valid until the boundary is destroyed; NULL and 0 if there is nothing.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+/// Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh,
+/// and the bow-tie vertices on its boundary. They are valid until the boundary is destroyed; NULL and 0 if there is
+/// nothing. defects: receives the first one. count: receives how many. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_boundary_defects(

@@ -127,12 +127,12 @@ pub unsafe extern "C" fn gusset_carcass_evaluate(
     })
 }
 
-/// The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round; what is beyond an open side is on
-/// it. The other way the parameters of a place are row + u and column + v.
+/// The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round;
+/// what is beyond an open side is on it. The other way the parameters of a place are row + u and column + v.
 ///
-/// parameters: u, v of each, packed, at any alignment. places: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any
-/// thread.
+/// sheet: its number, counted from 0. parameters: u, v of each, packed, at any alignment. places: room for count; all 0
+/// on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is
+/// not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_locate(

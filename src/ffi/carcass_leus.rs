@@ -196,12 +196,12 @@ impl From<&Found> for gusset_mask_report {
 
 /// Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
 ///
-/// euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic: of the
-/// length of the shortest curve within the cell between them. Each has room for capacity numbers, or is NULL with capacity 0;
-/// either may be NULL alone. written: receives the number of cells. greatest: receives two numbers, the greatest of the first and
-/// of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY,
-/// CANCELLED. O(cells), 16 bytes a cell; threads; the same bits for any number of them. From any thread. Source: Leus, eqs. (1)
-/// and (7); the bounds are ours.
+/// euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
+/// of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
+/// room for; either may be NULL, both with capacity 0. written: receives the number of cells. greatest: receives two
+/// numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
+/// for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_diameters(

@@ -181,8 +181,8 @@ impl State {
     }
 }
 
-/// Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context) -> gusset_status {
@@ -203,14 +203,15 @@ pub unsafe extern "C" fn gusset_context_destroy(context: *mut gusset_context) {
     input::destroy(context);
 }
 
-/// Sets the number of threads: 0 as many as the machine has, 1 the calling thread only. Results do not depend on it.
-/// Errors: NULL_ARGUMENT, CONTEXT_BUSY.
+/// Sets the number of threads, on which results do not depend. threads: 0 as many as the machine has, 1 the calling
+/// thread only. Errors: NULL_ARGUMENT, CONTEXT_BUSY. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_threads(context: *mut gusset_context, threads: u32) -> gusset_status {
     change(context, |settings| settings.threads = threads)
 }
 
-/// Sets the progress callback, or none if NULL; user is handed to it. Errors: NULL_ARGUMENT, CONTEXT_BUSY.
+/// Sets the progress callback. progress: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
+/// CONTEXT_BUSY. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_progress(
     context: *mut gusset_context,
@@ -220,7 +221,8 @@ pub unsafe extern "C" fn gusset_context_set_progress(
     change(context, |settings| (settings.progress, settings.progress_user) = (progress, user))
 }
 
-/// Sets the log callback, or none if NULL; user is handed to it. Errors: NULL_ARGUMENT, CONTEXT_BUSY.
+/// Sets the log callback. log: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
+/// CONTEXT_BUSY. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_set_log(
     context: *mut gusset_context,
@@ -237,7 +239,7 @@ fn change(context: *const gusset_context, set: impl FnOnce(&mut Settings)) -> gu
     })
 }
 
-/// Cancels the running call, and every later one until gusset_context_reset. From any thread; NULL is allowed.
+/// Cancels the running call, and every later one until gusset_context_reset. From any thread; NULL is allowed. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
     if let Ok(context) = input::reference(context, "context") {
@@ -245,7 +247,7 @@ pub unsafe extern "C" fn gusset_context_cancel(context: *const gusset_context) {
     }
 }
 
-/// Takes a cancel back. NULL is allowed.
+/// Takes a cancel back. NULL is allowed. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     if let Ok(context) = input::reference(context, "context") {
@@ -253,14 +255,14 @@ pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
     }
 }
 
-/// How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread.
+/// How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_progress(context: *const gusset_context) -> f64 {
     input::reference(context, "context").map_or(0.0, |context| f64::from_bits(context.fraction.load(Ordering::Relaxed)))
 }
 
 /// What went wrong in the last call with this context, as an English sentence; empty after a success. Never NULL. Valid
-/// until the next call with the context. Empty too for NULL, and while a call is running.
+/// until the next call with the context. Empty too for NULL, and while a call is running. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_message(context: *const gusset_context) -> *const c_char {
     let state = input::reference(context, "context").and_then(gusset_context::lock);
@@ -268,7 +270,7 @@ pub unsafe extern "C" fn gusset_context_message(context: *const gusset_context) 
 }
 
 /// What went wrong in the last call with this context, as numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// BAD_STRUCT_SIZE, CONTEXT_BUSY.
+/// BAD_STRUCT_SIZE, CONTEXT_BUSY. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn gusset_context_report(
     context: *const gusset_context,

@@ -46,10 +46,10 @@ unsafe impl Versioned for gusset_curve_moments {
 const _: () =
     assert!(size_of::<usize>() != 8 || (size_of::<gusset_nearest>() == 48 && size_of::<gusset_curve_moments>() == 56));
 
-/// Points and derivatives at many places. places: count of them. order: 0 for the points alone, at most 64. out: receives
-/// 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t, and so on; 0 beyond the
-/// degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE (order), UNKNOWN_VALUE,
-/// SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
+/// Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
+/// out: receives 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t,
+/// and so on; 0 beyond the degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE
+/// (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_derivatives(
@@ -164,8 +164,9 @@ pub unsafe extern "C" fn gusset_curve_lengths_at(
     })
 }
 
-/// The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives count
-/// places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW, OUT_OF_MEMORY.
+/// The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives
+/// count places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW,
+/// OUT_OF_MEMORY. O(points + count log segments).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_places_at(

@@ -68,9 +68,10 @@ pub unsafe extern "C" fn gusset_curve_svg(
     })
 }
 
-/// The contour of a TrueType font: control points, and those joints that are not in the middle between two of them, within
-/// tolerance (at least 0) or rounding. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED,
-/// EMPTY_CURVE, OUT_OF_RANGE (a degree above 2, tolerance), OUT_OF_MEMORY. O(points).
+/// The contour of a TrueType font: control points, and those joints that are not in the middle between two of them.
+/// tolerance: how far from the middle still counts as there, at least 0, in the unit of the points; rounding always
+/// does. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a
+/// degree above 2, tolerance), OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_contour(

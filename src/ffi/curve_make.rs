@@ -74,10 +74,11 @@ impl From<&Offset> for gusset_offset_report {
     }
 }
 
-/// The part of a curve from one place to another, open. On a closed curve it may run over the start, and from a place to
-/// itself it goes round once. part: receives the result, for gusset_curve_destroy, as for all functions of this group; NULL
-/// on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open
-/// curve, and to before from), UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
+/// The part of a curve from one place to another, open. from: where it begins. to: where it ends. On a closed curve it
+/// may run over the start, and from a place to itself it goes round once. part: receives the result, for
+/// gusset_curve_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to before from),
+/// UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_part(
@@ -92,7 +93,8 @@ pub unsafe extern "C" fn gusset_curve_part(
     })
 }
 
-/// The part of a curve before a place, or the part after it; both are open. after: 0 or 1. Otherwise as gusset_curve_part.
+/// The part of a curve before a place, or the part after it; both are open. at: the place. after: 0 for the part before
+/// it, 1 for the part after it. Otherwise as gusset_curve_part.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_split(
@@ -141,10 +143,11 @@ pub unsafe extern "C" fn gusset_curve_elevate(
     })
 }
 
-/// The curve with segments of degree `degree` at most, 1 to 64, by least squares with fixed ends; segments that would deviate
-/// by more than tolerance (at least 0; infinity is allowed) are kept. deviations: receives a bound on the deviation of each
-/// segment from the original, of a kept one what it would have been; NULL if it is not wanted. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance), OUT_OF_MEMORY. O(degree^3) a segment.
+/// The curve with segments of a lower degree, by least squares with fixed ends. degree: of each at most, 1 to 64.
+/// tolerance: segments that would deviate by more are kept; at least 0, in the unit of the points; infinity is allowed.
+/// deviations: receives a bound on the deviation of each segment from the original, of a kept one what it would have
+/// been; NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance),
+/// OUT_OF_MEMORY. O(degree^3) a segment.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_reduce(
@@ -164,11 +167,11 @@ pub unsafe extern "C" fn gusset_curve_reduce(
     })
 }
 
-/// The curve at a distance to the left of a plane curve, to the right if negative, re-fitted by segments with common
-/// tangents. Places where it crosses itself are not removed. options: its tolerance must be given. report: what became of it;
-/// NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE,
-/// EMPTY_CURVE, OUT_OF_RANGE (distance, tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places
-/// measured.
+/// The curve beside a plane curve, re-fitted by segments with common tangents. Places where it crosses itself are not
+/// removed. distance: how far to the left of it, to the right if negative; in the unit of the points, finite. options:
+/// its tolerance must be given. report: what became of it; NULL if it is not wanted. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance,
+/// tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_curve_offset(

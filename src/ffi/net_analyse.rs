@@ -121,7 +121,9 @@ pub unsafe extern "C" fn gusset_net_analyse_create(
 }
 
 /// The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
-/// count, time: as for gusset_net_deform, and its errors too. Also 8 bytes a cell, and a copy of the net.
+/// count, time: as for gusset_net_deform. tolerance: as for gusset_net_analyse_create. Errors: those of
+/// gusset_net_analyse_create and of gusset_net_deform. O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy
+/// of the net. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_analyse_fields_create(

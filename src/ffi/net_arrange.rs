@@ -76,11 +76,12 @@ pub(super) fn replication(value: gusset_replication, index: u32) -> Result<Repli
     }
 }
 
-/// The net within row_count rows from row_first on and column_count columns from column_first on: coordinates bit for bit, the links
-/// and runs of seams within it, the bridges that cross it. Links that lead back are within it if all rows, or all columns, are.
-/// part: receives it, for gusset_net_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, NET_TOO_SMALL (a count below 2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made
-/// opposite corners one), OUT_OF_MEMORY, CANCELLED. O(nodes of the part), and O(contracted links).
+/// A rectangle of a net: coordinates bit for bit, the links and runs of seams within it, the bridges that cross it.
+/// Links that lead back are within it if all rows, or all columns, are. row_first: its first row. row_count: how many
+/// rows, at least 2. column_first: its first column. column_count: how many columns, at least 2. part: receives it, for
+/// gusset_net_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// NET_TOO_SMALL (a count below 2), OUT_OF_RANGE (beyond the net), CROSSING_CELL (only what is outside made opposite
+/// corners one), OUT_OF_MEMORY, CANCELLED. O(nodes of the part), and O(contracted links).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_part_create(
@@ -111,8 +112,8 @@ pub unsafe extern "C" fn gusset_net_transpose_create(
     create(context, transposed, "transposed", |job| Ok(gusset_net::new(read(net)?.transposed(job)?)))
 }
 
-/// The net with the last column first (GUSSET_DIRECTION_RIGHT), or the last row (GUSSET_DIRECTION_DOWN). Normals stay, as for
-/// gusset_net_transpose_create. Errors: as there, UNKNOWN_VALUE. O(nodes).
+/// The net the other way round. direction: GUSSET_DIRECTION_RIGHT puts the last column first, GUSSET_DIRECTION_DOWN the
+/// last row. Normals stay, as for gusset_net_transpose_create. Errors: as there, UNKNOWN_VALUE. O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_flip_create(
@@ -129,8 +130,8 @@ pub unsafe extern "C" fn gusset_net_flip_create(
     })
 }
 
-/// The net turned by quarters: after one, the last column is the first row; any number, negative ones turn back. Errors: as
-/// gusset_net_transpose_create. O(nodes).
+/// The net turned. quarters: how many quarters of a turn, any number: after one, the last column is the first row;
+/// negative ones turn back. Errors: as gusset_net_transpose_create. O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_turn_create(

@@ -253,9 +253,11 @@ pub unsafe extern "C" fn gusset_net_groups_destroy(groups: *mut gusset_net_group
     input::destroy(groups);
 }
 
-/// The local gluing at a node: which of its links have become a point. cyclic: 0, or 1 to count links that lead back to the first row or
-/// column too. found: receives one of GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// UNKNOWN_VALUE, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(1) for a net that its sides describe, else O(nodes): see gusset_net_histogram for all. Source: Deryagin, Fig. 4.
+/// The local gluing at a node: which of its links have become a point. node: its number, row * columns + column.
+/// cyclic: 0, or 1 to count links that lead back to the first row or column too. found: receives one of
+/// GUSSET_TYPE_..., at most GUSSET_TYPE_ALL, or GUSSET_TYPE_NONE. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// UNKNOWN_VALUE, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(1) for a net that its sides describe, else O(nodes): see
+/// gusset_net_histogram for all. Source: Deryagin, Fig. 4.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_classify_node(
@@ -272,8 +274,9 @@ pub unsafe extern "C" fn gusset_net_classify_node(
     })
 }
 
-/// What a cell has become. found: receives one of GUSSET_TYPE_..., or GUSSET_TYPE_NONE for a quad. Errors and complexity: as
-/// gusset_net_classify_node.
+/// What a cell has become. cell: its number, row * (columns - 1) + column. found: receives one of GUSSET_TYPE_..., or
+/// GUSSET_TYPE_NONE for a quad. Errors: as gusset_net_classify_node. O(1) for a net that its sides describe, else
+/// O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_classify_cell(

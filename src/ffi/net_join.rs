@@ -208,11 +208,12 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
     })
 }
 
-/// Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as they were joined, unless they were
-/// changed since; copies that were made to equalise sizes are removed. Of a net that was joined of joined ones, the last bridge is
-/// such a one; take nets apart in the reverse order of joining. What is glued across the bridge is cut. first, second: receive the
-/// nets, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such bridge, or it
-/// is within a part of the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+/// Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as they were joined,
+/// unless they were changed since; copies that were made to equalise sizes are removed. Of a net that was joined of
+/// joined ones, the last bridge is such a one; take nets apart in the reverse order of joining. What is glued across
+/// the bridge is cut. bridge: its number, counted from 0. first, second: receive the nets, for gusset_net_destroy; NULL
+/// on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such bridge, or it is within a part of
+/// the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_split(
@@ -243,8 +244,8 @@ pub unsafe extern "C" fn gusset_net_bridge_count(net: *const gusset_net, count: 
     })
 }
 
-/// A bridge of a net. bridge: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT.
-/// O(1). From any thread.
+/// A bridge of a net. index: its number, below gusset_net_bridge_count. bridge: its struct_size set. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_bridge(
@@ -262,10 +263,11 @@ pub unsafe extern "C" fn gusset_net_bridge(
 
 /// Does something else with the cells of a bridge, and gives it other properties.
 ///
-/// mode: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD. tolerance: how far nodes that are welded may be apart, at least 0.
-/// properties: NULL leaves them. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER
-/// with the place and the distance, CROSSING_CELL, OUT_OF_MEMORY; the net is then as it was. O(nodes) if welding begins or ends, or if
-/// the net is shared with a copy or a scene; else O(1).
+/// index: of the bridge, below gusset_net_bridge_count. mode: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or
+/// GUSSET_BRIDGE_WELD. tolerance: how far nodes that are welded may be apart, at least 0. properties: NULL leaves them.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER with the
+/// place and the distance, CROSSING_CELL, OUT_OF_MEMORY; the net is then as it was. O(nodes) if welding begins or ends,
+/// or if the net is shared with a copy or a scene; else O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_set_bridge(

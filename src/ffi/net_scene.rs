@@ -162,8 +162,9 @@ pub unsafe extern "C" fn gusset_scene_add_net(
     })
 }
 
-/// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. Errors: NO_SUCH_ELEMENT
-/// with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+/// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. entry:
+/// its index. Errors: NO_SUCH_ELEMENT with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in
+/// the caller's memory.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_set_net(
@@ -194,9 +195,10 @@ pub unsafe extern "C" fn gusset_scene_add_group(
     })
 }
 
-/// Puts an entry into a group, behind what is in it; again, if it is in it already. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// NO_SUCH_ELEMENT (no such entry, or group is a net), SCENE_CYCLE, OUT_OF_MEMORY. O(1) for an entry without children or a group
-/// in no group; at most O(entries below the one or above the other, whichever are fewer).
+/// Puts an entry into a group, behind what is in it; again, if it is in it already. group: the index of the group.
+/// child: the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such entry, or group
+/// is a net), SCENE_CYCLE, OUT_OF_MEMORY. O(1) for an entry without children or a group in no group; at most O(entries
+/// below the one or above the other, whichever are fewer).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_add_child(
@@ -208,8 +210,9 @@ pub unsafe extern "C" fn gusset_scene_add_child(
     guard(context, |_| Ok(changed(scene)?.add_child(group, child)?))
 }
 
-/// Takes an entry out of a group: the first one, if it is in it several times. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// NO_SUCH_ELEMENT, also if it is not in the group. O(children of the group + groups of the child).
+/// Takes an entry out of a group: the first one, if it is in it several times. group: the index of the group. child:
+/// the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also if it is not in the group.
+/// O(children of the group + groups of the child).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_remove_child(
@@ -221,8 +224,8 @@ pub unsafe extern "C" fn gusset_scene_remove_child(
     guard(context, |_| Ok(changed(scene)?.remove_child(group, child)?))
 }
 
-/// Removes an entry from the scene and from all groups; what was in a group stays. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
-/// NO_SUCH_ELEMENT. O(children of its groups + groups of its children).
+/// Removes an entry from the scene and from all groups; what was in a group stays. entry: its index. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT. O(children of its groups + groups of its children).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_remove(
@@ -233,8 +236,8 @@ pub unsafe extern "C" fn gusset_scene_remove(
     guard(context, |_| Ok(changed(scene)?.remove(entry)?))
 }
 
-/// Places an entry in the space of the groups that it is in. transform: twelve finite numbers. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_RANGE. O(1).
+/// Places an entry in the space of the groups that it is in. entry: its index. transform: twelve finite numbers.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_RANGE. O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_set_transform(
@@ -249,8 +252,8 @@ pub unsafe extern "C" fn gusset_scene_set_transform(
     })
 }
 
-/// Shows an entry (1), or hides it and all that is in it (0). Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT,
-/// UNKNOWN_VALUE. O(1).
+/// Shows an entry, or hides it and all that is in it. entry: its index. visible: 1 or 0. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE. O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_set_visible(
@@ -262,8 +265,8 @@ pub unsafe extern "C" fn gusset_scene_set_visible(
     guard(context, |_| Ok(changed(scene)?.set_visible(entry, flag(visible, "visible")?)?))
 }
 
-/// What an entry is. out: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1).
-/// From any thread.
+/// What an entry is. entry: its index. out: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_entry_view(
@@ -290,8 +293,9 @@ pub unsafe extern "C" fn gusset_scene_entry_view(
     })
 }
 
-/// The net of an entry, as a handle that shares its memory until it is changed. net: receives it, for gusset_net_destroy; NULL on
-/// failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a group. O(1).
+/// The net of an entry, as a handle that shares its memory until it is changed. entry: its index. net: receives it, for
+/// gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a group.
+/// O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_net(
@@ -303,8 +307,9 @@ pub unsafe extern "C" fn gusset_scene_net(
     create(context, net, "net", |_| Ok(gusset_net::of_shared(self::scene(scene)?.net(entry)?.clone())))
 }
 
-/// The entries in a group, in order. children: room for capacity indices, or NULL with capacity 0 to ask for their number. written:
-/// receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a net, BUFFER_TOO_SMALL. O(children).
+/// The entries in a group, in order. group: its index. children: room for capacity indices, or NULL with capacity 0 to
+/// ask for their number. written: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
+/// net, BUFFER_TOO_SMALL. O(children).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_children(
@@ -399,11 +404,11 @@ pub unsafe extern "C" fn gusset_scene_flatten_create(
     })
 }
 
-/// A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once: the inverse of
-/// gusset_scene_flatten_create, in one group (entry 0). Nets come back as they
-/// are in the space of the flat one, bit for bit; copies that were made to equalise sizes are removed. scene: receives it, for
-/// gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY,
-/// CANCELLED. O(nodes).
+/// A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once:
+/// the inverse of gusset_scene_flatten_create, in one group (entry 0). Nets come back as they are in the space of the
+/// flat one, bit for bit; copies that were made to equalise sizes are removed. direction: GUSSET_DIRECTION_..., that of
+/// the bridges. scene: receives it, for gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_scene_unflatten_create(

@@ -207,9 +207,9 @@ pub unsafe extern "C" fn gusset_net_decode_create(
     create(context, net, "net", |job| Ok(gusset_net::new(decode(input::bytes(data, size, 1, "data")?, job)?)))
 }
 
-/// Begins to decode a stream that arrives in pieces. node_limit: a net of more nodes is refused, as its memory is taken before all of
-/// the stream is there; 0 for no limit but the library's, 2^31 - 1. decoder: receives the decoder, for gusset_stream_decoder_destroy;
-/// NULL on failure. O(1).
+/// Begins to decode a stream that arrives in pieces. node_limit: a net of more nodes is refused, as its memory is taken
+/// before all of the stream is there; 0 for no limit but the library's, 2^31 - 1. decoder: receives the decoder, for
+/// gusset_stream_decoder_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(1).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_create(
@@ -223,9 +223,10 @@ pub unsafe extern "C" fn gusset_stream_decoder_create(
     })
 }
 
-/// Gives a decoder the next bytes of its stream, any number of them. rows_done: receives how many rows are complete, those of all
-/// blocks so far; NULL if it is not wanted. After a failure every call fails alike. Errors: BAD_STREAM with the byte, TOO_LARGE,
-/// OUT_OF_MEMORY. O(bytes + nodes of the blocks that they complete).
+/// Gives a decoder the next bytes of its stream, any number of them. data: the bytes, at any alignment. size: how many.
+/// rows_done: receives how many rows are complete, those of all blocks so far; NULL if it is not wanted. After a
+/// failure every call fails alike. Errors: BAD_STREAM with the byte, TOO_LARGE, OUT_OF_MEMORY. O(bytes + nodes of the
+/// blocks that they complete).
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_stream_decoder_push(

@@ -99,12 +99,13 @@ fn buffer<'a>(
 
 /// Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
 ///
-/// errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal parameters:
-/// C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes in a direction; 0 if
-/// the patches were given. bilinear: a bound of how far the surface is from the bilinear patch through the cell's corners;
-/// triangles: from the two triangles that either diagonal makes. Each may be NULL, and has room for `capacity` numbers. Errors:
-/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is
-/// written then. O(cells); threads. From any thread.
+/// errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal
+/// parameters: C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes
+/// in a direction; 0 if the patches were given. bilinear: a bound of how far the surface is from the bilinear patch
+/// through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL.
+/// capacity: how many numbers each has room for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the
+/// value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then. O(cells); threads. From any
+/// thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_sheet_estimates(

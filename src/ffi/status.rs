@@ -313,7 +313,8 @@ impl From<Error> for Failure {
     }
 }
 
-/// What a status means, in a few English words; for a number that is no status, "unknown status". Never NULL; static.
+/// What a status means, in a few English words. status: any number; for one that is no status, "unknown status". Never
+/// NULL; static. O(1). From any thread.
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
     let text = match status {

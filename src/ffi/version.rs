@@ -2,7 +2,7 @@
 
 use std::ffi::CStr;
 
-/// The library's version, "major.minor.patch". Never NULL; static.
+/// The library's version, "major.minor.patch". Never NULL; static. O(1). From any thread.
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_version() -> *const libc::c_char {
     const TEXT: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
@@ -12,8 +12,8 @@ pub extern "C" fn gusset_version() -> *const libc::c_char {
     TEXT.as_ptr()
 }
 
-/// The number of the binary interface. It changes whenever a program built against an older header could break; until 1.0
-/// that is when the minor version changes.
+/// The number of the binary interface. It changes whenever a program built against an older header could break; until
+/// 1.0 that is when the minor version changes. O(1). From any thread.
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_abi() -> u32 {
     1

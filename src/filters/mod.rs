@@ -109,15 +109,36 @@ impl Filter {
     /// # Errors
     /// [`Error::OptionOutOfRange`] if not, with their number, or else the place of the first of a wrong kind.
     pub fn check_inputs(&self, inputs: &[Input<'_>]) -> Result<()> {
-        let refused = |value: usize| Err(Error::OptionOutOfRange { option: "inputs", value: value as f64 });
-        if !(self.min_inputs..=self.max_inputs).contains(&inputs.len()) {
-            return refused(inputs.len());
-        }
-        let wanted = |i: usize| self.inputs.get(i).or(self.inputs.last()).copied();
-        match inputs.iter().enumerate().find(|(i, input)| wanted(*i) != Some(input.kind())) {
-            Some((i, _)) => refused(i),
-            None => Ok(()),
-        }
+        self.check_input_count(inputs.len())?;
+        inputs.iter().enumerate().try_for_each(|(place, input)| self.check_input_kind(place, input.kind()))
+    }
+
+    /// Whether the filter takes so many inputs.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] with their number if not.
+    pub fn check_input_count(&self, count: usize) -> Result<()> {
+        let fits = (self.min_inputs..=self.max_inputs).contains(&count);
+        if fits { Ok(()) } else { Err(Error::OptionOutOfRange { option: "inputs", value: count as f64 }) }
+    }
+
+    /// Whether input `place` may be of this kind.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] with the place if not.
+    pub fn check_input_kind(&self, place: usize, kind: InputKind) -> Result<()> {
+        let wanted = self.inputs.get(place).or(self.inputs.last()).copied();
+        let fits = wanted == Some(kind);
+        if fits { Ok(()) } else { Err(Error::OptionOutOfRange { option: "inputs", value: place as f64 }) }
+    }
+
+    /// Whether there are so many values.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] with their number if not.
+    pub fn check_value_count(&self, count: usize) -> Result<()> {
+        let most: usize = self.params.iter().map(|param| param.kind.arity()).sum();
+        if count <= most { Ok(()) } else { Err(Error::OptionOutOfRange { option: "values", value: count as f64 }) }
     }
 
     /// Runs the filter.
@@ -127,10 +148,8 @@ impl Filter {
     /// of the wrong number or kind; besides those of the capability itself.
     pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
         self.check_inputs(inputs)?;
+        self.check_value_count(values.len())?;
         let mut all = self.defaults(inputs);
-        if values.len() > all.len() {
-            return Err(Error::OptionOutOfRange { option: "values", value: values.len() as f64 });
-        }
         all[..values.len()].copy_from_slice(values);
         (self.run)(inputs, &Values::check(self.params, &all)?, job)
     }

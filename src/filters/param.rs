@@ -107,6 +107,10 @@ impl<'a> Values<'a> {
             if let Some(&value) = own.iter().find(|&&value| !param.accepts(value)) {
                 return Err(Error::OptionOutOfRange { option: param.id, value });
             }
+            let has_direction = matches!(param.kind, ParamKind::Direction | ParamKind::Plane);
+            if has_direction && own[..3].iter().all(|&component| component == 0.0) {
+                return Err(Error::OptionOutOfRange { option: param.id, value: 0.0 });
+            }
             rest = next;
         }
         Ok(Values { params, values })

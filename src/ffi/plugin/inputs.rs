@@ -4,12 +4,14 @@ use super::descriptor::{
     GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_PLUGIN_F32, GUSSET_PLUGIN_F64, gusset_host, gusset_input,
     gusset_plugin_curves, gusset_plugin_mesh,
 };
+use super::run::Fault;
 use crate::alloc;
 use crate::error::Error;
 use crate::ffi::input;
 use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64, gusset_mesh_view};
 use crate::ffi::status::Failure;
-use crate::filters::data::{Curves, Input};
+use crate::filters::Filter;
+use crate::filters::data::{Curves, Input, InputKind};
 use crate::job::{Job, Progress};
 use crate::mesh::{MAX_ELEMENTS, MeshView, Positions, Scalar};
 use std::cell::Cell;
@@ -34,8 +36,15 @@ impl Given<'_> {
     }
 }
 
-/// All inputs of a call, held to the rules.
-pub(super) fn inputs<'a>(given: *const gusset_input, count: u32, job: &Job<'_>) -> Result<Vec<Given<'a>>, Failure> {
+/// All inputs of a call, held to the rules and to what the filter takes: their number before any is read, and each one's kind
+/// before its arrays are.
+pub(super) fn inputs<'a>(
+    filter: &Filter,
+    given: *const gusset_input,
+    count: u32,
+    job: &Job<'_>,
+) -> Result<Vec<Given<'a>>, Fault> {
+    filter.check_input_count(count as usize)?;
     if count == 0 {
         return Ok(Vec::new());
     }
@@ -44,21 +53,27 @@ pub(super) fn inputs<'a>(given: *const gusset_input, count: u32, job: &Job<'_>) 
     let mut all = alloc::with_capacity(count as usize)?;
     for k in 0..count {
         let part = job.part(f64::from(k) / f64::from(count), f64::from(k + 1) / f64::from(count));
-        let one = input::read(given.wrapping_byte_add(k as usize * size), false, "inputs")?;
-        all.push(read(&one, &part).map_err(|failure| failure.of_input(k))?);
+        let at = given.wrapping_byte_add(k as usize * size);
+        all.push(read(filter, at, k, &part).map_err(|fault| fault.of_input(k))?);
     }
     Ok(all)
 }
 
-fn read<'a>(given: &gusset_input, job: &Job<'_>) -> Result<Given<'a>, Failure> {
+fn read<'a>(filter: &Filter, given: *const gusset_input, place: u32, job: &Job<'_>) -> Result<Given<'a>, Fault> {
+    let given = input::read(given, false, "inputs")?;
     if given.reserved != 0 {
-        return Err(Failure::unknown("reserved", given.reserved.into()));
+        return Err(Failure::unknown("reserved", given.reserved.into()).into());
     }
-    match given.kind {
-        GUSSET_KIND_MESH => mesh(given.view.cast(), job).map(Given::Mesh),
-        GUSSET_KIND_CURVES => curves(given.view.cast(), job).map(Given::Curves),
-        other => Err(Failure::unknown("kind", other.into())),
-    }
+    let kind = match given.kind {
+        GUSSET_KIND_MESH => InputKind::Mesh,
+        GUSSET_KIND_CURVES => InputKind::Curves,
+        other => return Err(Failure::unknown("kind", other.into()).into()),
+    };
+    filter.check_input_kind(place as usize, kind)?;
+    Ok(match kind {
+        InputKind::Mesh => mesh(given.view.cast(), job).map(Given::Mesh)?,
+        InputKind::Curves => curves(given.view.cast(), job).map(Given::Curves)?,
+    })
 }
 
 fn mesh<'a>(view: *const gusset_plugin_mesh, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
@@ -123,8 +138,9 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
     Ok(found)
 }
 
-/// The host's values, copied as they may have any alignment.
-pub(super) fn values(given: *const f64, count: u32) -> Result<Vec<f64>, Failure> {
+/// The host's values, copied as they may have any alignment; no more of them are read than the filter has.
+pub(super) fn values(filter: &Filter, given: *const f64, count: u32) -> Result<Vec<f64>, Failure> {
+    filter.check_value_count(count as usize)?;
     let bytes = input::bytes(given.cast(), count as usize, 8, "values")?;
     Ok(alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned::<f64>))?)
 }

@@ -50,7 +50,13 @@ impl From<Output> for Held {
     fn from(output: Output) -> Self {
         match output {
             Output::Mesh(mesh) => Held::Mesh(mesh),
-            Output::Curves(curves) => Held::Curves(curves),
+            Output::Curves(mut curves) => {
+                // A host may read the first offset even where there are no curves.
+                if curves.offsets.is_empty() {
+                    curves.offsets = vec![0];
+                }
+                Held::Curves(curves)
+            }
             Output::Text(text) => Held::Text(CString::new(text).unwrap_or_default()),
         }
     }
@@ -159,12 +165,8 @@ pub(super) unsafe extern "C" fn failure(outputs: *const gusset_outputs, failure:
             index: 0,
             value: 0.0,
         };
-        if let Some(Fault { failure, param }) = &outputs.fault {
-            report.param = *param;
-            // Without an element, the failure need not be about an input.
-            if failure.element != 0 || failure.input != 0 {
-                report.input = failure.input;
-            }
+        if let Some(Fault { failure, param, input }) = &outputs.fault {
+            (report.param, report.input) = (*param, *input);
             (report.element, report.index, report.value) = (failure.element, failure.index, failure.value);
         }
         out.write(report);

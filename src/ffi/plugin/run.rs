@@ -23,17 +23,18 @@ pub(super) unsafe extern "C" fn run(
     value_count: u32,
     outputs: *mut *mut gusset_outputs,
 ) -> i32 {
-    let Ok(slot) = input::output(outputs, ptr::null_mut(), "outputs") else {
-        return gusset_status::GUSSET_ERROR_NULL_ARGUMENT as i32;
+    let slot = match input::output(outputs, ptr::null_mut(), "outputs") {
+        Ok(slot) => slot,
+        Err(failure) => return failure.status as i32,
     };
     let outcome = caught(|| {
         let filter = meant(filter)?;
         let host = Host::new(host)?;
         // Before the inputs are looked at: a host that has stopped waiting waits no longer.
         host.job().step(0.0, "reading inputs")?;
-        let given = inputs::inputs(given, input_count, &host.job().part(0.0, 0.05))?;
+        let given = inputs::inputs(filter, given, input_count, &host.job().part(0.0, 0.05))?;
         let given: Vec<Input<'_>> = given.iter().map(inputs::Given::lend).collect();
-        let values = inputs::values(values, value_count)?;
+        let values = inputs::values(filter, values, value_count)?;
         answer(filter, &given, &values, &host.job().part(0.05, 1.0))
     });
     let status = outcome.as_ref().map_or_else(|fault| fault.failure.status as i32, |_| GUSSET_PLUGIN_DONE);
@@ -56,25 +57,42 @@ pub(super) unsafe extern "C" fn suggest(
         let plain = filter.plain_defaults();
         let out = input::results(values, plain.len(), "values")?;
         out.copy_from_slice(&plain);
-        let given = inputs::inputs(given, input_count, &Job::default())?;
+        let given = inputs::inputs(filter, given, input_count, &Job::default())?;
         let given: Vec<Input<'_>> = given.iter().map(inputs::Given::lend).collect();
-        filter.check_inputs(&given)?;
         out.copy_from_slice(&filter.defaults(&given));
         Ok(())
     });
     outcome.map_or_else(|fault| fault.failure.status as i32, |()| GUSSET_PLUGIN_DONE)
 }
 
-/// A failure, and the number of the parameter that it is about.
+/// A failure, and the numbers of the parameter and of the input that it is about, or GUSSET_PLUGIN_NONE.
 pub(super) struct Fault {
     pub(super) failure: Failure,
     pub(super) param: u32,
+    pub(super) input: u32,
 }
 
 impl<F: Into<Failure>> From<F> for Fault {
     fn from(failure: F) -> Self {
-        Fault { failure: failure.into(), param: GUSSET_PLUGIN_NONE }
+        let failure = failure.into();
+        // Without an element it need not be about an input.
+        let names_input = (failure.element != 0 || failure.input != 0) && !is_environment(&failure);
+        let input = if names_input { failure.input } else { GUSSET_PLUGIN_NONE };
+        Fault { failure, param: GUSSET_PLUGIN_NONE, input }
     }
+}
+
+impl Fault {
+    /// The same of input `input`, whatever it is about in it.
+    pub(super) fn of_input(self, input: u32) -> Self {
+        if is_environment(&self.failure) { self } else { Fault { input, ..self } }
+    }
+}
+
+/// A cancel or a want of memory is no input's fault.
+fn is_environment(failure: &Failure) -> bool {
+    use gusset_status::{GUSSET_ERROR_CANCELLED, GUSSET_ERROR_OUT_OF_MEMORY};
+    matches!(failure.status, GUSSET_ERROR_CANCELLED | GUSSET_ERROR_OUT_OF_MEMORY)
 }
 
 fn caught<T>(body: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
@@ -99,6 +117,8 @@ fn answer(filter: &Filter, given: &[Input<'_>], values: &[f64], job: &Job<'_>) -
             Error::OptionOutOfRange { option, .. } => filter.params.iter().position(|param| param.id == option),
             _ => None,
         };
-        Fault { failure: error.into(), param: param.map_or(GUSSET_PLUGIN_NONE, |place| place as u32) }
+        let fault = Fault { param: param.map_or(GUSSET_PLUGIN_NONE, |place| place as u32), ..Fault::from(error) };
+        // What is made of nothing has no input at fault.
+        if given.is_empty() { Fault { input: GUSSET_PLUGIN_NONE, ..fault } } else { fault }
     })
 }

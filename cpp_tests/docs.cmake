@@ -1,0 +1,94 @@
+# The documentation is compiled, run and complete: the examples of the reference and of the guides, the reference itself, the site.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+foreach(name meshes stitching curves nets nets_joined surfaces)
+  add_executable(reference_${name} ${root}/examples/reference/${name}.c)
+  set_target_properties(reference_${name} PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
+  target_compile_options(reference_${name} PRIVATE ${strict} -Wconversion -Wshadow)
+  target_link_libraries(reference_${name} PRIVATE PkgConfig::gusset m)
+  add_test(NAME reference/${name} COMMAND reference_${name})
+endforeach()
+
+# What the guides show; their pages are held against these files by tests/snippets.rs.
+set(guides ${root}/examples/guides)
+add_executable(guide_c ${guides}/start.c)
+set_target_properties(guide_c PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
+target_compile_options(guide_c PRIVATE ${strict} -Wconversion -Wshadow)
+target_link_libraries(guide_c PRIVATE PkgConfig::gusset)
+add_test(NAME guides/c COMMAND guide_c)
+set_tests_properties(guides/c PROPERTIES PASS_REGULAR_EXPRESSION "a loop of 4 vertices.*; 0 loops left.*the first new vertex has the normal")
+
+find_package(Threads REQUIRED)
+add_executable(guide_cpp ${guides}/start.cpp)
+target_compile_options(guide_cpp PRIVATE ${strict} -Wshadow)
+target_link_libraries(guide_cpp PRIVATE PkgConfig::gusset Threads::Threads)
+add_test(NAME guides/cpp COMMAND guide_cpp)
+set_tests_properties(guides/cpp PROPERTIES PASS_REGULAR_EXPRESSION
+                     "0 loops left.*corner 2\n.*cancelled.*joined\n0 loops left.*M.*proved.*a ring of.*quads, closed: 1")
+
+add_executable(guide_openmesh ${guides}/openmesh.cpp)
+target_compile_options(guide_openmesh PRIVATE ${strict} -Wno-maybe-uninitialized)
+target_link_libraries(guide_openmesh PRIVATE PkgConfig::gusset OpenMeshCore)
+add_test(NAME guides/openmesh COMMAND guide_openmesh left.obj right.obj WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/generated)
+set_tests_properties(guides/openmesh PROPERTIES FIXTURES_REQUIRED generated)
+
+add_executable(guide_cgal ${guides}/cgal.cpp)
+target_compile_options(guide_cgal PRIVATE ${strict})
+target_link_libraries(guide_cgal PRIVATE PkgConfig::gusset CGAL::CGAL)
+add_test(NAME guides/cgal COMMAND guide_cgal)
+
+# A host links nothing of ours.
+add_executable(guide_plugin ${guides}/plugin.c)
+set_target_properties(guide_plugin PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON)
+target_compile_options(guide_plugin PRIVATE ${strict} -Wconversion -Wshadow)
+target_include_directories(guide_plugin PRIVATE ${GUSSET_PREFIX}/include)
+target_link_libraries(guide_plugin PRIVATE ${CMAKE_DL_LIBS})
+add_test(NAME guides/plugin COMMAND guide_plugin ${GUSSET_PREFIX}/lib/libgusset.so)
+set_tests_properties(guides/plugin PROPERTIES PASS_REGULAR_EXPRESSION "weld: .*4 vertices are left of 6")
+
+# With the host program, which cpp_tests/plugin builds.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/host)
+foreach(side left right)
+  file(CREATE_LINK ${CMAKE_BINARY_DIR}/generated/${side}.obj ${CMAKE_BINARY_DIR}/host/${side}.obj SYMBOLIC)
+endforeach()
+add_test(NAME guides/host COMMAND ${CMAKE_COMMAND} -E env "PATH=$<TARGET_FILE_DIR:gusset-host>:$ENV{PATH}"
+         LD_LIBRARY_PATH=${GUSSET_PREFIX}/lib ${guides}/host.sh WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/host)
+set_tests_properties(guides/host PROPERTIES FIXTURES_REQUIRED generated PASS_REGULAR_EXPRESSION "boundary_loops .*-p meridians=")
+
+# The commands of the guides: by hand, and as a project of a reader's.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/guides)
+add_test(NAME guides/commands COMMAND ${guides}/build.sh WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/guides)
+set_tests_properties(guides/commands PROPERTIES ENVIRONMENT PKG_CONFIG_PATH=${GUSSET_PREFIX}/lib/pkgconfig)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/home)
+file(CREATE_LINK ${GUSSET_PREFIX} ${CMAKE_BINARY_DIR}/home/gusset SYMBOLIC)
+configure_file(${root}/examples/c/stitch.c ${CMAKE_BINARY_DIR}/home/stitch.c COPYONLY)
+add_test(NAME guides/five_minutes COMMAND ${guides}/five_minutes.sh WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/home)
+set_tests_properties(guides/five_minutes PROPERTIES ENVIRONMENT HOME=${CMAKE_BINARY_DIR}/home
+                     PASS_REGULAR_EXPRESSION "10 vertices, 16 faces")
+if(EXISTS ${GUSSET_PREFIX}/lib/cmake/gusset)
+  add_test(NAME guides/project COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${guides} ${CMAKE_BINARY_DIR}/guides/project
+           --build-generator ${CMAKE_GENERATOR} --build-options -DCMAKE_PREFIX_PATH=${GUSSET_PREFIX} --test-command start_c)
+endif()
+
+# The pictures: the same bytes each time.
+add_executable(gallery ${root}/examples/pictures/gallery.cpp)
+target_compile_options(gallery PRIVATE ${strict} -Wconversion -Wshadow)
+target_link_libraries(gallery PRIVATE PkgConfig::gusset)
+foreach(time first second)
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/pictures/${time})
+  add_test(NAME pictures/${time} COMMAND gallery ${CMAKE_BINARY_DIR}/pictures/${time})
+  set_tests_properties(pictures/${time} PROPERTIES FIXTURES_SETUP pictures)
+endforeach()
+foreach(name stitch pieces fill meet)
+  add_test(NAME pictures/${name} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_BINARY_DIR}/pictures/first/${name}.svg
+           ${CMAKE_BINARY_DIR}/pictures/second/${name}.svg)
+  set_tests_properties(pictures/${name} PROPERTIES FIXTURES_REQUIRED pictures)
+endforeach()
+
+# Every function of the header: what it takes, gives and costs, and an example that is among those above.
+add_test(NAME docs/reference COMMAND Python3::Interpreter ${root}/scripts/reference.py --check)
+
+find_program(DOXYGEN doxygen)
+if(DOXYGEN)
+  add_test(NAME docs/site COMMAND ${root}/scripts/docs.sh)
+endif()

@@ -1,0 +1,201 @@
+// How long after a request to stop a run returns, for each filter on large shapes. Prints a table, and fails above a tenth of a
+// second: what it says holds for a machine that does nothing else. No test of `make test`, which has none that look at clocks.
+#include "shapes.h"
+
+#include <CLI/CLI.hpp>
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+constexpr double limit = 100;
+/// Longer runs are not waited for: requests come within that time.
+constexpr Milliseconds longest{20000};
+
+/// A run that stops when it is asked to, and the longest time that it did not ask.
+struct Run {
+    Clock::time_point start, last, end;
+    Milliseconds silence{0};
+    std::string stage = "start", silent_after;
+    std::atomic<bool> stop{false};
+    int32_t status = 0;
+
+    void heard(const char *next) {
+        const auto now = Clock::now();
+        if (now - last > silence) {
+            silence = now - last;
+            silent_after = stage;
+        }
+        last = now;
+        stage = next;
+    }
+};
+
+int32_t progress(void *user, double, const char *stage) {
+    auto &run = *static_cast<Run *>(user);
+    run.heard(stage);
+    return run.stop || run.last - run.start > longest ? 1 : 0;
+}
+
+/// Sets the flag of a run after a while, unless the run is over by then.
+class Watcher {
+public:
+    Watcher(Run &run, Milliseconds wait)
+        : thread([this, &run, wait] {
+              std::unique_lock lock(guard);
+              if (!over.wait_for(lock, wait, [this] { return finished; })) {
+                  requested = Clock::now();
+                  run.stop = true;
+              }
+          }) {}
+    std::optional<Clock::time_point> finish() {
+        {
+            const std::lock_guard lock(guard);
+            finished = true;
+        }
+        over.notify_all();
+        thread.join();
+        return requested;
+    }
+
+private:
+    std::mutex guard;
+    std::condition_variable over;
+    bool finished = false;
+    std::optional<Clock::time_point> requested;
+    std::thread thread;
+};
+
+class Subject {
+public:
+    Subject(const gusset_plugin &plugin_, const gusset_filter &filter_, uint32_t size, uint32_t threads_)
+        : plugin(plugin_), filter(filter_), threads(threads_) {
+        // The first shapes that it takes, found out on small ones.
+        uint32_t number = 0;
+        for (; number < TRIES; ++number) {
+            Run run;
+            make(number, 8);
+            go(run);
+            shapes_free(&made);
+            if (run.status == GUSSET_PLUGIN_DONE) {
+                break;
+            }
+        }
+        make(number % TRIES, size);
+    }
+    ~Subject() { shapes_free(&made); }
+    Subject(const Subject &) = delete;
+    Subject &operator=(const Subject &) = delete;
+
+    void go(Run &run) const {
+        gusset_host host{};
+        host.struct_size = sizeof host;
+        host.user = &run;
+        host.progress = progress;
+        host.threads = threads;
+        gusset_outputs *outputs = nullptr;
+        run.start = run.last = Clock::now();
+        run.status = filter.run(&filter, &host, made.inputs, made.count, values.data(), filter.value_count, &outputs);
+        run.end = Clock::now();
+        run.heard("end");
+        plugin.output_free(outputs);
+    }
+
+private:
+    void make(uint32_t number, uint32_t size) {
+        shapes_make(&made, &filter, number, size);
+        values.assign(filter.value_count, 0);
+        static_cast<void>(filter.suggest(&filter, made.inputs, made.count, values.data()));
+        // What is made of nothing is as large as its whole numbers say.
+        for (uint32_t i = 0; filter.max_inputs == 0 && i < filter.param_count; ++i) {
+            const gusset_param_info &param = *filter.param(&filter, i);
+            if (param.kind == GUSSET_PARAM_INT) {
+                values[param.first_value] = std::clamp<double>(size + 1, param.min, param.max);
+            }
+        }
+    }
+
+    const gusset_plugin &plugin;
+    const gusset_filter &filter;
+    const uint32_t threads;
+    shapes made{};
+    std::vector<double> values;
+};
+
+/// One row of the table; false if the filter is too slow to stop.
+bool measure(const gusset_plugin &plugin, const gusset_filter &filter, uint32_t size, uint32_t threads, int cancels) {
+    const Subject subject(plugin, filter, size, threads);
+    Run whole;
+    subject.go(whole);
+    const Milliseconds time = whole.end - whole.start;
+    const bool cut = whole.status == GUSSET_PLUGIN_CANCELLED;
+    if (whole.status != GUSSET_PLUGIN_DONE && !cut) {
+        std::printf("%-20s refuses its shapes, with status %d\n", filter.id, whole.status);
+        return false;
+    }
+    std::mt19937 random(1);
+    std::vector<double> late;
+    // Runs take their time differently: some requests come too late.
+    for (int k = 0; k < 3 * cancels && late.size() < static_cast<std::size_t>(cancels); ++k) {
+        Run run;
+        Watcher watcher(run, std::uniform_real_distribution<>(0, 0.95)(random) * std::min(time, longest));
+        subject.go(run);
+        const auto requested = watcher.finish();
+        if (requested && *requested <= run.end && run.status == GUSSET_PLUGIN_CANCELLED) {
+            late.push_back(Milliseconds(run.end - *requested).count());
+        }
+    }
+    std::sort(late.begin(), late.end());
+    const double median = late.empty() ? 0 : late[late.size() / 2], worst = late.empty() ? 0 : late.back();
+    std::printf("%-20s %s%8.0f %8.1f %8.1f %5zu %10.1f  after \"%s\"\n", filter.id, cut ? ">" : " ", time.count(), median, worst,
+                late.size(), whole.silence.count(), whole.silent_after.c_str());
+    std::fflush(stdout);
+    return worst <= limit;
+}
+} // namespace
+
+int main(int argc, char **argv) {
+    CLI::App app("How long after a request to stop the filters of a plugin return.");
+    std::string library;
+    std::vector<std::string> only;
+    uint32_t size = 1000, threads = 0;
+    int cancels = 20;
+    app.add_option("library", library, "The plugin")->required();
+    app.add_option("filters", only, "Ids; all of them without any");
+    app.add_option("--size", size, "The square root of the number of faces and points")->capture_default_str();
+    app.add_option("--cancels", cancels, "How many, at random times")->capture_default_str();
+    app.add_option("--threads", threads, "0: as many as the machine has")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+
+    void *open = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const auto entry = open != nullptr ? reinterpret_cast<gusset_plugin_entry_fn>(dlsym(open, "gusset_plugin_entry")) : nullptr;
+    const gusset_plugin *plugin = entry != nullptr ? entry(GUSSET_PLUGIN_ABI) : nullptr;
+    if (plugin == nullptr) {
+        std::fprintf(stderr, "%s is no plugin of ABI %d\n", library.c_str(), GUSSET_PLUGIN_ABI);
+        return 2;
+    }
+    std::printf("%u x %u faces or points, times in ms\n%-20s %9s %8s %8s %5s %10s\n", size, size, "filter", "run", "median",
+                "worst", "of", "silence");
+    bool good = true;
+    for (uint32_t i = 0; i < plugin->filter_count; ++i) {
+        const gusset_filter &filter = *plugin->filter(i);
+        if (only.empty() || std::find(only.begin(), only.end(), filter.id) != only.end()) {
+            good = measure(*plugin, filter, size, threads, cancels) && good;
+        }
+    }
+    std::printf(good ? "all within %.0f ms\n" : "not all within %.0f ms\n", limit);
+    return good ? 0 : 1;
+}

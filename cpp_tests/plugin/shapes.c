@@ -1,0 +1,151 @@
+#include "shapes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double turn = 6.283185307179586;
+
+static void *room(size_t count, size_t size) {
+    void *memory = calloc(count, size);
+    if (memory == NULL) {
+        fputs("no memory for the shapes\n", stderr);
+        exit(2);
+    }
+    return memory;
+}
+
+/* Where u and v, from 0 to 1, are on shape number `form`; the one below another is seen from its other side. */
+static void place(uint32_t form, double u, double v, double below, double *at) {
+    if (form == 1) {
+        const double radius = 1 + 0.1 * sin(3 * turn * v);
+        at[0] = radius * cos(turn * u);
+        at[1] = radius * sin(turn * u);
+        at[2] = 3 * v - 3.5 * below;
+    } else if (form == 2) {
+        const double radius = sin(0.5 * turn * v) * (1 + 0.3 * below);
+        at[0] = radius * cos(turn * u);
+        at[1] = radius * sin(turn * u);
+        at[2] = -cos(0.5 * turn * v) * (1 + 0.3 * below);
+    } else {
+        at[0] = 2 * u - 1;
+        at[1] = (below > 0 ? -1 : 1) * (2 * v - 1);
+        at[2] = 0.3 * sin(turn * u) * cos(turn * v) + 0.2 * u * v - 0.5 * below;
+    }
+}
+
+/* A sheet of n x n quads; a tube, whose columns are closed; a sphere, whose first and last rows are fans of triangles. */
+static void make_mesh(shapes *made, uint32_t k, uint32_t form, uint32_t n) {
+    const int round = form != 0, poles = form == 2;
+    const uint32_t columns = round ? n : n + 1, rows = n + 1;
+    const size_t faces = (size_t)n * n;
+    const size_t vertices = poles ? (size_t)(rows - 2) * columns + 2 : (size_t)rows * columns;
+    double *points = room(3 * vertices, sizeof *points);
+    uint32_t *offsets = room(faces + 1, sizeof *offsets), *corners = room(4 * faces, sizeof *corners);
+    size_t count = 0, face = 0, corner = 0;
+    for (uint32_t i = 0; i < rows; ++i) {
+        const int pole = poles && (i == 0 || i + 1 == rows);
+        for (uint32_t j = 0; j < (pole ? 1 : columns); ++j) {
+            place(form, (double)j / n, (double)i / n, k, points + 3 * count++);
+        }
+    }
+    for (uint32_t i = 0; i < n; ++i) {
+        for (uint32_t j = 0; j < n; ++j) {
+            const uint32_t next = (j + 1) % columns;
+            if (poles) {
+                const uint32_t low = i == 0 ? 0 : 1 + (i - 1) * columns, high = 1 + i * columns;
+                corners[corner++] = i == 0 ? 0 : low + j;
+                if (i > 0) {
+                    corners[corner++] = low + next;
+                }
+                corners[corner++] = i + 1 == n ? high : high + next;
+                if (i + 1 < n) {
+                    corners[corner++] = high + j;
+                }
+            } else {
+                corners[corner++] = i * columns + j;
+                corners[corner++] = i * columns + next;
+                corners[corner++] = (i + 1) * columns + next;
+                corners[corner++] = (i + 1) * columns + j;
+            }
+            offsets[++face] = (uint32_t)corner;
+        }
+    }
+    gusset_plugin_mesh *mesh = &made->views[k].mesh;
+    memset(mesh, 0, sizeof *mesh);
+    mesh->struct_size = sizeof *mesh;
+    mesh->positions = points;
+    mesh->vertex_count = vertices;
+    mesh->face_offsets = offsets;
+    mesh->face_corners = corners;
+    mesh->face_count = faces;
+    mesh->scalar = GUSSET_PLUGIN_F64;
+    made->memory[k][0] = points;
+    made->memory[k][1] = offsets;
+    made->memory[k][2] = corners;
+    made->inputs[k].view = mesh;
+}
+
+/* n rings of n points each, one above the other, with three waves. */
+static void make_curves(shapes *made, uint32_t k, int closed, uint32_t n) {
+    double *points = room(3 * (size_t)n * n, sizeof *points);
+    uint32_t *offsets = room((size_t)n + 1, sizeof *offsets);
+    uint8_t *flags = room(n, 1);
+    for (uint32_t c = 0; c < n; ++c) {
+        for (uint32_t p = 0; p < n; ++p) {
+            double *at = points + 3 * ((size_t)c * n + p);
+            const double angle = turn * p / n, radius = 1 + 0.1 * sin(3 * angle);
+            at[0] = radius * cos(angle);
+            at[1] = radius * sin(angle);
+            at[2] = 0.25 * c + 3.0 * k;
+        }
+        offsets[c + 1] = (c + 1) * n;
+        flags[c] = (uint8_t)closed;
+    }
+    gusset_plugin_curves *curves = &made->views[k].curves;
+    memset(curves, 0, sizeof *curves);
+    curves->struct_size = sizeof *curves;
+    curves->points = points;
+    curves->point_count = (size_t)n * n;
+    curves->offsets = offsets;
+    curves->closed = flags;
+    curves->curve_count = n;
+    curves->scalar = GUSSET_PLUGIN_F64;
+    made->memory[k][0] = points;
+    made->memory[k][1] = offsets;
+    made->memory[k][2] = flags;
+    made->inputs[k].view = curves;
+}
+
+void shapes_make(shapes *made, const gusset_filter *filter, uint32_t number, uint32_t size) {
+    memset(made, 0, sizeof *made);
+    const uint32_t wanted = number == 3 ? 1 : 2;
+    made->count = filter->max_inputs < wanted ? filter->max_inputs : wanted;
+    if (made->count < filter->min_inputs) {
+        made->count = filter->min_inputs;
+    }
+    if (made->count > MOST_INPUTS) {
+        fprintf(stderr, "%s wants %u inputs, and here are at most %d\n", filter->id, filter->min_inputs, MOST_INPUTS);
+        exit(2);
+    }
+    for (uint32_t k = 0; k < made->count; ++k) {
+        const uint32_t last = filter->input_kind_count - 1;
+        made->inputs[k].struct_size = sizeof made->inputs[k];
+        made->inputs[k].kind = filter->input_kinds[k < last ? k : last];
+        if (made->inputs[k].kind == GUSSET_KIND_CURVES) {
+            make_curves(made, k, number % 2 == 0, size);
+        } else {
+            make_mesh(made, k, number % 3, size);
+        }
+    }
+}
+
+void shapes_free(shapes *made) {
+    for (uint32_t k = 0; k < made->count; ++k) {
+        for (int m = 0; m < 3; ++m) {
+            free(made->memory[k][m]);
+        }
+    }
+    made->count = 0;
+}

@@ -1,0 +1,21 @@
+#!/bin/sh
+# The commands of docs/guides/c.md; pkg-config must know gusset. Programs go where this is run.
+set -eu
+guides=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+cp "$guides/start.c" .
+
+#! [shared]
+cc -std=c99 start.c $(pkg-config --cflags --libs gusset) -o start
+#! [shared]
+
+#! [static]
+cc -std=c99 start.c $(pkg-config --cflags gusset) "$(pkg-config --variable=libdir gusset)/libgusset.a" \
+  -lgcc_s -lutil -lrt -lpthread -lm -ldl -lc -o start-static
+#! [static]
+
+#! [rpath]
+cc -std=c99 start.c $(pkg-config --cflags --libs gusset) "-Wl,-rpath,$(pkg-config --variable=libdir gusset)" -o start-here
+#! [rpath]
+
+./start-static
+./start-here

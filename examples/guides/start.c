@@ -1,0 +1,145 @@
+/* The programs of docs/guides/c.md in one: two open shells become one closed mesh. */
+#include <gusset.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+//! [view]
+/* Your own arrays, as they are: here interleaved positions and normals in single precision, and triangles. */
+typedef struct {
+    float position[3];
+    float normal[3];
+} vertex;
+
+static gusset_mesh_view view_of(const vertex *vertices, size_t vertex_count, const uint32_t *corners, size_t face_count) {
+    gusset_mesh_view view = {0};
+    view.struct_size = sizeof view;
+    view.positions = vertices->position;
+    view.position_stride = sizeof *vertices;
+    view.vertex_count = vertex_count;
+    view.face_corners = corners;
+    view.face_count = face_count;
+    view.face_size = 3;
+    view.scalar = GUSSET_F32;
+    return view;
+}
+//! [view]
+
+//! [error]
+/* Every call that can fail says whether it did; with a context it says why, too. */
+static void must(gusset_status status, const gusset_context *context) {
+    gusset_report report = {0};
+    if (status == GUSSET_OK) {
+        return;
+    }
+    fprintf(stderr, "%s: %s\n", gusset_status_text(status), gusset_context_message(context));
+    report.struct_size = sizeof report;
+    if (context != NULL && gusset_context_report(context, &report) == GUSSET_OK && report.element != GUSSET_ELEMENT_NONE) {
+        fprintf(stderr, "element %lu, value %g\n", (unsigned long)report.index, report.value);
+    }
+    exit(1);
+}
+//! [error]
+
+//! [progress]
+/* Called now and then on the thread that made the call; anything but 0 cancels it. */
+static int on_progress(void *user, double fraction, const char *stage) {
+    FILE *log = user;
+    fprintf(log, "%3.0f %% %s\n", 100.0 * fraction, stage);
+    return 0;
+}
+//! [progress]
+
+//! [loops]
+static void print_loops(const gusset_context *context, const gusset_mesh_view *mesh) {
+    gusset_boundary *boundary = NULL;
+    gusset_loop_view loop = {0};
+    size_t i;
+    must(gusset_boundary_create(context, mesh, NULL, &boundary), context);
+    loop.struct_size = sizeof loop;
+    for (i = 0; i < gusset_boundary_loop_count(boundary); ++i) {
+        must(gusset_boundary_loop(boundary, i, &loop), NULL);
+        printf("a loop of %lu vertices, %g long%s\n", (unsigned long)loop.vertices.count, loop.length,
+               loop.flags == 0 ? "" : ", and odd: see its flags");
+    }
+    gusset_boundary_destroy(boundary);
+}
+//! [loops]
+
+//! [attributes]
+/* What you keep for vertices goes with them: old ones by the map, new ones by their two parents. */
+static void carry_normals(const gusset_stitch_parts *parts, const vertex *const old[2], vertex *result, size_t count) {
+    const size_t new_count = parts->parents.count / 2, first_new = count - new_count;
+    size_t mesh, v, k;
+    for (mesh = 0; mesh < 2; ++mesh) {
+        for (v = 0; v < parts->vertex_map[mesh].count; ++v) {
+            memcpy(result[parts->vertex_map[mesh].data[v]].normal, old[mesh][v].normal, sizeof old[mesh][v].normal);
+        }
+    }
+    for (v = 0; v < new_count; ++v) {
+        const float *a = result[parts->parents.data[2 * v]].normal, *b = result[parts->parents.data[2 * v + 1]].normal;
+        for (k = 0; k < 3; ++k) {
+            result[first_new + v].normal[k] = (float)((1.0 - parts->weights[v]) * a[k] + parts->weights[v] * b[k]);
+        }
+    }
+}
+//! [attributes]
+
+int main(void) {
+    static const vertex up[5] = {
+        {{0, 0, 2}, {0, 0, 1}}, {{1, 0, 1}, {1, 0, 0}}, {{0, 1, 1}, {0, 1, 0}}, {{-1, 0, 1}, {-1, 0, 0}}, {{0, -1, 1}, {0, -1, 0}}};
+    static const vertex down[5] = {
+        {{0, 0, -2}, {0, 0, -1}}, {{1, 0, -1}, {1, 0, 0}}, {{0, -1, -1}, {0, -1, 0}}, {{-1, 0, -1}, {-1, 0, 0}}, {{0, 1, -1}, {0, 1, 0}}};
+    static const uint32_t faces[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
+    const vertex *const old[2] = {up, down};
+    const gusset_mesh_view a = view_of(up, 5, faces, 4), b = view_of(down, 5, faces, 4);
+    gusset_stitch_options options = {0};
+    gusset_mesh_view whole = {0};
+    gusset_stitch_parts parts = {0};
+    gusset_quality quality = {0};
+    gusset_context *context = NULL;
+    gusset_stitch *stitch = NULL;
+    vertex *result;
+    size_t v;
+
+    if (gusset_abi() != 1) {
+        fprintf(stderr, "this program was built for another gusset than %s\n", gusset_version());
+        return 1;
+    }
+    must(gusset_context_create(&context), NULL);
+    must(gusset_context_set_progress(context, on_progress, stderr), NULL);
+    print_loops(context, &a);
+
+    //! [stitch]
+    options.struct_size = sizeof options; /* all else 0: the defaults */
+    options.rows = GUSSET_ROWS_MEAN_EDGE; /* interior vertices, about as far apart as those along the rims */
+    options.fairing = GUSSET_FAIRING_THIN_PLATE;
+    must(gusset_stitch_create(context, &a, NULL, &b, NULL, &options, &stitch), context);
+    //! [stitch]
+
+    //! [result]
+    whole.struct_size = sizeof whole;
+    parts.struct_size = sizeof parts;
+    quality.struct_size = sizeof quality;
+    must(gusset_stitch_mesh(stitch, &whole), NULL);
+    must(gusset_stitch_view(stitch, &parts), NULL);
+    must(gusset_stitch_quality(stitch, &quality), NULL);
+    printf("%lu vertices, %lu faces, %lu of them new; %lu loops left\n", (unsigned long)whole.vertex_count,
+           (unsigned long)whole.face_count, (unsigned long)parts.strip_face_count, (unsigned long)quality.loops_left);
+    //! [result]
+
+    result = calloc(whole.vertex_count, sizeof *result);
+    if (result == NULL) {
+        return 1;
+    }
+    for (v = 0; v < whole.vertex_count; ++v) {
+        memcpy(result[v].position, (const float *)whole.positions + 3 * v, sizeof result[v].position);
+    }
+    carry_normals(&parts, old, result, whole.vertex_count);
+    printf("the first new vertex has the normal %g %g %g\n", result[10].normal[0], result[10].normal[1], result[10].normal[2]);
+
+    free(result);
+    gusset_stitch_destroy(stitch);
+    gusset_context_destroy(context);
+    return quality.loops_left != 0;
+}

@@ -1,0 +1,29 @@
+// A run of a filter, from files to files.
+#pragma once
+
+#include "failure.hpp"
+#include "plugin.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+struct RunRequest {
+    std::string filter;
+    std::vector<std::string> inputs;
+    std::vector<std::string> params;
+    std::vector<std::string> outputs;
+    uint32_t threads = 0;
+    bool progress = false;
+    std::optional<double> cancel_after;
+};
+
+/// The values that the filter suggests for these inputs, or if it refuses them, its status and the defaults.
+struct Suggested {
+    std::vector<double> values;
+    int32_t status;
+};
+Suggested suggest(const gusset_filter &filter, const Inputs &inputs);
+
+/// Runs the filter, prints its texts and writes the rest to files. Throws Failure.
+void run(const Plugin &plugin, const RunRequest &request);

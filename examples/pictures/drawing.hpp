@@ -1,0 +1,130 @@
+// A picture of meshes and curves seen from far away, as an SVG file: faces are painted from the farthest to the nearest.
+#pragma once
+
+#include <gusset.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace pictures {
+using gusset::Point3;
+
+inline Point3 minus(const Point3 &a, const Point3 &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline double dot(const Point3 &a, const Point3 &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Point3 cross(const Point3 &a, const Point3 &b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Point3 unit(const Point3 &a) {
+    const double length = std::sqrt(dot(a, a));
+    return length > 0 ? Point3{a[0] / length, a[1] / length, a[2] / length} : a;
+}
+
+/// Red, green and blue from 0 to 255.
+using Colour = std::array<int, 3>;
+inline constexpr Colour blue{70, 118, 168}, ochre{205, 152, 72}, green{86, 150, 96}, grey{176, 174, 166}, red{178, 62, 40};
+
+class Drawing {
+public:
+    /// Seen from `eye`, a direction; `scale` units of the picture for one of space.
+    Drawing(int width, int height, const Point3 &eye, double scale)
+        : width_(width), height_(height), eye_(unit(eye)), right_(unit(cross({0, 0, 1}, eye_))), up_(cross(eye_, right_)),
+          scale_(scale) {}
+
+    /// The place in the picture where the origin of space is from now on.
+    void place(double x, double y) { x_ = x, y_ = y; }
+
+    /// A mesh, face f in the colour that `colour_of(f)` says. Where it is open both sides of faces are seen, the inner one darker.
+    template <class ColourOf>
+    void mesh(const gusset::MeshView &mesh, ColourOf &&colour_of) {
+        const bool open = !gusset::Boundary(mesh).empty();
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            std::vector<Point3> corners;
+            double depth = 0;
+            for (const uint32_t v : mesh.face(f)) {
+                corners.push_back(mesh.position(v));
+                depth += dot(corners.back(), eye_) / static_cast<double>(mesh.face(f).size());
+            }
+            const Point3 normal = unit(cross(minus(corners[2], corners[0]), minus(corners.back(), corners[1])));
+            const double front = dot(normal, eye_);
+            if (front < 0 && !open) {
+                continue;
+            }
+            const double lit = front >= 0 ? 0.4 + 0.6 * std::max(0.0, 0.5 + 0.5 * dot(normal, light_)) : 0.32;
+            const Colour colour = colour_of(f);
+            std::ostringstream text;
+            text << "<path d='" << path(corners) << "z' fill='#" << std::hex;
+            for (const int channel : colour) {
+                const long value = std::lround(channel * lit);
+                text << (value < 16 ? "0" : "") << value;
+            }
+            text << "'/>\n";
+            painted_.push_back({depth, text.str()});
+        }
+    }
+
+    /// A curve, drawn with what it lies on; `nearer`: how far it is lifted towards the eye, so that the faces it lies on do not hide it.
+    void curve(const std::vector<Point3> &points, bool closed, const Colour &colour, double width, double nearer) {
+        for (std::size_t k = 0; k + (closed ? 0 : 1) < points.size(); ++k) {
+            const std::vector<Point3> piece{points[k], points[(k + 1) % points.size()]};
+            std::ostringstream text;
+            text << "<path d='" << path(piece) << "' fill='none' stroke-linecap='round' stroke='rgb(" << colour[0] << ',' << colour[1]
+                 << ',' << colour[2] << ")' stroke-width='" << width << "'/>\n";
+            painted_.push_back({0.5 * dot(piece[0], eye_) + 0.5 * dot(piece[1], eye_) + nearer, text.str()});
+        }
+    }
+
+    /// A line of text in the middle below.
+    void caption(double x, double y, const std::string &text) {
+        std::ostringstream line;
+        line << "<text x='" << x << "' y='" << y << "' text-anchor='middle' stroke='none' fill='#333'>" << text << "</text>\n";
+        captions_ += line.str();
+    }
+
+    /// What was drawn since the last call goes behind what will be drawn.
+    void flush() {
+        std::stable_sort(painted_.begin(), painted_.end(), [](const Painted &a, const Painted &b) { return a.depth < b.depth; });
+        for (const Painted &one : painted_) {
+            body_ += one.text;
+        }
+        painted_.clear();
+    }
+
+    bool write(const std::string &file) {
+        flush();
+        std::ofstream out(file);
+        out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << width_ << ' ' << height_
+            << "' stroke='#fff' stroke-width='0.5' stroke-linejoin='round' font-family='sans-serif' font-size='15'>\n"
+            << body_ << captions_ << "</svg>\n";
+        return out.good();
+    }
+
+private:
+    struct Painted {
+        double depth;
+        std::string text;
+    };
+
+    /// Points of the picture in tenths, which is fine enough and reads the same everywhere.
+    std::string path(const std::vector<Point3> &points) const {
+        std::ostringstream text;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const long x = std::lround(10 * (x_ + scale_ * dot(points[k], right_)));
+            const long y = std::lround(10 * (y_ - scale_ * dot(points[k], up_)));
+            text << (k == 0 ? 'M' : 'L') << 0.1 * static_cast<double>(x) << ' ' << 0.1 * static_cast<double>(y);
+        }
+        return text.str();
+    }
+
+    int width_, height_;
+    Point3 eye_, right_, up_;
+    Point3 light_ = unit({-0.6, -0.9, 1.2});
+    double scale_, x_ = 0, y_ = 0;
+    std::vector<Painted> painted_;
+    std::string body_, captions_;
+};
+} // namespace pictures

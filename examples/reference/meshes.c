@@ -1,0 +1,169 @@
+/* Meshes: what is loaded, contexts, loops, tables, checks, welding, orientation. */
+#include "example.h"
+
+/* An open pyramid: apex 0, rim 1 2 3 4, faces counter-clockwise from outside. */
+static const double points[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
+static const uint32_t corners[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
+static const gusset_mesh_view pyramid = {.struct_size = sizeof(gusset_mesh_view),
+                                         .positions = points,
+                                         .vertex_count = 5,
+                                         .face_corners = corners,
+                                         .face_count = 4,
+                                         .scalar = GUSSET_F64,
+                                         .face_size = 3};
+
+//! [version]
+static void what_is_loaded(void) {
+    /* A library of another interface than the header's would be misunderstood. */
+    HOLDS(gusset_abi() == 1);
+    HOLDS(strcmp(gusset_version(), GUSSET_VERSION_STRING) == 0);
+    HOLDS(strlen(gusset_status_text(GUSSET_ERROR_NO_LOOP)) > 0);
+    HOLDS(strcmp(gusset_status_text(-1), "unknown status") == 0);
+}
+//! [version]
+
+//! [context]
+static int progress(void *user, double fraction, const char *stage) {
+    (void)fraction, (void)stage;
+    ++*(int *)user;
+    return 0; /* anything else cancels the call */
+}
+
+static void log_to(void *user, const char *message) {
+    fprintf(user, "gusset: %s\n", message);
+}
+
+static void a_context(void) {
+    gusset_context *context = NULL;
+    gusset_boundary *boundary = NULL;
+    gusset_report report = {.struct_size = sizeof report};
+    gusset_mesh_view wrong = pyramid;
+    const uint32_t beyond[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 9};
+    int steps = 0;
+
+    MUST(gusset_context_create(&context));
+    MUST(gusset_context_set_threads(context, 2));
+    MUST(gusset_context_set_progress(context, progress, &steps));
+    MUST(gusset_context_set_log(context, log_to, stderr));
+    MUST(gusset_boundary_create(context, &pyramid, NULL, &boundary));
+    gusset_boundary_destroy(boundary);
+    HOLDS(steps > 0 && gusset_context_progress(context) == 1.0);
+
+    /* What went wrong, for people and for programs. */
+    wrong.face_corners = beyond;
+    HOLDS(gusset_boundary_create(context, &wrong, NULL, &boundary) == GUSSET_ERROR_INDEX_OUT_OF_RANGE);
+    HOLDS(strlen(gusset_context_message(context)) > 0);
+    MUST(gusset_context_report(context, &report));
+    HOLDS(report.element == GUSSET_ELEMENT_HALF_EDGE && report.index == 11 && report.value == 9.0);
+
+    /* A cancel, which may come from another thread, holds until it is taken back. */
+    gusset_context_cancel(context);
+    HOLDS(gusset_boundary_create(context, &pyramid, NULL, &boundary) == GUSSET_ERROR_CANCELLED && boundary == NULL);
+    gusset_context_reset(context);
+    MUST(gusset_boundary_create(context, &pyramid, NULL, &boundary));
+    gusset_boundary_destroy(boundary);
+    gusset_context_destroy(context);
+}
+//! [context]
+
+//! [boundary]
+static void loops(void) {
+    gusset_boundary *boundary = NULL;
+    gusset_loop_view loop = {.struct_size = sizeof loop};
+    const gusset_defect *defects = NULL;
+    size_t i, defect_count = 0;
+
+    MUST(gusset_boundary_create(NULL, &pyramid, NULL, &boundary));
+    HOLDS(gusset_boundary_walk_count(boundary) == 1);
+    for (i = 0; i < gusset_boundary_loop_count(boundary); ++i) {
+        MUST(gusset_boundary_loop(boundary, i, &loop));
+        HOLDS(loop.flags == 0 && loop.vertices.count == 4 && about(loop.length, 4.0 * sqrt(2.0)));
+    }
+    /* Nothing is odd about this mesh. */
+    MUST(gusset_boundary_defects(boundary, &defects, &defect_count));
+    HOLDS(i == 1 && defect_count == 0);
+    gusset_boundary_destroy(boundary);
+}
+//! [boundary]
+
+//! [winged]
+static void tables(void) {
+    gusset_winged *winged = NULL;
+    gusset_winged_view view = {.struct_size = sizeof view};
+    size_t i;
+
+    MUST(gusset_winged_create(NULL, &pyramid, NULL, &winged));
+    MUST(gusset_winged_tables(winged, &view));
+    HOLDS(view.edge_count == 8 && view.loop_edges.count == 4);
+    for (i = 0; i < view.loop_edges.count; ++i) {
+        const gusset_winged_edge *edge = &view.edges[view.loop_edges.data[i]];
+        HOLDS((edge->left == UINT32_MAX) != (edge->right == UINT32_MAX));
+    }
+    gusset_winged_destroy(winged);
+}
+//! [winged]
+
+//! [check]
+static void what_is_wrong(void) {
+    gusset_check *check = NULL;
+    gusset_check_report report = {.struct_size = sizeof report};
+
+    MUST(gusset_check_create(NULL, &pyramid, &check));
+    MUST(gusset_check_view(check, &report));
+    HOLDS(report.euler == 1 && report.boundary_edges.count == 4 && report.degenerate_faces.count == 0);
+    HOLDS((report.properties & GUSSET_MESH_MANIFOLD) && !(report.properties & GUSSET_MESH_CLOSED));
+    gusset_check_destroy(check);
+}
+//! [check]
+
+//! [weld]
+static void a_soup_of_triangles(void) {
+    /* Each face with corners of its own, as STL files have them. */
+    double soup[12][3];
+    uint32_t own[12];
+    gusset_mesh_view mesh = pyramid, welded = {.struct_size = sizeof welded};
+    gusset_weld_parts parts = {.struct_size = sizeof parts};
+    gusset_weld *weld = NULL;
+    uint32_t h;
+
+    for (h = 0; h < 12; ++h) {
+        memcpy(soup[h], points[corners[h]], sizeof soup[h]);
+        own[h] = h;
+    }
+    mesh.positions = soup, mesh.vertex_count = 12, mesh.face_corners = own;
+    MUST(gusset_weld_create(NULL, &mesh, NULL, &weld));
+    MUST(gusset_weld_mesh(weld, &welded));
+    MUST(gusset_weld_view(weld, &parts));
+    HOLDS(welded.vertex_count == 5 && welded.face_count == 4);
+    HOLDS(parts.welded_vertices == 7 && parts.sewn_edges == 4 && parts.vertex_map.data[11] == parts.vertex_map.data[1]);
+    gusset_weld_destroy(weld);
+}
+//! [weld]
+
+//! [orient]
+static void a_face_turned_over(void) {
+    const uint32_t mixed[12] = {0, 1, 2, 0, 2, 3, 0, 4, 3, 0, 4, 1};
+    gusset_mesh_view mesh = pyramid, oriented = {.struct_size = sizeof oriented};
+    gusset_orient_parts parts = {.struct_size = sizeof parts};
+    gusset_orient *orient = NULL;
+
+    mesh.face_corners = mixed;
+    MUST(gusset_orient_create(NULL, &mesh, NULL, &orient));
+    MUST(gusset_orient_mesh(orient, &oriented));
+    MUST(gusset_orient_view(orient, &parts));
+    HOLDS(parts.turned_faces == 1 && parts.turned[2] == 1 && parts.one_sided_faces.count == 0);
+    HOLDS(memcmp(oriented.face_corners, corners, sizeof corners) == 0);
+    gusset_orient_destroy(orient);
+}
+//! [orient]
+
+int main(void) {
+    what_is_loaded();
+    a_context();
+    loops();
+    tables();
+    what_is_wrong();
+    a_soup_of_triangles();
+    a_face_turned_over();
+    return 0;
+}

@@ -1,0 +1,305 @@
+/* Nets of quads: coordinates, gluing, space, measures. */
+#include "example.h"
+
+/* A sphere of radius 1 with two poles. */
+static gusset_net *sphere(void) {
+    const gusset_net_primitive shape = {.struct_size = sizeof shape,
+                                        .shape = GUSSET_NET_SPHERE,
+                                        .scalar = GUSSET_F64,
+                                        .rows = 33,
+                                        .columns = 65,
+                                        .radius = 1.0};
+    gusset_net *net = NULL;
+    MUST(gusset_net_primitive_create(NULL, &shape, &net));
+    return net;
+}
+
+/* A flat sheet of rows x columns nodes, one unit apart. */
+static gusset_net *flat(size_t rows, size_t columns) {
+    const gusset_net_primitive shape = {.struct_size = sizeof shape,
+                                        .shape = GUSSET_NET_PLANE,
+                                        .scalar = GUSSET_F64,
+                                        .rows = rows,
+                                        .columns = columns,
+                                        .size = {(double)columns - 1.0, (double)rows - 1.0, 0.0}};
+    gusset_net *net = NULL;
+    MUST(gusset_net_primitive_create(NULL, &shape, &net));
+    return net;
+}
+
+//! [net_primitive]
+static void a_shape(void) {
+    const gusset_net_primitive shape = {.struct_size = sizeof shape,
+                                        .shape = GUSSET_NET_TORUS,
+                                        .scalar = GUSSET_F32,
+                                        .radius = 2.0,
+                                        .minor_radius = 0.5};
+    gusset_net_arrays arrays = {.struct_size = sizeof arrays};
+    gusset_net *net = NULL;
+
+    MUST(gusset_net_primitive_create(NULL, &shape, &net));
+    MUST(gusset_net_view(net, &arrays));
+    HOLDS(arrays.rows == 33 && arrays.columns == 65 && arrays.scalar == GUSSET_F32); /* the default size */
+    gusset_net_destroy(net);
+}
+//! [net_primitive]
+
+//! [net]
+static void whose_memory(void) {
+    /* A tent of 2 x 3 nodes as three matrices of the host's. */
+    float x[6] = {0, 1, 2, 0, 1, 2}, y[6] = {0, 0, 0, 1, 1, 1}, z[6] = {0, 1, 0, 0, 1, 0};
+    double copy[6][3];
+    const gusset_net_arrays mine = {
+        .struct_size = sizeof mine, .rows = 2, .columns = 3, .x = x, .y = y, .z = z, .scalar = GUSSET_F32};
+    const gusset_net_arrays points = {.struct_size = sizeof points,
+                                      .rows = 2,
+                                      .columns = 3,
+                                      .x = &copy[0][0],
+                                      .y = &copy[0][1],
+                                      .z = &copy[0][2],
+                                      .column_stride = sizeof copy[0],
+                                      .scalar = GUSSET_F64};
+    gusset_net_arrays lent = {.struct_size = sizeof lent};
+    gusset_net *copied = NULL, *borrowed = NULL, *clone = NULL, *doubles = NULL;
+
+    MUST(gusset_net_create(NULL, &mine, NULL, &copied));   /* a copy of the coordinates */
+    MUST(gusset_net_borrow(NULL, &mine, NULL, &borrowed)); /* the host's own memory */
+    MUST(gusset_net_clone(NULL, copied, &clone));          /* shares memory until one of the two is changed */
+    MUST(gusset_net_edit(NULL, borrowed, &lent));
+    HOLDS(lent.z == z);
+    ((float *)lent.z)[1] = 2.0F;
+    MUST(gusset_net_edit(NULL, clone, &lent));
+    ((float *)lent.z)[1] = 3.0F;
+    HOLDS(z[1] == 2.0F);
+    MUST(gusset_net_view(copied, &lent));
+    HOLDS(((const float *)lent.z)[1] == 1.0F);
+
+    /* To doubles, and out to the host's points. */
+    MUST(gusset_net_convert_create(NULL, clone, GUSSET_F64, &doubles));
+    MUST(gusset_net_read(NULL, doubles, &points));
+    HOLDS(copy[1][0] == 1.0 && copy[1][2] == 3.0 && copy[5][1] == 1.0);
+    gusset_net_destroy(doubles);
+    gusset_net_destroy(clone);
+    gusset_net_destroy(borrowed);
+    gusset_net_destroy(copied);
+}
+//! [net]
+
+//! [net_gluing]
+static void what_is_glued(void) {
+    const gusset_net_gluing tube = {.struct_size = sizeof tube, .sides = GUSSET_SIDES_TUBE};
+    gusset_net *net = flat(4, 6);
+    gusset_sides sides = 0;
+    size_t seam_count = 9, written = 0;
+    uint32_t reversed = 9;
+    uint8_t matrix[2 * 4 * 6];
+    gusset_seam seams[1];
+
+    MUST(gusset_net_set_gluing(NULL, net, &tube));
+    MUST(gusset_net_topology(net, &sides, &seam_count, &reversed));
+    HOLDS(sides == GUSSET_SIDES_TUBE && seam_count == 0 && reversed == 0);
+    /* The characteristic matrix: the horizontal links of row 0, then the vertical ones; the last one leads back. */
+    MUST(gusset_net_matrix(net, matrix, sizeof matrix, &written));
+    HOLDS(written == sizeof matrix && matrix[5] == 1 && matrix[4] == 0 && matrix[6] == 0);
+    MUST(gusset_net_seams(net, seams, 1, &written));
+    HOLDS(written == 0);
+    gusset_net_destroy(net);
+}
+//! [net_gluing]
+
+//! [net_glue]
+static void gluing_by_hand(void) {
+    gusset_net *net = flat(4, 5);
+    const gusset_gluing link = {.kind = GUSSET_GLUING_LINK, .element = 2 * 6}; /* node 6 and the next one */
+    uint32_t classes[20];
+    size_t written = 0, moved = 0;
+    uint64_t nodes[18], cells[18];
+    gusset_gluing_type found = 0;
+    gusset_net_groups *groups = NULL;
+    gusset_indices offsets = {NULL, 0}, members = {NULL, 0};
+
+    MUST(gusset_net_glue(NULL, net, &link, 1));
+    MUST(gusset_net_saturate(NULL, net));
+    MUST(gusset_net_classes(NULL, net, classes, 20, &written));
+    HOLDS(written == 20 && classes[7] == 6 && classes[8] == 8);
+    MUST(gusset_net_groups_create(NULL, net, &groups));
+    MUST(gusset_net_groups_view(groups, &offsets, &members));
+    HOLDS(offsets.count == 2 && members.count == 2 && members.data[0] == 6 && members.data[1] == 7);
+    gusset_net_groups_destroy(groups);
+
+    /* Which of the 18 local gluings it is, for the node and for the cell above it, which has become a triangle. */
+    MUST(gusset_net_classify_node(NULL, net, 6, 0, &found));
+    HOLDS(found == GUSSET_TYPE_HORIZONTAL);
+    MUST(gusset_net_classify_cell(NULL, net, 1, &found));
+    HOLDS(found == GUSSET_TYPE_HORIZONTAL);
+    MUST(gusset_net_histogram(NULL, net, nodes, cells));
+    HOLDS(nodes[GUSSET_TYPE_HORIZONTAL] >= 1);
+
+    /* Apart again. */
+    MUST(gusset_net_unglue(NULL, net, &link, 1, 0.0, &moved));
+    MUST(gusset_net_classes(NULL, net, classes, 20, &written));
+    HOLDS(classes[7] == 7);
+    gusset_net_destroy(net);
+}
+//! [net_glue]
+
+//! [net_complex]
+static void what_surface_it_is(void) {
+    gusset_net *net = sphere();
+    gusset_net_complex *complex = NULL;
+    gusset_net_complex_report report = {.struct_size = sizeof report};
+
+    MUST(gusset_net_complex_create(NULL, net, GUSSET_NET_CELLS_ALL, &complex));
+    MUST(gusset_net_complex_view(complex, &report));
+    HOLDS(report.euler == 2 && report.genus == 0 && (report.properties & GUSSET_NET_CLOSED));
+    gusset_net_complex_destroy(complex);
+    gusset_net_destroy(net);
+}
+//! [net_complex]
+
+//! [net_validate]
+static void whether_it_is_right(void) {
+    gusset_net *net = sphere();
+    const gusset_net_gluing none = {.struct_size = sizeof none};
+    gusset_net_validation *validation = NULL;
+    gusset_net_validation_report report = {.struct_size = sizeof report};
+    gusset_sides sides = 0;
+
+    MUST(gusset_net_validate_create(NULL, net, 0.0, &validation));
+    MUST(gusset_net_validate_view(validation, &report));
+    HOLDS(report.violation_count == 0);
+    gusset_net_validate_destroy(validation);
+
+    /* What was glued is forgotten, and found again from the coordinates. */
+    MUST(gusset_net_set_gluing(NULL, net, &none));
+    MUST(gusset_net_derive(NULL, net, 0.0));
+    MUST(gusset_net_topology(net, &sides, NULL, NULL));
+    HOLDS(sides == GUSSET_SIDES_TWO_POLES);
+    gusset_net_destroy(net);
+}
+//! [net_validate]
+
+//! [net_transform]
+static void moved(void) {
+    const gusset_operation operations[2] = {{.kind = GUSSET_OPERATION_SCALE, .values = {2}},
+                                            {.kind = GUSSET_OPERATION_TRANSLATE, .values = {0, 0, 5}}};
+    gusset_net *net = sphere();
+    gusset_measures measures = {.struct_size = sizeof measures};
+
+    MUST(gusset_net_transform(NULL, net, operations, 2));
+    MUST(gusset_net_measure(NULL, net, &measures));
+    HOLDS(about(measures.low[2], 3.0) && about(measures.high[2], 7.0));
+    gusset_net_destroy(net);
+}
+//! [net_transform]
+
+//! [net_field]
+static int flatten(void *user, size_t first, size_t count, void *x, void *y, void *z) {
+    double *heights = z;
+    size_t k;
+    (void)first, (void)x, (void)y;
+    for (k = 0; k < count; ++k) {
+        heights[k] *= *(const double *)user;
+    }
+    return 0;
+}
+
+static void deformed(void) {
+    const gusset_field twist = {.struct_size = sizeof twist,
+                                .kind = GUSSET_FIELD_TWIST,
+                                .axis = GUSSET_AXIS_Z,
+                                .strength = 1.0,
+                                .values = {0.5}};
+    double factor = 0.5;
+    uint64_t apart = 9;
+    gusset_net *net = sphere();
+    gusset_measures measures = {.struct_size = sizeof measures};
+
+    MUST(gusset_net_deform(NULL, net, &twist, 1, 0.0));
+    MUST(gusset_net_deform_rows(NULL, net, flatten, &factor)); /* any map of the host's */
+    MUST(gusset_net_measure(NULL, net, &measures));
+    HOLDS(about(measures.high[2], 0.5));
+    MUST(gusset_net_displace(NULL, net, 0.1)); /* outwards along the normals */
+    MUST(gusset_net_measure(NULL, net, &measures));
+    HOLDS(about(measures.high[2], 0.6));
+    MUST(gusset_net_snap(NULL, net, &apart)); /* glued nodes have equal bits already */
+    HOLDS(apart == 0);
+    gusset_net_destroy(net);
+}
+//! [net_field]
+
+//! [net_analyse]
+static void what_a_deformation_does(void) {
+    /* Flattened to a disc, the sphere is folded over. */
+    const gusset_field flat_z = {.struct_size = sizeof flat_z,
+                                 .kind = GUSSET_FIELD_PARALLEL,
+                                 .strength = 1.0,
+                                 .values = {0, 0, 0, 0, 0, 1, 0, 0, 1}};
+    gusset_net *before = sphere(), *after = NULL;
+    gusset_net_analysis *analysis = NULL;
+    gusset_net_analysis_parts parts = {.struct_size = sizeof parts};
+
+    MUST(gusset_net_clone(NULL, before, &after));
+    MUST(gusset_net_deform(NULL, after, &flat_z, 1, 0.0));
+    MUST(gusset_net_analyse_create(NULL, before, after, 1e-12, &analysis));
+    MUST(gusset_net_analysis_view(analysis, &parts));
+    HOLDS(parts.soft == 0 && parts.folded_count > 0 && parts.torn_count == 0 && parts.determinants == NULL);
+    /* Links that have become a point may be made part of the gluing. */
+    MUST(gusset_net_absorb(NULL, after, parts.contracted, parts.contracted_count));
+    gusset_net_analysis_destroy(analysis);
+
+    /* The same without a deformed net, and with the determinants of the field. */
+    MUST(gusset_net_analyse_fields_create(NULL, before, &flat_z, 1, 0.0, 1e-12, &analysis));
+    MUST(gusset_net_analysis_view(analysis, &parts));
+    HOLDS(parts.determinants != NULL && fabs(parts.determinants[0]) < 1e-6);
+    gusset_net_analysis_destroy(analysis);
+    gusset_net_destroy(after);
+    gusset_net_destroy(before);
+}
+//! [net_analyse]
+
+//! [net_normals]
+static void normals(void) {
+    static double x[33 * 65], y[33 * 65], z[33 * 65];
+    gusset_net *net = sphere();
+    uint64_t without = 9;
+
+    MUST(gusset_net_normals(NULL, net, x, y, z, 33 * 65, &without));
+    HOLDS(without == 0 && about(fabs(z[0]), 1.0)); /* poles have theirs too */
+    gusset_net_destroy(net);
+}
+//! [net_normals]
+
+//! [net_measure]
+static void measured(void) {
+    gusset_net *net = sphere();
+    gusset_measures measures = {.struct_size = sizeof measures};
+    gusset_moments moments = {.struct_size = sizeof moments};
+    gusset_planarity planarity = {.struct_size = sizeof planarity};
+    size_t cells = 0;
+
+    MUST(gusset_net_measure(NULL, net, &measures));
+    HOLDS(fabs(measures.area - 4.0 * pi) < 0.1 && fabs(measures.volume - 4.0 / 3.0 * pi) < 0.05);
+    MUST(gusset_net_moments(NULL, net, &moments));
+    HOLDS(about(moments.volume, measures.volume) && fabs(moments.centroid[2]) < 1e-9);
+    /* Trapezia between parallels are plane. */
+    MUST(gusset_net_planarity(NULL, net, 1e-9, NULL, 0, &cells, &planarity));
+    HOLDS(cells == 32 * 64 && planarity.above == 0);
+    gusset_net_destroy(net);
+}
+//! [net_measure]
+
+int main(void) {
+    a_shape();
+    whose_memory();
+    what_is_glued();
+    gluing_by_hand();
+    what_surface_it_is();
+    whether_it_is_right();
+    moved();
+    deformed();
+    what_a_deformation_does();
+    normals();
+    measured();
+    return 0;
+}

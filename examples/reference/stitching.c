@@ -1,0 +1,131 @@
+/* Stitching: facing vertices, meridians, strips, stitches, holes, assemblies. */
+#include "example.h"
+
+/* Two open pyramids, point up and point down, with a gap between their square rims. */
+static const double up[5][3] = {{0, 0, 2}, {1, 0, 1}, {0, 1, 1}, {-1, 0, 1}, {0, -1, 1}};
+static const double down[5][3] = {{0, 0, -2}, {1, 0, -1}, {0, -1, -1}, {-1, 0, -1}, {0, 1, -1}};
+static const uint32_t faces[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
+
+static gusset_mesh_view pyramid(const double points[5][3]) {
+    const gusset_mesh_view view = {.struct_size = sizeof view,
+                                   .positions = points,
+                                   .vertex_count = 5,
+                                   .face_corners = faces,
+                                   .face_count = 4,
+                                   .scalar = GUSSET_F64,
+                                   .face_size = 3};
+    return view;
+}
+
+//! [facing]
+static void which_vertices_face_each_other(void) {
+    /* Two squares side by side: the right side of the one faces the left side of the other. */
+    const double left[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const double right[4][3] = {{4, 0, 0}, {5, 0, 0}, {5, 1, 0}, {4, 1, 0}};
+    gusset_facing *facing = NULL;
+    gusset_facing_view view = {.struct_size = sizeof view};
+
+    MUST(gusset_facing_create(NULL, left[0], 4, right[0], 4, NULL, &facing));
+    MUST(gusset_facing_arcs(facing, &view));
+    HOLDS(view.taken[0][0] == 1 && view.taken[0][1] == 2); /* two vertices from place 1 on */
+    HOLDS(view.taken[1][0] == 3 && view.taken[1][1] == 2); /* two from place 3 on, past the end of the loop */
+    gusset_facing_destroy(facing);
+}
+//! [facing]
+
+//! [meridians]
+static void meridians_by_index(void) {
+    uint32_t j[7];
+    size_t count = 0;
+
+    MUST(gusset_meridians_index(6, 3, NULL, 0, &count));
+    HOLDS(count == 7);
+    MUST(gusset_meridians_index(6, 3, j, 7, &count));
+    HOLDS(j[0] == 0 && j[2] == 1 && j[4] == 2 && j[6] == 3);
+}
+//! [meridians]
+
+//! [stitch]
+static void two_loops_joined(void) {
+    const gusset_mesh_view a = pyramid(up), b = pyramid(down);
+    gusset_stitch_options options = {.struct_size = sizeof options, .rows = GUSSET_ROWS_COUNT, .row_count = 1};
+    gusset_mesh_view whole = {.struct_size = sizeof whole}, strip = {.struct_size = sizeof strip};
+    gusset_stitch_parts parts = {.struct_size = sizeof parts};
+    gusset_quality quality = {.struct_size = sizeof quality};
+    gusset_stitch *stitch = NULL;
+
+    /* NULL for both loops: those that lie nearest to each other. */
+    MUST(gusset_stitch_create(NULL, &a, NULL, &b, NULL, &options, &stitch));
+    MUST(gusset_stitch_mesh(stitch, &whole));
+    MUST(gusset_stitch_strip(stitch, &strip));
+    MUST(gusset_stitch_view(stitch, &parts));
+    MUST(gusset_stitch_quality(stitch, &quality));
+    HOLDS(quality.loops_left == 0 && quality.orientation_conflicts == 0);
+    /* The faces of A, those of B, then the strip; old vertices keep their bits. */
+    HOLDS(parts.strip_face_first == 8 && whole.face_count == 8 + strip.face_count);
+    HOLDS(memcmp(whole.positions, up, sizeof up) == 0);
+    /* Each new vertex has two parents and a weight, by which a host interpolates what it keeps of vertices. */
+    HOLDS(parts.parents.count == 2 * (whole.vertex_count - 10) && parts.weights[0] == 0.5);
+    gusset_stitch_destroy(stitch);
+}
+//! [stitch]
+
+//! [strip]
+static void a_strip_of_no_mesh(void) {
+    const double a[3][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    const double b[2][3] = {{0, 1, 0}, {2, 1, 0}};
+    gusset_strip *strip = NULL;
+    gusset_strip_parts parts = {.struct_size = sizeof parts};
+
+    MUST(gusset_strip_create(NULL, a[0], 3, b[0], 2, NULL, &strip));
+    MUST(gusset_strip_view(strip, &parts));
+    HOLDS(parts.triangles.count == 3 * 3 && parts.meridians.count == 2 * 4);
+    gusset_strip_destroy(strip);
+}
+//! [strip]
+
+//! [fill]
+static void a_hole_filled(void) {
+    const gusset_mesh_view mesh = pyramid(up);
+    gusset_mesh_view filled = {.struct_size = sizeof filled};
+    gusset_fill_parts parts = {.struct_size = sizeof parts};
+    gusset_quality quality = {.struct_size = sizeof quality};
+    gusset_fill *fill = NULL;
+
+    /* No loops named: all that the mesh has. */
+    MUST(gusset_fill_create(NULL, &mesh, NULL, 0, NULL, &fill));
+    MUST(gusset_fill_mesh(fill, &filled));
+    MUST(gusset_fill_view(fill, &parts));
+    MUST(gusset_fill_quality(fill, &quality));
+    HOLDS(parts.hole_count == 1 && parts.holes[0].status == GUSSET_HOLE_FILLED);
+    HOLDS(filled.face_count == 6 && about(quality.area, 2.0) && quality.loops_left == 0);
+    gusset_fill_destroy(fill);
+}
+//! [fill]
+
+//! [assembly]
+static void many_pieces(void) {
+    const gusset_mesh_view pieces[2] = {pyramid(up), pyramid(down)};
+    gusset_assembly_options options = {.struct_size = sizeof options, .gap = GUSSET_GAP_GIVEN, .max_gap = 2.5, .fill = 1};
+    gusset_mesh_view whole = {.struct_size = sizeof whole};
+    gusset_assembly_parts parts = {.struct_size = sizeof parts};
+    gusset_assembly *assembly = NULL;
+
+    MUST(gusset_assembly_create(NULL, pieces, 2, &options, &assembly));
+    MUST(gusset_assembly_mesh(assembly, &whole));
+    MUST(gusset_assembly_view(assembly, &parts));
+    HOLDS(parts.joint_count == 1 && parts.joints[0].outcome == GUSSET_JOINT_JOINED && parts.loops_left == 0);
+    HOLDS(whole.face_count == 16 && parts.pieces[1].faces.data[0] == 4);
+    gusset_assembly_destroy(assembly);
+}
+//! [assembly]
+
+int main(void) {
+    which_vertices_face_each_other();
+    meridians_by_index();
+    two_loops_joined();
+    a_strip_of_no_mesh();
+    a_hole_filled();
+    many_pieces();
+    return 0;
+}

@@ -1,0 +1,387 @@
+/* Smooth surfaces: sheets, carcasses, and what is asked of them. */
+#include "example.h"
+
+enum { ROWS = 9, COLUMNS = 13 };
+
+/* Nodes of a tube of radius 1 about the z axis, closed round, from z = 0 to 4. */
+static gusset_sheet *tube(void) {
+    static double points[ROWS][COLUMNS][3];
+    gusset_nodes nodes = {.struct_size = sizeof nodes,
+                          .nodes = points,
+                          .rows = ROWS,
+                          .columns = COLUMNS,
+                          .scalar = GUSSET_F64,
+                          .scheme = GUSSET_SCHEME_SIX_TAP,
+                          .closed_v = 1};
+    gusset_sheet *sheet = NULL;
+    int i, j;
+    for (i = 0; i < ROWS; ++i) {
+        for (j = 0; j < COLUMNS; ++j) {
+            const double angle = 2.0 * pi * (j % (COLUMNS - 1)) / (COLUMNS - 1);
+            points[i][j][0] = cos(angle), points[i][j][1] = sin(angle), points[i][j][2] = 0.5 * i;
+        }
+    }
+    MUST(gusset_sheet_from_nodes(NULL, &nodes, &sheet));
+    return sheet;
+}
+
+/* The flat surface z = height from -2 to 2, as one Bezier patch. */
+static gusset_sheet *table(double height) {
+    const double points[4][3] = {{-2, -2, height}, {-2, 2, height}, {2, -2, height}, {2, 2, height}};
+    gusset_sheet *sheet = NULL;
+    MUST(gusset_sheet_from_patches(NULL, points[0], 1, 1, 1, 1, &sheet));
+    return sheet;
+}
+
+//! [carcass]
+static gusset_carcass *indexed(const gusset_sheet *sheet) {
+    const gusset_carcass_options options = {.struct_size = sizeof options, .tolerance = 1e-9};
+    gusset_carcass *carcass = NULL;
+
+    MUST(gusset_carcass_create(NULL, &sheet, 1, &options, &carcass));
+    return carcass; /* it keeps what it needs: the sheet may be destroyed */
+}
+
+/* What was found with a carcass stays when it is destroyed. */
+static void found_and_kept(const gusset_sheet *sheet) {
+    const double query[3] = {2, 0, 1};
+    gusset_carcass *carcass = indexed(sheet);
+    gusset_surface_region *region = NULL;
+    gusset_surface_paths *paths = NULL;
+    gusset_surface_region_parts cells = {.struct_size = sizeof cells};
+    const double origin[3] = {0, 0, 1.1}, upwards[3] = {0, 0, 1}, offset = 0.0;
+
+    MUST(gusset_carcass_region(NULL, carcass, query, 1.1, &region));
+    MUST(gusset_carcass_section(NULL, carcass, origin, upwards, &offset, 1, NULL, &paths));
+    gusset_carcass_destroy(carcass);
+    MUST(gusset_surface_region_view(region, &cells));
+    HOLDS(cells.cell_count > 0);
+    gusset_surface_paths_destroy(paths);
+    gusset_surface_region_destroy(region);
+}
+//! [carcass]
+
+//! [sheet]
+static void through_nodes(void) {
+    /* In the host's memory, which must stay as it is. */
+    static double points[4][4][3];
+    const gusset_nodes nodes = {
+        .struct_size = sizeof nodes, .nodes = points, .rows = 4, .columns = 4, .scalar = GUSSET_F64};
+    gusset_sheet *copied = NULL, *borrowed = NULL;
+    int i, j;
+
+    for (i = 0; i < 4; ++i) {
+        for (j = 0; j < 4; ++j) {
+            points[i][j][0] = i, points[i][j][1] = j, points[i][j][2] = 0.1 * i * j;
+        }
+    }
+    MUST(gusset_sheet_from_nodes(NULL, &nodes, &copied));
+    MUST(gusset_sheet_borrow(NULL, &nodes, &borrowed));
+    gusset_sheet_destroy(borrowed);
+    gusset_sheet_destroy(copied);
+}
+//! [sheet]
+
+//! [sheet_ask]
+static void what_a_sheet_is(const gusset_sheet *sheet) {
+    enum { CELLS = (ROWS - 1) * (COLUMNS - 1) };
+    double errors[CELLS], bilinear[CELLS], triangles[CELLS], crease = 9.0;
+    gusset_sheet_parts parts = {.struct_size = sizeof parts};
+
+    MUST(gusset_sheet_info(sheet, &parts));
+    HOLDS(parts.rows == ROWS - 1 && parts.columns == COLUMNS - 1 && parts.closed_v == 1 && parts.closed_u == 0);
+    MUST(gusset_sheet_estimates(NULL, sheet, errors, bilinear, triangles, CELLS));
+    /* Twelve nodes round: the sagitta is 1 - cos(15 degrees), the surface is a hundred times nearer to the circle. */
+    HOLDS(bilinear[0] > 0.03 && errors[0] < 1e-3);
+    MUST(gusset_sheet_crease(NULL, sheet, &crease));
+    HOLDS(crease < 1e-9);
+}
+//! [sheet_ask]
+
+//! [sheet_make]
+static void other_kinds(void) {
+    const double flat[2][2][3] = {{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}}};
+    const double u[2][2][3] = {{{1, 0, 1}, {1, 0, 1}}, {{1, 0, -1}, {1, 0, -1}}};
+    const double v[2][2][3] = {{{0, 1, 0}, {0, 1, 0}}, {{0, 1, 0}, {0, 1, 0}}};
+    const double controls[2][3][3] = {{{0, 0, 0}, {0, 1, 1}, {0, 2, 0}}, {{1, 0, 0}, {1, 1, 1}, {1, 2, 0}}};
+    const double knots_u[4] = {0, 0, 1, 1}, knots_v[6] = {0, 0, 0, 1, 1, 1};
+    const gusset_nodes nodes = {
+        .struct_size = sizeof nodes, .nodes = flat, .rows = 2, .columns = 2, .scalar = GUSSET_F64};
+    const gusset_tangents tangents = {
+        .struct_size = sizeof tangents, .u = u[0][0], .v = v[0][0], .twist = GUSSET_TWISTS_ZERO};
+    const gusset_spline spline = {.struct_size = sizeof spline,
+                                  .points = controls[0][0],
+                                  .count_u = 2,
+                                  .count_v = 3,
+                                  .knots_u = knots_u,
+                                  .knot_count_u = 4,
+                                  .knots_v = knots_v,
+                                  .knot_count_v = 6,
+                                  .degree_u = 1,
+                                  .degree_v = 2};
+    gusset_sheet *sheet = NULL;
+
+    MUST(gusset_sheet_from_tangents(NULL, &nodes, &tangents, &sheet));
+    gusset_sheet_destroy(sheet);
+    /* One patch, linear in u and quadratic in v, and the same as a B-spline. */
+    MUST(gusset_sheet_from_patches(NULL, controls[0][0], 1, 2, 1, 1, &sheet));
+    gusset_sheet_destroy(sheet);
+    MUST(gusset_sheet_from_spline(NULL, &spline, &sheet));
+    gusset_sheet_destroy(sheet);
+}
+
+/* The skin of three arcs, one behind another. */
+static void skin(void) {
+    const uint32_t ends[2] = {0, 2};
+    gusset_curve *rows[3];
+    const gusset_curve *lent[3];
+    gusset_curve_net net = {.struct_size = sizeof net, .rows = lent, .row_count = 3};
+    gusset_sheet *sheet = NULL;
+    int k;
+
+    for (k = 0; k < 3; ++k) {
+        const double arc[3][3] = {{k, 0, 0}, {k, 1, 1}, {k, 2, 0}};
+        MUST(gusset_curve_create(NULL, arc[0], 3, 3, ends, 2, 0, &rows[k]));
+        lent[k] = rows[k];
+    }
+    MUST(gusset_sheet_from_curves(NULL, &net, &sheet));
+    gusset_sheet_destroy(sheet);
+    for (k = 0; k < 3; ++k) {
+        gusset_curve_destroy(rows[k]);
+    }
+}
+
+/* The body that a frame of three squares draws. */
+static void body(void) {
+    const double points[12][3] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 1}, {0, 1, 1},
+                                  {-1, 0, 1}, {0, -1, 1}, {1, 0, 2}, {0, 1, 2}, {-1, 0, 2}, {0, -1, 2}};
+    const uint32_t offsets[4] = {0, 4, 8, 12};
+    const gusset_outlines sections = {.struct_size = sizeof sections,
+                                      .points = points,
+                                      .point_count = 12,
+                                      .offsets = offsets,
+                                      .outline_count = 3,
+                                      .dimension = 3,
+                                      .closed = 1};
+    gusset_frame *frame = NULL;
+    gusset_sheet *sheet = NULL;
+
+    MUST(gusset_frame_create(NULL, &sections, NULL, &frame));
+    MUST(gusset_sheet_from_frame(NULL, frame, GUSSET_FRAME_NODES, &sheet));
+    gusset_frame_destroy(frame);
+    gusset_sheet_destroy(sheet);
+}
+//! [sheet_make]
+
+//! [sheet_mesh]
+static void a_mesh_of_it(const gusset_sheet *sheet) {
+    const gusset_sheet_mesh_options options = {.struct_size = sizeof options, .tolerance = 1e-3, .triangles = 1};
+    gusset_sheet_mesh *mesh = NULL;
+    gusset_mesh_view view = {.struct_size = sizeof view};
+    gusset_sheet_mesh_parts parts = {.struct_size = sizeof parts};
+
+    MUST(gusset_sheet_mesh_create(NULL, sheet, &options, &mesh));
+    MUST(gusset_sheet_mesh_view(mesh, &view));
+    MUST(gusset_sheet_mesh_info(mesh, &parts));
+    HOLDS(parts.vertex_count == view.vertex_count && parts.deviation <= 1e-3);
+    gusset_sheet_mesh_destroy(mesh);
+}
+//! [sheet_mesh]
+
+//! [carcass_info]
+static void what_a_carcass_is(const gusset_carcass *carcass) {
+    gusset_carcass_facts facts = {.struct_size = sizeof facts};
+    gusset_carcass_sheet_facts sheet = {.struct_size = sizeof sheet};
+
+    MUST(gusset_carcass_info(carcass, &facts));
+    MUST(gusset_carcass_sheet(carcass, 0, &sheet));
+    HOLDS(facts.sheet_count == 1 && facts.cell_count == sheet.rows * sheet.columns && facts.low[2] <= 0.0);
+}
+//! [carcass_info]
+
+//! [carcass_closest]
+static void nearest_points(const gusset_carcass *carcass) {
+    const double queries[2][3] = {{3, 0, 2}, {0, 0.5, 1}};
+    const gusset_closest_options options = {.struct_size = sizeof options, .most = 2};
+    gusset_surface_closest found[2];
+    gusset_surface_points *points = NULL;
+    gusset_surface_points_parts all = {.struct_size = sizeof all};
+    gusset_surface_region *region = NULL;
+    gusset_surface_region_parts cells = {.struct_size = sizeof cells};
+
+    MUST(gusset_carcass_closest(NULL, carcass, queries[0], 2, 0, NULL, found));
+    HOLDS(about(found[0].distance, 2.0) && (found[0].flags & GUSSET_SURFACE_CLOSEST_PROVEN));
+    HOLDS(about(found[1].point[1], 1.0) && found[1].bound <= found[1].distance);
+    /* From within there are two: before and behind. */
+    MUST(gusset_carcass_minima(NULL, carcass, queries[1], &options, &points));
+    MUST(gusset_surface_points_view(points, &all));
+    HOLDS(all.count >= 1 && about(all.points[0].distance, 0.5));
+    gusset_surface_points_destroy(points);
+    /* The cells within a radius. */
+    MUST(gusset_carcass_region(NULL, carcass, queries[0], 2.1, &region));
+    MUST(gusset_surface_region_view(region, &cells));
+    HOLDS(cells.cell_count > 0 && cells.cell_count < (ROWS - 1) * (COLUMNS - 1));
+    gusset_surface_region_destroy(region);
+}
+//! [carcass_closest]
+
+//! [carcass_line]
+static void lines_and_curves(const gusset_carcass *carcass) {
+    const gusset_line line = {.origin = {-5, 0, 1}, .direction = {1, 0, 0}, .from = -INFINITY, .to = INFINITY};
+    const double bow[3][3] = {{-3, 0, 1}, {0, 0, 3}, {3, 0, 1}};
+    const uint32_t ends[2] = {0, 2};
+    gusset_surface_hits *hits = NULL;
+    gusset_surface_hits_parts parts = {.struct_size = sizeof parts};
+    gusset_surface_hit first;
+    gusset_curve *curve = NULL;
+
+    MUST(gusset_carcass_lines(NULL, carcass, &line, 1, GUSSET_WHICH_ALL, &hits));
+    MUST(gusset_surface_hits_view(hits, &parts));
+    HOLDS(parts.hit_count == 2 && about(parts.hits[0].t, 4.0) && about(parts.hits[1].t, 6.0));
+    gusset_surface_hits_destroy(hits);
+    MUST(gusset_carcass_first_hits(NULL, carcass, &line, 1, &first));
+    HOLDS(first.kind == GUSSET_HIT_CROSSING && about(first.t, 4.0) && about(fabs(first.normal[0]), 1.0));
+
+    MUST(gusset_curve_create(NULL, bow[0], 3, 3, ends, 2, 0, &curve));
+    MUST(gusset_carcass_curve(NULL, carcass, curve, GUSSET_WHICH_ALL, &hits));
+    MUST(gusset_surface_hits_view(hits, &parts));
+    HOLDS(parts.hit_count == 2 && parts.on_curve != NULL && about(parts.hits[0].point[0], -1.0));
+    gusset_surface_hits_destroy(hits);
+    gusset_curve_destroy(curve);
+}
+//! [carcass_line]
+
+//! [carcass_level]
+static void sections(const gusset_carcass *carcass) {
+    static double heights[ROWS * COLUMNS];
+    const double origin[3] = {0, 0, 0}, upwards[3] = {0, 0, 1}, eastwards[3] = {1, 0, 0};
+    const double offsets[2] = {1.1, 2.2}, across = 0.5 * pi;
+    gusset_surface_paths *paths = NULL;
+    gusset_surface_paths_parts parts = {.struct_size = sizeof parts};
+    gusset_nearest_angle nearest = {.struct_size = sizeof nearest};
+    int k;
+
+    MUST(gusset_carcass_section(NULL, carcass, origin, upwards, offsets, 2, NULL, &paths));
+    MUST(gusset_surface_paths_view(paths, &parts));
+    HOLDS(parts.path_count == 2 && parts.closed[0] == 1 && about(parts.points[2], 1.1) && parts.unresolved_count == 0);
+    gusset_surface_paths_destroy(paths);
+
+    /* Levels of any function given at the corners of cells: here the height, so that the curves are the same. */
+    for (k = 0; k < ROWS * COLUMNS; ++k) {
+        heights[k] = 0.5 * (k / COLUMNS);
+    }
+    MUST(gusset_carcass_contours(NULL, carcass, heights, ROWS * COLUMNS, offsets, 2, NULL, &paths));
+    MUST(gusset_surface_paths_view(paths, &parts));
+    HOLDS(parts.path_count == 2 && about(parts.points[2], 1.1));
+    gusset_surface_paths_destroy(paths);
+
+    /* The silhouette seen from the east: two lines along the tube. */
+    MUST(gusset_carcass_isophotes(NULL, carcass, eastwards, &across, 1, NULL, &paths));
+    MUST(gusset_surface_paths_view(paths, &parts));
+    HOLDS(parts.path_count == 2 && parts.closed[0] == 0);
+    gusset_surface_paths_destroy(paths);
+    /* No normal of the tube looks up: the nearest are level. */
+    MUST(gusset_carcass_nearest_angle(NULL, carcass, upwards, 0.0, NULL, &nearest));
+    HOLDS(about(nearest.angle, 0.5 * pi) && about(nearest.deviation, 0.5 * pi));
+}
+//! [carcass_level]
+
+//! [carcass_meet]
+static void intersections(const gusset_carcass *a, const gusset_carcass *b) {
+    gusset_surface_paths *paths = NULL;
+    gusset_surface_paths_parts parts = {.struct_size = sizeof parts};
+    gusset_cell_pairs *pairs = NULL;
+    gusset_cell_pairs_parts near = {.struct_size = sizeof near};
+
+    MUST(gusset_carcass_intersect(NULL, a, b, NULL, &paths));
+    MUST(gusset_surface_paths_view(paths, &parts));
+    HOLDS(parts.path_count == 1 && parts.closed[0] == 1 && parts.others != NULL && about(parts.points[2], 1.7));
+    gusset_surface_paths_destroy(paths);
+    /* Cells that may meet, for a search of the host's own. */
+    MUST(gusset_carcass_candidates(NULL, a, b, 0.0, &pairs));
+    MUST(gusset_cell_pairs_view(pairs, &near));
+    HOLDS(near.count >= COLUMNS - 1);
+    gusset_cell_pairs_destroy(pairs);
+}
+//! [carcass_meet]
+
+//! [carcass_evaluate]
+static void points(const gusset_carcass *carcass) {
+    const double middle[2] = {4.0, 0.0};
+    gusset_surface_place place;
+    gusset_surface_point point;
+
+    MUST(gusset_carcass_locate(NULL, carcass, 0, middle, 1, &place));
+    MUST(gusset_carcass_evaluate(NULL, carcass, &place, 1, &point));
+    HOLDS(about(point.point[0], 1.0) && about(point.point[2], 2.0) && point.normal_kind == GUSSET_NORMAL_REGULAR);
+    /* A cylinder of radius 1 bends one way only. */
+    HOLDS(point.is_curved == 1 && fabs(fabs(point.principal[0] + point.principal[1]) - 1.0) < 0.1 && fabs(point.gaussian) < 1e-9);
+}
+//! [carcass_evaluate]
+
+//! [sheet_curve]
+static void a_line_of_nodes(const gusset_sheet *sheet) {
+    gusset_curve *curve = NULL;
+    double length = 0.0;
+
+    MUST(gusset_sheet_curve(NULL, sheet, GUSSET_ALONG_ROWS, 2.0, &curve));
+    MUST(gusset_curve_length(NULL, curve, &length));
+    HOLDS(fabs(length - 2.0 * pi) < 1e-2); /* once round */
+    gusset_curve_destroy(curve);
+}
+//! [sheet_curve]
+
+//! [carcass_leus]
+static void the_papers_search(const gusset_sheet *sheet) {
+    const gusset_mask_task task = {
+        .struct_size = sizeof task, .object = GUSSET_MASK_POINT, .point = {3, 0, 2}, .within = 2.1};
+    const uint32_t from[2] = {0, 0}, to[2] = {7, 6};
+    const gusset_surface_place place = {.row = 3, .column = 3, .u = 0.5, .v = 0.5};
+    uint64_t words[2];
+    uint32_t chain[2 * 96];
+    double greatest[2], bound = 0.0, normal[3];
+    size_t written = 0;
+    gusset_mask_report report = {.struct_size = sizeof report};
+    gusset_region_report region = {.struct_size = sizeof region};
+
+    MUST(gusset_sheet_diameters(NULL, sheet, NULL, NULL, 0, &written, greatest));
+    HOLDS(written == 96 && greatest[0] <= greatest[1]);
+    MUST(gusset_sheet_curvature_bound(NULL, sheet, &bound));
+    HOLDS(bound >= 1.0 - 0.1);
+    /* The cells that may have a point within the distance: a bit for each. */
+    MUST(gusset_sheet_mask(NULL, sheet, &task, words, 2, &written, &report));
+    HOLDS(written == 2 && report.cells > 0 && report.cells < 96);
+    MUST(gusset_sheet_region(NULL, sheet, words, 2, &region));
+    HOLDS(region.cells == report.cells);
+    /* A shortest chain of cells, over all of them: the moves of a king, and the tube is closed. */
+    MUST(gusset_sheet_chain(NULL, sheet, NULL, 0, from, to, chain, 96, &written));
+    HOLDS(written == 8 && chain[0] == 0 && chain[2 * 7] == 7 && chain[2 * 7 + 1] == 6);
+    MUST(gusset_sheet_normals_by_sections(NULL, sheet, &place, 1, normal));
+    HOLDS(fabs(normal[2]) < 1e-6);
+}
+//! [carcass_leus]
+
+int main(void) {
+    gusset_sheet *round = tube(), *flat = table(1.7);
+    gusset_carcass *a = indexed(round), *b = indexed(flat);
+    through_nodes();
+    found_and_kept(round);
+    what_a_sheet_is(round);
+    other_kinds();
+    skin();
+    body();
+    a_mesh_of_it(round);
+    what_a_carcass_is(a);
+    nearest_points(a);
+    lines_and_curves(a);
+    sections(a);
+    intersections(a, b);
+    points(a);
+    a_line_of_nodes(round);
+    the_papers_search(round);
+    gusset_carcass_destroy(b);
+    gusset_carcass_destroy(a);
+    gusset_sheet_destroy(flat);
+    gusset_sheet_destroy(round);
+    return 0;
+}

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# make pictures: builds the examples that draw against the installation in $1, and draws the pictures of docs/ anew, all but that of
+# the benchmarks, which `make bench` draws. The remaining arguments are the Debian packages it needs. The same bytes each time.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+stage=$1
+shift
+scripts/install-packages.sh "$@"
+cmake -S examples/pictures -B build/pictures -DGUSSET_PREFIX="$stage" >build/pictures.log 2>&1 &&
+  env -u MAKELEVEL -u MAKEFLAGS cmake --build build/pictures --parallel 2 >>build/pictures.log 2>&1 || { tail -n 40 build/pictures.log; exit 1; }
+build/pictures/gallery docs
+build/pictures/outline - docs/outline.svg
+build/pictures/hull - docs/hull.svg docs/hull_view.svg
+build/pictures/scene build/pictures/scene.obj docs/scene.svg
