@@ -61,7 +61,7 @@ check:
 
 # What is ignored in `make test` because it takes minutes.
 exhaustive:
-	$(CARGO) test --release --locked --test 'carcass_*' -- --ignored --nocapture exhaustive_
+	$(CARGO) test --profile search --locked --test 'carcass_*' -- --ignored --nocapture exhaustive_
 
 test: check stage
 	@scripts/install-packages.sh $(test_packages)

@@ -141,6 +141,35 @@ fn compare_nearest(queries: usize, seed: u64) {
     }
 }
 
+/// The mask of cells within a distance of a point: the paper's is the index's, but for cells that come as near as the tolerance.
+#[test]
+fn regions_of_cells() {
+    let mut count = 0;
+    for case in cases() {
+        let (centre, size) = case.centre();
+        let mut random = Random(25);
+        for _ in 0..12 {
+            let query = centre + random.point(0.8 * size);
+            let nearest = case.carcass.closest(query, f64::INFINITY).unwrap().distance;
+            let radius = nearest + 0.2 * size;
+            let within = |radius| {
+                let (object, job) = (Object::Point(query), Job::default());
+                cells_within(&case.sheet, &case.diameters, object, radius, case.tolerance, &job).unwrap()
+            };
+            let region = case.carcass.region(query, radius, &Job::default()).unwrap();
+            let (least, most) = (within(radius - 4.0 * case.tolerance), within(radius + 4.0 * case.tolerance));
+            for k in 0..case.lattice().len() {
+                let (cell, has) = (case.lattice().cell(k), region.has(k as u64));
+                assert!(has || !least.get(cell), "{}: {query} {radius} lacks {cell:?}", case.name);
+                assert!(!has || most.get(cell), "{}: {query} {radius} has {cell:?}", case.name);
+                count += usize::from(has);
+            }
+            assert!(region.cells.len() < case.lattice().len() || case.lattice().len() < 50, "{}", case.name);
+        }
+    }
+    assert!(count > 500, "{count}");
+}
+
 /// True if a point of one of the places is in a cell, or on its edge.
 fn has(case: &Case, cell: [usize; 2], places: &[Place]) -> bool {
     let own = |place: &Place| place.cell == cell.map(|k| k as u32);

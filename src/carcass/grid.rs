@@ -103,19 +103,35 @@ impl<'a> Nodes<'a> {
         DVec3::from_slice(&self.data[at..at + 3])
     }
 
+    /// The coordinates of six nodes of a row, if they follow each other.
+    #[inline(always)]
+    fn window(&self, i: usize, columns: &[usize; TAPS]) -> Option<&Window> {
+        let follow = self.column_stride == 3 && columns[TAPS - 1] == columns[0] + TAPS - 1;
+        if follow { self.data[i * self.row_stride + 3 * columns[0]..].first_chunk() } else { None }
+    }
+
+    /// Nodes by row and column, each as four numbers for vectors of these: the fourth is of no use.
+    #[inline(always)]
+    pub(super) fn quads(&self) -> impl Fn(usize, usize) -> [f64; 4] {
+        let (data, strides): (&[f64], _) = (&self.data, [self.row_stride, self.column_stride]);
+        move |i, j| {
+            let at = i * strides[0] + j * strides[1];
+            match data[at..].first_chunk() {
+                Some(&four) => four,
+                None => [data[at], data[at + 1], data[at + 2], 0.0],
+            }
+        }
+    }
+
     /// Reads the coordinates of six nodes of a row.
     #[inline(always)]
-    fn read(&self, i: usize, columns: &[usize; TAPS], window: &mut Window) {
-        let (first, last) = (columns[0], columns[TAPS - 1]);
-        if self.column_stride == 3 && last == first + TAPS - 1 {
-            let at = i * self.row_stride + 3 * first;
-            window.copy_from_slice(&self.data[at..at + 3 * TAPS]);
-            return;
-        }
+    fn read(&self, i: usize, columns: &[usize; TAPS]) -> Window {
+        let mut window = [0.0; 3 * TAPS];
         for (node, &column) in window.chunks_exact_mut(3).zip(columns) {
             let at = i * self.row_stride + column * self.column_stride;
             node.copy_from_slice(&self.data[at..at + 3]);
         }
+        window
     }
 
     /// The coordinates of a row without gaps, if there are none between nodes.
@@ -197,14 +213,14 @@ impl<'a> Grid<'a> {
         let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
         // First across the rows, all coordinates of all columns at once, then along them. The outer points are nodes, or sums over one
         // line of nodes: with the same bits for both cells that have them in common.
-        let mut nodes = [[0.0; 3 * TAPS]; TAPS];
-        for (window, &row) in nodes.iter_mut().zip(&rows) {
-            self.nodes.read(row, &columns, window);
-        }
+        let direct = rows.map(|row| self.nodes.window(row, &columns));
+        let read =
+            if direct[0].is_none() { rows.map(|row| self.nodes.read(row, &columns)) } else { [[0.0; 3 * TAPS]; TAPS] };
+        let nodes: [&Window; TAPS] = std::array::from_fn(|k| direct[k].unwrap_or(&read[k]));
         let (row, column) = (self.u.place(i), self.v.place(j));
         let inner = [blended(&row_weights[1], &nodes), blended(&row_weights[2], &nodes)];
         let mut points = [[DVec3::ZERO; 4]; 4];
-        for (points, line) in points.iter_mut().zip([&nodes[row], &inner[0], &inner[1], &nodes[row + 1]]) {
+        for (points, line) in points.iter_mut().zip([nodes[row], &inner[0], &inner[1], nodes[row + 1]]) {
             *points = bezier(line, column, column_weights);
         }
         Patch { points }
@@ -216,10 +232,10 @@ type Window = [f64; 3 * TAPS];
 
 /// The sum of lines of nodes by their weights.
 #[inline(always)]
-fn blended(weights: &[f64; TAPS], lines: &[Window; TAPS]) -> Window {
+fn blended(weights: &[f64; TAPS], lines: &[&Window; TAPS]) -> Window {
     let mut sum = [0.0; 3 * TAPS];
     for (weight, line) in weights.iter().zip(lines) {
-        sum.iter_mut().zip(line).for_each(|(sum, x)| *sum += weight * x);
+        sum.iter_mut().zip(*line).for_each(|(sum, x)| *sum += weight * x);
     }
     sum
 }

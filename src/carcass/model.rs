@@ -108,6 +108,7 @@ impl<'a> Carcass<'a> {
     }
 
     /// The same, of a place whose derivatives are known.
+    #[inline]
     pub(crate) fn normal_by(&self, place: Place, jet: &Jet) -> DVec3 {
         jet.regular_normal(self.slope_noise()).unwrap_or_else(|| self.normal(place))
     }
@@ -118,6 +119,7 @@ impl<'a> Carcass<'a> {
     }
 
     /// No less than what derivatives of any patch may be off by for rounding of its control points.
+    #[inline]
     fn slope_noise(&self) -> f64 {
         1024.0 * f64::EPSILON * self.bounds.low.abs().max(self.bounds.high.abs()).max_element()
     }

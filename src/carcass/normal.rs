@@ -51,6 +51,7 @@ fn binomials<const N: usize>(degree: usize) -> [f64; N] {
 }
 
 /// The unit normal of the plane that tangents span, if they do.
+#[inline]
 pub(super) fn regular(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
     let normal = u.cross(v);
     let (u, v) = (u.length_squared(), v.length_squared());

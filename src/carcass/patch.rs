@@ -49,6 +49,7 @@ impl<const N: usize> Patch<N> {
     }
 
     /// The point at (u, v) and the derivatives there.
+    #[inline]
     pub fn jet(&self, u: f64, v: f64) -> Jet {
         // First in u, for all columns at once, then in v.
         let [points, first, second] = self.across(u);
@@ -130,6 +131,7 @@ impl Jet {
     }
 
     /// The same, but `None` also where a tangent is no longer than `noise`.
+    #[inline]
     pub(crate) fn regular_normal(&self, noise: f64) -> Option<DVec3> {
         super::normal::regular(self.u, self.v, noise)
     }

@@ -65,6 +65,9 @@ impl<C> Leaf<'_, C> {
                 continue;
             }
             let quad = corners.quad(r, c);
+            if is_beyond(&quad, hunt.limit() + shift.most) {
+                continue;
+            }
             let Nearest { distance, direction, start } = bilinear(&quad);
             // The surface is next to the point of the bilinear patch.
             hunt.reaches(distance + shift.most);
@@ -265,6 +268,16 @@ impl Corners {
         }
         squares
     }
+}
+
+/// True if the hull of four corners is farther from the origin than `limit`, by the half-space across the direction of their middle: from
+/// afar, that is nearly all there is to say of a cell.
+#[inline(always)]
+fn is_beyond(corners: &[DVec3; 4], limit: f64) -> bool {
+    let [a, b, c, d] = *corners;
+    let middle = (a + b) + (c + d);
+    let along = lesser(lesser(a.dot(middle), b.dot(middle)), lesser(c.dot(middle), d.dot(middle)));
+    along > 0.0 && along * along > limit * limit * middle.length_squared()
 }
 
 /// The nearest point of a bilinear patch, nearly.

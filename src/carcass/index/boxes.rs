@@ -245,15 +245,20 @@ impl Oriented {
         [middle - reach, middle + reach]
     }
 
+    /// The centre and the half edges.
+    #[inline(always)]
+    pub(crate) fn edges(&self) -> (DVec3, [DVec3; 3]) {
+        let [first, second] = self.axes.map(|axis| DVec3::from_array(axis.map(f64::from)));
+        // The inverse of what is orthonormal to 1e-7 is its transpose, to 1e-6.
+        let [x, y, z] = self.half.map(|half| f64::from(half) * (1.0 + 1e-6));
+        (self.centre(), [x * first, y * second, z * first.cross(second)])
+    }
+
     /// The corners.
     pub(crate) fn corners(&self) -> [DVec3; 8] {
-        let (frame, half) = (self.frame(), DVec3::from_array(self.half.map(f64::from)));
+        let (centre, half) = self.edges();
         let sign = |k: usize, bit: usize| if k >> bit & 1 == 0 { -1.0 } else { 1.0 };
-        std::array::from_fn(|k| {
-            let along = half * DVec3::new(sign(k, 0), sign(k, 1), sign(k, 2));
-            // The inverse of what is orthonormal to 1e-7 is its transpose, to 1e-6.
-            self.centre() + frame.transpose() * (along * (1.0 + 1e-6))
-        })
+        std::array::from_fn(|k| centre + sign(k, 0) * half[0] + sign(k, 1) * half[1] + sign(k, 2) * half[2])
     }
 }
 

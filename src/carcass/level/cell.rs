@@ -21,7 +21,7 @@ const PARTS: u32 = 1024;
 /// The sides of a cell or part: v low, u high, v high, u low, which is once round it, counter-clockwise.
 pub(super) const SIDES: usize = 4;
 /// By side: the corners (2 u + v) that it starts and ends with; the parameter rises between them.
-const CORNERS: [[usize; 2]; SIDES] = [[0, 2], [2, 3], [1, 3], [0, 1]];
+pub(super) const CORNERS: [[usize; 2]; SIDES] = [[0, 2], [2, 3], [1, 3], [0, 1]];
 
 /// A place where the sign changes along a side.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,6 +4,7 @@ use super::lattice::Lattice;
 use super::search::{Arc, Found};
 use crate::alloc;
 use crate::error::Result;
+use crate::par;
 use glam::DVec2;
 use std::collections::VecDeque;
 
@@ -28,19 +29,20 @@ pub(super) struct Strands {
 
 const NONE: u32 = u32::MAX;
 
-/// Keys of marks and the arcs that begin there: open addressing.
-struct Table {
-    slots: Vec<(u64, u32)>,
+/// Arcs by the keys of the marks where they begin: open addressing.
+struct Table<'a> {
+    arcs: &'a [Arc],
+    slots: Vec<u32>,
     shift: u32,
 }
 
-impl Table {
-    fn new(arcs: &[Arc]) -> Result<Self> {
+impl<'a> Table<'a> {
+    fn new(arcs: &'a [Arc]) -> Result<Self> {
         let bits = usize::BITS - (2 * arcs.len()).leading_zeros();
-        let mut table = Table { slots: alloc::filled((0, NONE), 1 << bits)?, shift: u64::BITS - bits };
+        let mut table = Table { arcs, slots: alloc::filled(NONE, 1 << bits)?, shift: u64::BITS - bits };
         for (k, arc) in arcs.iter().enumerate() {
             let at = table.slot(arc.keys[0]);
-            table.slots[at] = (arc.keys[0], k as u32);
+            table.slots[at] = k as u32;
         }
         Ok(table)
     }
@@ -48,37 +50,66 @@ impl Table {
     /// Where a key is, or would be.
     fn slot(&self, key: u64) -> usize {
         let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> self.shift) as usize;
-        while self.slots[at].1 != NONE && self.slots[at].0 != key {
+        while self.slots[at] != NONE && self.arcs[self.slots[at] as usize].keys[0] != key {
             at = (at + 1) & (self.slots.len() - 1);
         }
         at
     }
 
     fn get(&self, key: u64) -> Option<usize> {
-        let (_, arc) = self.slots[self.slot(key)];
+        let arc = self.slots[self.slot(key)];
         (arc != NONE).then_some(arc as usize)
     }
 }
 
 /// Links the arcs of a sheet. `apart`: whether the cells at a side have marks of their own, which are linked first.
-pub(super) fn chain(found: &mut Found, lattice: &Lattice, apart: bool) -> Result<Strands> {
-    // Cells come as the search finds them; levels one after the other within a cell.
-    found.arcs.sort_by_key(|arc| arc.level);
+pub(super) fn chain(found: &mut Found, lattice: &Lattice, apart: bool, threads: usize) -> Result<Strands> {
+    by_level(&mut found.arcs)?;
     if apart {
         stitch(&mut found.arcs, lattice)?;
     }
+    let levels: Vec<&[Arc]> = found.arcs.chunk_by(|a, b| a.level == b.level).collect();
+    let mut parts = par::map(threads, levels.into_iter(), |arcs| strands(arcs, &found.inner)).into_iter();
+    // Of one level, as it is.
+    let mut made = parts.next().unwrap_or_else(|| Ok(Strands::default()))?;
+    for part in parts {
+        let part = part?;
+        let shift = made.steps.len();
+        alloc::append(&mut made.steps, &part.steps)?;
+        alloc::reserve(&mut made.strands, part.strands.len())?;
+        let moved = |strand: Strand| Strand { steps: strand.steps.map(|step| step + shift), ..strand };
+        made.strands.extend(part.strands.into_iter().map(moved));
+    }
+    Ok(made)
+}
+
+/// Sorts arcs by level: cells come as the search finds them, with their levels one after the other. Arcs of a level keep their order.
+fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
+    if arcs.is_sorted_by_key(|arc| arc.level) {
+        return Ok(());
+    }
+    let count = arcs.iter().map(|arc| arc.level as usize + 1).max().unwrap_or(0);
+    let mut next = alloc::filled(0, count + 1)?;
+    arcs.iter().for_each(|arc| next[arc.level as usize + 1] += 1);
+    (0..count).for_each(|level| next[level + 1] += next[level]);
+    let mut sorted = alloc::filled(arcs[0], arcs.len())?;
+    for arc in arcs.iter() {
+        let at = &mut next[arc.level as usize];
+        sorted[*at] = *arc;
+        *at += 1;
+    }
+    *arcs = sorted;
+    Ok(())
+}
+
+/// The strands of one level, by lowest cell.
+fn strands(arcs: &[Arc], inner: &[DVec2]) -> Result<Strands> {
     let mut made = Strands::default();
     let mut order = Vec::new();
-    for arcs in found.arcs.chunk_by(|a, b| a.level == b.level) {
-        let first = made.strands.len();
-        order.clear();
-        follow(arcs, &found.inner, &mut made, &mut order)?;
-        // By lowest cell.
-        let mut by: Vec<usize> = (0..order.len()).collect();
-        by.sort_unstable_by_key(|&k| order[k]);
-        let sorted: Vec<Strand> = by.into_iter().map(|k| made.strands[first + k]).collect();
-        made.strands[first..].copy_from_slice(&sorted);
-    }
+    follow(arcs, inner, &mut made, &mut order)?;
+    let mut by: Vec<usize> = (0..order.len()).collect();
+    by.sort_unstable_by_key(|&k| order[k]);
+    made.strands = by.into_iter().map(|k| made.strands[k]).collect();
     Ok(made)
 }
 
@@ -93,6 +124,10 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut Strands, order: &mut Vec<([u
             entered[after] = true;
         }
     }
+    alloc::reserve(
+        &mut made.steps,
+        arcs.len() + arcs.iter().map(|arc| (arc.inner[1] - arc.inner[0]) as usize).sum::<usize>(),
+    )?;
     let lowest = |k: usize| (arcs[k].cell, arcs[k].keys[0]);
     let mut used = alloc::filled(false, arcs.len())?;
     // Open ones from their beginnings, then closed ones.

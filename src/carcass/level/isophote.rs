@@ -36,8 +36,9 @@ struct Silhouette<'a, C, const N: usize>(Normals<'a, C>);
 impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
     type Block = Corners;
     type Base = (Field<M>, f64);
+    type Room = ();
 
-    fn block(&self, cells: [Range<usize>; 2]) -> Option<Corners> {
+    fn block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<Corners> {
         Some(self.0.corners(&cells))
     }
 
@@ -52,7 +53,7 @@ impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C
         low <= noise && high >= -noise
     }
 
-    fn base(&self, _: &Corners, cell: [usize; 2]) -> (Field<M>, f64) {
+    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> (Field<M>, f64) {
         let of = self.0.hodographs::<N>(cell);
         (of.normal(2), self.0.noise(&of))
     }
@@ -93,8 +94,9 @@ struct Squares<const M: usize> {
 impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for Isophotes<'_, C, N, H> {
     type Block = Corners;
     type Base = Squares<M>;
+    type Room = ();
 
-    fn block(&self, cells: [Range<usize>; 2]) -> Option<Corners> {
+    fn block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<Corners> {
         Some(self.normals.corners(&cells))
     }
 
@@ -110,7 +112,7 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
         any(angles(&of.ranges(), self.normals.noise(&of)))
     }
 
-    fn base(&self, _: &Corners, cell: [usize; 2]) -> Squares<M> {
+    fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> Squares<M> {
         let of = self.normals.hodographs::<N>(cell);
         let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
         let [u, v] = of.speeds();
@@ -202,7 +204,7 @@ impl Carcass<'_> {
         let chord = self.chord(between)?;
         let frame = frame(axis);
         let reach = self.reach();
-        let (mut curves, mut points) = (Gathered::default(), Vec::new());
+        let (mut curves, mut points) = (Gathered { threads: job.threads(), ..Gathered::default() }, Vec::new());
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
             match sheet {

@@ -72,13 +72,17 @@ impl Lattice {
     /// True if a side of a cell, of which the number is given, is on an open edge.
     pub(super) fn on_edge_side(&self, [i, j]: [u32; 2], side: u64) -> bool {
         let cell = [i as usize, j as usize];
-        let which = (0..4).find(|&which| self.side(cell, which) == side);
-        match which {
-            Some(0) => !self.closed[1] && cell[1] == 0,
-            Some(1) => !self.closed[0] && cell[0] + 1 == self.counts[0],
-            Some(2) => !self.closed[1] && cell[1] + 1 == self.counts[1],
-            Some(_) => !self.closed[0] && cell[0] == 0,
-            None => false,
+        (0..4).find(|&which| self.side(cell, which) == side).is_some_and(|which| self.is_open(cell, which))
+    }
+
+    /// True if one of the four sides of a cell is on an open edge.
+    #[inline]
+    pub(super) fn is_open(&self, [i, j]: [usize; 2], side: usize) -> bool {
+        match side {
+            0 => !self.closed[1] && j == 0,
+            1 => !self.closed[0] && i + 1 == self.counts[0],
+            2 => !self.closed[1] && j + 1 == self.counts[1],
+            _ => !self.closed[0] && i == 0,
         }
     }
 }

@@ -2,8 +2,8 @@
 //! with a direction. All are zero sets of polynomials over the cells.
 //!
 //! `source` says what the polynomials are, `search` goes through the blocks that they may vanish in, `cell` finds the arcs in a cell,
-//! `refine` the points between, `chain` links arcs, `paths` makes curves of all sheets. Points are computed on the interpolant: they are
-//! of its order, four; the order of chords between them is two, whence the refinement.
+//! `simple` those that corners alone show, `refine` the points between, `chain` links arcs, `paths` makes curves of all sheets. Points are
+//! computed on the interpolant: they are of its order, four; the order of chords between them is two, whence the refinement.
 
 mod cell;
 mod chain;
@@ -20,6 +20,7 @@ mod refine;
 mod search;
 mod seen;
 mod side;
+mod simple;
 mod source;
 
 use super::axis::{Axis, Scheme};
@@ -65,6 +66,7 @@ pub struct Planes<'a> {
 /// The strands of sheets, and what could not be resolved.
 #[derive(Default)]
 struct Gathered {
+    threads: usize,
     sheets: Vec<(usize, Strands)>,
     unresolved: Vec<Place>,
 }
@@ -75,7 +77,7 @@ impl Gathered {
         let place =
             |&([i, j], at): &([u32; 2], glam::DVec2)| Place { sheet: sheet as u32, cell: [i, j], u: at.x, v: at.y };
         self.unresolved.extend(found.unresolved.iter().map(place));
-        let strands = chain(&mut found, lattice, apart)?;
+        let strands = chain(&mut found, lattice, apart, self.threads)?;
         alloc::push(&mut self.sheets, (sheet, strands))
     }
 }
@@ -100,7 +102,7 @@ impl Carcass<'_> {
         let reach = self.reach().max(planes.point.abs().max_element());
         // A few roundings of coordinates of this size.
         let noise = 16.0 * f64::EPSILON * reach;
-        let mut gathered = Gathered::default();
+        let mut gathered = Gathered { threads: job.threads(), ..Gathered::default() };
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
             let lattice = lattice(sheet);
@@ -145,7 +147,7 @@ impl Carcass<'_> {
         rising(levels, "levels")?;
         let chord = self.chord(between)?;
         self.check_values(values)?;
-        let mut gathered = Gathered::default();
+        let mut gathered = Gathered { threads: job.threads(), ..Gathered::default() };
         let mut first = 0;
         for k in 0..self.len() {
             let (part, (sheet, _)) = (self.part(k, job), self.indexed(k));

@@ -34,19 +34,14 @@ impl All {
             strands.extend(own.strands.iter().map(moved));
         }
         strands.sort_by_key(|strand| strand.level);
-        let (mut points, mut normals) = (alloc::with_capacity(count)?, alloc::with_capacity(count)?);
-        for some in places.chunks(CHUNK * CHUNKS) {
-            job.step(points.len() as f64 / count as f64, "points")?;
-            let parts = par::chunks(job.threads(), some.len(), CHUNK, |range| {
-                let frames = some[range].iter().map(|&place| carcass.point_and_normal(place));
-                alloc::collect(frames)
+        let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
+        let mut parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));
+        for first in (0..count).step_by(CHUNK * CHUNKS) {
+            job.step(first as f64 / count as f64, "points")?;
+            let some: Vec<_> = parts.by_ref().take(CHUNKS).collect();
+            par::map(job.threads(), some.into_iter(), |((places, points), normals)| {
+                carcass.points_and_normals(places, points, normals);
             });
-            for part in parts {
-                for (point, normal) in part? {
-                    points.push(point);
-                    normals.push(normal);
-                }
-            }
         }
         Ok(All { strands, places, points, normals })
     }
@@ -178,6 +173,9 @@ pub(super) fn paths(
     }
     sequences.sort_unstable();
     let mut paths = Paths { ends: vec![0], unresolved, ..Paths::default() };
+    alloc::reserve(&mut paths.places, all.places.len())?;
+    alloc::reserve(&mut paths.points, all.places.len())?;
+    alloc::reserve(&mut paths.normals, all.places.len())?;
     let mut sequence = Vec::new();
     for (_, first) in sequences {
         sequence.clear();

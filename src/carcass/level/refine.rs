@@ -39,14 +39,26 @@ pub(super) fn is_straight<const M: usize>(
     deviation: f64,
     chord: f64,
 ) -> bool {
-    let Some(graph) = link.graph.filter(|_| deviation < chord) else { return false };
-    let [p00, p01, p10, p11] = corners;
-    let bend = 2.0 * deviation + 0.25 * (*p00 + *p11 - *p01 - *p10).length();
-    let steps = if graph.over == 0 { [*p01 - *p00, *p11 - *p10] } else { [*p10 - *p00, *p11 - *p01] };
-    let step = steps[0].length_squared().max(steps[1].length_squared()).sqrt();
+    let Some(graph) = link.graph else { return false };
     let [low, high] = field.slope_ranges()[1 - graph.over];
-    let slope = low.max(-high);
-    slope > 0.0 && bend * (1.0 + step / slope) + 2.0 * deviation <= chord
+    stays_near(corners, graph.over, low.max(-high), deviation, chord)
+}
+
+/// The same of an arc that is a graph over u (0) or v (1), where the field is no less steep than `slope` in the other parameter.
+#[inline]
+pub(super) fn stays_near(corners: &[DVec3; 4], over: usize, slope: f64, deviation: f64, chord: f64) -> bool {
+    let [p00, p01, p10, p11] = corners;
+    let twist = *p00 + *p11 - *p01 - *p10;
+    let steps = if over == 0 { [*p01 - *p00, *p11 - *p10] } else { [*p10 - *p00, *p11 - *p01] };
+    let room = chord - 2.0 * deviation;
+    let near = |twist: f64, step: f64| {
+        let bend = 2.0 * deviation + 0.25 * twist;
+        bend * (slope + step) <= room * slope
+    };
+    // First with sums of coordinates, which are no less than lengths.
+    let [a, b] = steps.map(|step| step.abs().element_sum());
+    let exactly = || near(twist.length(), steps[0].length_squared().max(steps[1].length_squared()).sqrt());
+    slope > 0.0 && room > 0.0 && (near(twist.abs().element_sum(), a.max(b)) || exactly())
 }
 
 /// What rounding may leave of the field at a root, in parts of the field's noise.

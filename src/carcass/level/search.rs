@@ -2,9 +2,10 @@
 
 use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
 use super::lattice::Lattice;
-use super::refine::{is_straight, middle, refine};
+use super::refine::{is_straight, middle, refine, stays_near};
 use super::side::{crossings, positive};
-use super::source::{Sides, Source};
+use super::simple::{Simple, chord_root, roots, simple};
+use super::source::{Glance, Sides, Source};
 use crate::alloc;
 use crate::carcass::Patch;
 use crate::carcass::cells::Cells;
@@ -17,7 +18,7 @@ use glam::DVec2;
 /// Blocks that are one thread's work.
 const CHUNK: usize = 16;
 /// Chunks between two reports of progress.
-const CHUNKS: usize = 16;
+const CHUNKS: usize = 256;
 
 /// An arc of a level's zero set over a cell.
 #[derive(Debug, Clone, Copy)]
@@ -68,6 +69,34 @@ pub(super) struct Search<'a, C, S> {
 struct Scratch {
     marks: Vec<Mark>,
     links: Vec<Link>,
+    /// Arcs of cells that are simple, and which of their ends are still to be found: as roots of the polynomials along sides.
+    open: Vec<(u32, u8, u8)>,
+    sides: Vec<[f64; 4]>,
+    roots: Vec<f64>,
+}
+
+impl Scratch {
+    /// Finds the ends that are left.
+    fn settle(&mut self, arcs: &mut [Arc]) {
+        roots(&self.sides, &mut self.roots);
+        for (&(arc, end, side), &root) in self.open.iter().zip(&self.roots) {
+            arcs[arc as usize].ends[usize::from(end)] = on_side(usize::from(side), root);
+        }
+        self.open.clear();
+        self.sides.clear();
+        self.roots.clear();
+    }
+}
+
+/// The place on a side of a cell.
+#[inline]
+fn on_side(side: usize, t: f64) -> DVec2 {
+    match side {
+        0 => DVec2::new(t, 0.0),
+        1 => DVec2::new(1.0, t),
+        2 => DVec2::new(t, 1.0),
+        _ => DVec2::new(0.0, t),
+    }
 }
 
 /// One level in a cell.
@@ -102,10 +131,11 @@ impl<C, S> Search<'_, C, S> {
             let blocks = (count - first).min(CHUNK * CHUNKS);
             let parts = par::chunks(job.threads(), blocks, CHUNK, |range| {
                 let mut part = Found::default();
-                let mut scratch = Scratch::default();
+                let (mut scratch, mut room) = (Scratch::default(), S::Room::default());
                 for k in range {
-                    self.block(block(first + k), &mut scratch, &mut part)?;
+                    self.block(block(first + k), &mut room, &mut scratch, &mut part)?;
                 }
+                scratch.settle(&mut part.arcs);
                 Ok(part)
             });
             for part in parts {
@@ -123,6 +153,7 @@ impl<C, S> Search<'_, C, S> {
     fn block<const N: usize, const M: usize>(
         &self,
         block: [u32; 2],
+        room: &mut S::Room,
         scratch: &mut Scratch,
         found: &mut Found,
     ) -> Result<()>
@@ -131,12 +162,12 @@ impl<C, S> Search<'_, C, S> {
         S: Source<M>,
     {
         let [rows, columns] = self.lattice.block(block);
-        let Some(block) = self.source.block([rows.clone(), columns.clone()]) else { return Ok(()) };
+        let Some(block) = self.source.block([rows.clone(), columns.clone()], room) else { return Ok(()) };
         for cell in rows.flat_map(|i| columns.clone().map(move |j| [i, j])) {
-            if !self.source.may_cross(&block, cell) {
+            if !self.source.may_cross(&block, cell) || self.simple(&block, cell, scratch, found)? {
                 continue;
             }
-            let base = self.source.base(&block, cell);
+            let base = self.source.base(&block, cell, room);
             let mut patch = None;
             for level in self.source.levels(&base) {
                 let noise = self.source.noise(&base);
@@ -154,7 +185,7 @@ impl<C, S> Search<'_, C, S> {
                     continue;
                 }
                 let (sides, corners) = match self.source.sides() {
-                    Sides::Alike => self.common_border(&block, cell, &field, level),
+                    Sides::Alike => self.common_border(&block, cell, &field, level, room),
                     _ => own_border(&field),
                 };
                 let deviation = self.source.deviation(&block);
@@ -165,6 +196,94 @@ impl<C, S> Search<'_, C, S> {
         Ok(())
     }
 
+    /// The arcs of a cell, if it is simple for all levels, and these need no points between; else false, and nothing is done.
+    #[inline]
+    fn simple<const N: usize, const M: usize>(
+        &self,
+        block: &S::Block,
+        cell: [usize; 2],
+        scratch: &mut Scratch,
+        found: &mut Found,
+    ) -> Result<bool>
+    where
+        C: Cells<N>,
+        S: Source<M>,
+    {
+        if self.chord.is_some_and(|chord| 4.0 * self.source.deviation(block) > chord) {
+            return Ok(false);
+        }
+        let Some(Glance { levels, corners, play, noise }) = self.source.glance(block, cell) else { return Ok(false) };
+        let (arcs, open) = (found.arcs.len(), scratch.open.len());
+        for level in levels {
+            let values = corners.map(|x| x - self.source.level(level));
+            let done = match simple(values, play, noise) {
+                Some(Simple::Misses) => continue,
+                Some(Simple::Crosses { over, slope, .. }) if !self.is_straight(block, cell, over, slope) => false,
+                Some(Simple::Crosses { sides, .. }) => {
+                    self.cross(cell, level, sides, (values, noise), scratch, found)?;
+                    true
+                }
+                None => false,
+            };
+            if !done {
+                found.arcs.truncate(arcs);
+                scratch.open.truncate(open);
+                scratch.sides.truncate(open);
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// True if a graph over u (0) or v (1) in a cell needs no points between its ends, the field being as steep as `slope` at least.
+    #[inline]
+    fn is_straight<const N: usize, const M: usize>(
+        &self,
+        block: &S::Block,
+        [i, j]: [usize; 2],
+        over: usize,
+        slope: f64,
+    ) -> bool
+    where
+        C: Cells<N>,
+        S: Source<M>,
+    {
+        let Some(chord) = self.chord else { return true };
+        let corner = |i, j| self.cells.corner(i, j);
+        let corners = [corner(i, j), corner(i, j + 1), corner(i + 1, j), corner(i + 1, j + 1)];
+        stays_near(&corners, over, slope, self.source.deviation(block), chord)
+    }
+
+    /// Adds the arc from one side of a simple cell to another.
+    #[inline]
+    fn cross<const M: usize>(
+        &self,
+        cell: [usize; 2],
+        level: usize,
+        sides: [usize; 2],
+        (corners, noise): ([f64; 4], f64),
+        scratch: &mut Scratch,
+        found: &mut Found,
+    ) -> Result<()>
+    where
+        S: Source<M>,
+    {
+        let arc = found.arcs.len() as u32;
+        let inner = found.inner.len() as u32;
+        let keys = sides.map(|side| (2 * self.lattice.side(cell, side)) << 6);
+        // Strands have the ends of arcs only where nothing follows, which is at open edges.
+        let ends = sides.map(|side| on_side(side, chord_root(corners, side)));
+        for (end, side) in sides.into_iter().enumerate() {
+            if end == 0 || self.lattice.is_open(cell, side) {
+                alloc::push(&mut scratch.open, (arc, end as u8, side as u8))?;
+                let along = self.source.along(cell, side, level);
+                alloc::push(&mut scratch.sides, along.map(|x| snap(x, noise)))?;
+            }
+        }
+        let cell = cell.map(|k| k as u32);
+        alloc::push(&mut found.arcs, Arc { level: level as u32, cell, keys, ends, inner: [inner; 2], jumps: false })
+    }
+
     /// The polynomials along a cell's sides and the signs at its corners, as the cells have them that own them.
     fn common_border<const M: usize>(
         &self,
@@ -172,6 +291,7 @@ impl<C, S> Search<'_, C, S> {
         cell: [usize; 2],
         own: &Field<M>,
         level: usize,
+        room: &mut S::Room,
     ) -> ([[f64; M]; SIDES], [bool; 4])
     where
         S: Source<M>,
@@ -182,7 +302,7 @@ impl<C, S> Search<'_, C, S> {
             let field = if owner == cell {
                 *own
             } else {
-                let base = self.source.base(block, owner);
+                let base = self.source.base(block, owner, room);
                 snapped(self.source.field(&base, level), self.source.noise(&base))
             };
             let corner = field.c[if ends[0] { M - 1 } else { 0 }][if ends[1] { M - 1 } else { 0 }];
@@ -208,7 +328,7 @@ impl<C, S> Search<'_, C, S> {
         C: Cells<N>,
         S: Source<M>,
     {
-        let Scratch { marks, links } = scratch;
+        let Scratch { marks, links, .. } = scratch;
         links.clear();
         self.marks(piece, marks);
         let [i, j] = piece.cell;
@@ -271,9 +391,7 @@ impl<C, S> Search<'_, C, S> {
             let key = (2 * self.lattice.side(piece.cell, side) + which) << 6;
             let mut count = 0;
             crossings(c, ends, |crossing| {
-                let t = crossing.t;
-                let at = [DVec2::new(t, 0.0), DVec2::new(1.0, t), DVec2::new(t, 1.0), DVec2::new(0.0, t)][side];
-                marks.push(Mark { key: key | count, at, side, rising: crossing.rising });
+                marks.push(Mark { key: key | count, at: on_side(side, crossing.t), side, rising: crossing.rising });
                 count += 1;
             });
         }
@@ -284,7 +402,12 @@ impl<C, S> Search<'_, C, S> {
 /// coefficients stay the same.
 #[inline]
 fn snapped<const M: usize>(field: Field<M>, noise: f64) -> Field<M> {
-    Field { c: field.c.map(|row| row.map(|x| if x.abs() <= noise { 0.0 } else { x })) }
+    Field { c: field.c.map(|row| row.map(|x| snap(x, noise))) }
+}
+
+#[inline]
+fn snap(x: f64, noise: f64) -> f64 {
+    if x.abs() <= noise { 0.0 } else { x }
 }
 
 /// As the cell has it itself.

@@ -23,17 +23,37 @@ pub(super) trait Source<const M: usize>: Sync {
     type Block;
     /// What the levels of a cell have in common.
     type Base;
+    /// Room for the work on blocks, one after the other.
+    type Room: Default;
 
     /// A block of cells; `None` if no level crosses it.
-    fn block(&self, cells: [Range<usize>; 2]) -> Option<Self::Block>;
+    fn block(&self, cells: [Range<usize>; 2], room: &mut Self::Room) -> Option<Self::Block>;
 
     /// False if it is plain that no level crosses a cell.
     fn may_cross(&self, _block: &Self::Block, _cell: [usize; 2]) -> bool {
         true
     }
 
+    /// What the corners alone tell of a cell, if that is much.
+    #[inline]
+    fn glance(&self, _block: &Self::Block, _cell: [usize; 2]) -> Option<Glance> {
+        None
+    }
+
+    /// Of sources that have glances: the coefficients of the field along a side, to the bit those that the cell's field has.
+    #[inline]
+    fn along(&self, _cell: [usize; 2], _side: usize, _level: usize) -> [f64; 4] {
+        [0.0; 4]
+    }
+
+    /// What a level subtracts.
+    #[inline]
+    fn level(&self, _level: usize) -> f64 {
+        0.0
+    }
+
     /// A cell, whether or not a level crosses it.
-    fn base(&self, block: &Self::Block, cell: [usize; 2]) -> Self::Base;
+    fn base(&self, block: &Self::Block, cell: [usize; 2], room: &mut Self::Room) -> Self::Base;
 
     /// The levels that may cross it.
     fn levels(&self, base: &Self::Base) -> Range<usize>;
@@ -58,6 +78,18 @@ pub(super) trait Source<const M: usize>: Sync {
     fn noise(&self, base: &Self::Base) -> f64;
 }
 
+/// A field over a cell, as its corners show it.
+pub(super) struct Glance {
+    /// The levels that may cross the cell.
+    pub(super) levels: Range<usize>,
+    /// The values at the corners 2 u + v, from which levels are taken.
+    pub(super) corners: [f64; 4],
+    /// How far coefficients may be from those of the bilinear field.
+    pub(super) play: f64,
+    /// Values up to that may be 0.
+    pub(super) noise: f64,
+}
+
 /// The levels, which rise, from `low` to `high`, with some play.
 #[inline]
 pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], play: f64) -> Range<usize> {
@@ -76,10 +108,6 @@ const WINDOW: usize = BLOCK + TAPS - 1;
 pub(super) struct Window {
     start: [usize; 2],
     values: [[f64; WINDOW]; WINDOW],
-    /// Where the first cell's first corner is.
-    corner: [usize; 2],
-    /// How far the field over a cell may be from the corners' range.
-    deviation: f64,
     /// By direction and cell: where its nodes begin.
     first: [[usize; BLOCK]; 2],
     rows: [[[f64; TAPS]; 4]; BLOCK],
@@ -88,12 +116,10 @@ pub(super) struct Window {
 }
 
 impl Window {
-    fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], deviation: f64, value: impl Fn(usize, usize) -> f64) -> Self {
+    fn new(axes: [&Axis; 2], cells: &[Range<usize>; 2], value: impl Fn(usize, usize) -> f64) -> Self {
         let mut window = Window {
             start: [cells[0].start, cells[1].start],
             values: [[0.0; WINDOW]; WINDOW],
-            corner: [0; 2],
-            deviation,
             first: [[0; BLOCK]; 2],
             rows: [[[0.0; TAPS]; 4]; BLOCK],
             columns: [[[0.0; 4]; TAPS]; BLOCK],
@@ -102,7 +128,6 @@ impl Window {
         let mut counts = [0; 2];
         for (d, (axis, range)) in axes.into_iter().zip(cells).enumerate() {
             let ([origin, ..], _) = axis.taps(range.start);
-            window.corner[d] = if axis.is_closed() { 2 } else { range.start - origin };
             for (k, cell) in range.clone().enumerate() {
                 let (taps, weights) = axis.taps(cell);
                 let first = if axis.is_closed() { k } else { taps[0] - origin };
@@ -129,15 +154,6 @@ impl Window {
         let last = window.values[counts[0] - 1];
         window.values[counts[0]..].fill(last);
         window
-    }
-
-    /// A range of the field over a cell, from its corners.
-    #[inline]
-    fn near(&self, [i, j]: [usize; 2]) -> [f64; 2] {
-        let (r, c) = (self.corner[0] + i - self.start[0], self.corner[1] + j - self.start[1]);
-        let [a, b] = [self.values[r][c], self.values[r][c + 1]];
-        let [d, e] = [self.values[r + 1][c], self.values[r + 1][c + 1]];
-        [a.min(b).min(d.min(e)) - self.deviation, a.max(b).max(d.max(e)) + self.deviation]
     }
 
     /// The least and the greatest scalar.
@@ -171,6 +187,48 @@ impl Window {
     }
 }
 
+/// A block of cells of nodal scalars.
+pub(super) struct Nodes {
+    cells: [Range<usize>; 2],
+    /// The scalars at the corners of cells, if the deviation is finite.
+    corners: [[f64; BLOCK + 1]; BLOCK + 1],
+    /// How far the field over a cell may be from the corners' range.
+    deviation: f64,
+}
+
+/// A window, made when a cell of a block needs more than its corners, and the first cell of that block.
+#[derive(Default)]
+pub(super) struct Kept(Option<([usize; 2], Window)>);
+
+impl Kept {
+    fn get(&mut self, first: [usize; 2], make: impl FnOnce() -> Window) -> &Window {
+        if self.0.as_ref().is_some_and(|(of, _)| *of != first) {
+            self.0 = None;
+        }
+        &self.0.get_or_insert_with(|| (first, make())).1
+    }
+}
+
+impl Nodes {
+    /// The scalars at the corners 2 u + v of a cell.
+    #[inline(always)]
+    fn around(&self, [i, j]: [usize; 2]) -> [f64; 4] {
+        let (r, c) = (i - self.cells[0].start, j - self.cells[1].start);
+        let [low, high] = [&self.corners[r], &self.corners[r + 1]];
+        [low[c], low[c + 1], high[c], high[c + 1]]
+    }
+
+    /// A range of the field over a cell, from its corners.
+    #[inline(always)]
+    fn near(&self, cell: [usize; 2]) -> [f64; 2] {
+        let [a, b, c, d] = self.around(cell);
+        // Comparisons, not f64::min: what is NaN may be passed over.
+        let least = |a: f64, b: f64| if a < b { a } else { b };
+        let most = |a: f64, b: f64| if a > b { a } else { b };
+        [least(least(a, b), least(c, d)) - self.deviation, most(most(a, b), most(c, d)) + self.deviation]
+    }
+}
+
 /// The same interpolation of scalars as of nodes.
 pub(super) struct Nodal<'a, F, D> {
     pub(super) axes: [&'a Axis; 2],
@@ -188,29 +246,68 @@ where
     F: Fn(usize, usize) -> f64 + Sync,
     D: Fn(usize, usize) -> f64 + Sync,
 {
-    type Block = Window;
+    type Block = Nodes;
     type Base = Field<4>;
+    type Room = Kept;
 
     #[inline]
-    fn block(&self, cells: [Range<usize>; 2]) -> Option<Window> {
+    fn block(&self, cells: [Range<usize>; 2], room: &mut Kept) -> Option<Nodes> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
-        let window = Window::new(self.axes, &cells, deviation, &self.value);
+        let mut block = Nodes { cells, corners: [[0.0; BLOCK + 1]; BLOCK + 1], deviation };
         if deviation.is_finite() {
-            return Some(window);
+            let [rows, columns] = &block.cells;
+            for (i, values) in (rows.start..=rows.end).zip(&mut block.corners) {
+                for (j, at) in (columns.start..=columns.end).zip(values) {
+                    *at = (self.value)(i, j);
+                }
+            }
+            return Some(block);
         }
-        let [low, high] = window.range();
+        let [low, high] = self.window(&block, room).range();
         let play = 0.5 * self.excess * (high - low) + self.noise;
-        (!between(self.levels, [low, high], play).is_empty()).then_some(window)
+        (!between(self.levels, [low, high], play).is_empty()).then_some(block)
     }
 
     #[inline]
-    fn may_cross(&self, block: &Window, cell: [usize; 2]) -> bool {
+    fn may_cross(&self, block: &Nodes, cell: [usize; 2]) -> bool {
         !between(self.levels, block.near(cell), self.noise).is_empty()
     }
 
+    /// A control point of the surface may be 2 deviations from that of the bilinear patch: see `seen`.
     #[inline]
-    fn base(&self, block: &Window, cell: [usize; 2]) -> Field<4> {
-        block.field(cell)
+    fn glance(&self, block: &Nodes, cell: [usize; 2]) -> Option<Glance> {
+        block.deviation.is_finite().then(|| Glance {
+            levels: between(self.levels, block.near(cell), self.noise),
+            corners: block.around(cell),
+            play: 2.0 * block.deviation,
+            noise: self.noise,
+        })
+    }
+
+    #[inline]
+    fn level(&self, level: usize) -> f64 {
+        self.levels[level]
+    }
+
+    #[inline]
+    fn along(&self, [i, j]: [usize; 2], side: usize, level: usize) -> [f64; 4] {
+        let along_u = side.is_multiple_of(2);
+        let across = if along_u { j } else { i } + usize::from(side == 1 || side == 2);
+        let (axis, cell) = if along_u { (self.axes[0], i) } else { (self.axes[1], j) };
+        let ((lines, weights), place) = (axis.taps(cell), axis.place(cell));
+        let mut values = [0.0; TAPS];
+        for (value, line) in values.iter_mut().zip(lines) {
+            *value = if along_u { (self.value)(line, across) } else { (self.value)(across, line) };
+        }
+        // In the order in which the window sums them: they have the same bits.
+        let sum = |weights: &[f64; TAPS]| weights.iter().zip(&values).fold(0.0, |sum, (weight, x)| sum + weight * x);
+        let (inner, level) = ([sum(&weights[1]), sum(&weights[2])], self.levels[level]);
+        [values[place] - level, inner[0] - level, inner[1] - level, values[place + 1] - level]
+    }
+
+    #[inline]
+    fn base(&self, block: &Nodes, cell: [usize; 2], room: &mut Kept) -> Field<4> {
+        self.window(block, room).field(cell)
     }
 
     #[inline]
@@ -224,7 +321,7 @@ where
     }
 
     #[inline]
-    fn deviation(&self, block: &Window) -> f64 {
+    fn deviation(&self, block: &Nodes) -> f64 {
         block.deviation
     }
 
@@ -234,6 +331,13 @@ where
 
     fn noise(&self, _: &Self::Base) -> f64 {
         self.noise
+    }
+}
+
+impl<F: Fn(usize, usize) -> f64, D> Nodal<'_, F, D> {
+    fn window<'a>(&self, block: &Nodes, room: &'a mut Kept) -> &'a Window {
+        let first = [block.cells[0].start, block.cells[1].start];
+        room.get(first, || Window::new(self.axes, &block.cells, &self.value))
     }
 }
 
@@ -255,12 +359,13 @@ pub(super) struct Plane<'a, C, const N: usize> {
 impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     type Block = ();
     type Base = Field<N>;
+    type Room = ();
 
-    fn block(&self, _: [Range<usize>; 2]) -> Option<()> {
+    fn block(&self, _: [Range<usize>; 2], (): &mut ()) -> Option<()> {
         Some(())
     }
 
-    fn base(&self, (): &(), [i, j]: [usize; 2]) -> Field<N> {
+    fn base(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> Field<N> {
         let patch = self.cells.patch(i, j);
         Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) }
     }

@@ -1,8 +1,9 @@
 //! The one arc that a graph has within a box.
 //!
-//! A solution inside is looked for, and from there the two points where the curve leaves the box. That it does not come back is proved by the
-//! bounds of slopes: each parameter either always rises or always falls along the curve, or it stays inside. A parameter that does neither
-//! because the curve runs along a side of the box, to rounding, belongs to the box above that side.
+//! The two points where the curve leaves the box are looked for along the line of the middle, or, if that does not lead to them, from a
+//! solution inside. That it does not come back is proved by the bounds of slopes: each parameter either always rises or always falls along
+//! the curve, or it stays inside. A parameter that does neither because the curve runs along a side of the box, to rounding, belongs to the
+//! box above that side.
 
 use super::chart::{Chart, MARGIN, Part};
 use super::equation::{Equation, Frame};
@@ -12,6 +13,9 @@ use glam::{DVec3, DVec4};
 const ROUNDING: f64 = 1e-13;
 /// How much nearer than [`Search::close`] to a side a curve is that runs along it.
 const ALONG: f64 = 1.0 / 32.0;
+
+/// A line that is in the box for less of the free parameter tells little of the curve.
+const SHORT: f64 = 1.0 / 64.0;
 
 /// An end of an arc, and the directions in which it goes on: by parameters, and in space.
 #[derive(Debug, Clone, Copy)]
@@ -23,6 +27,13 @@ pub(super) struct End {
 
 /// A solution, and the derivatives there.
 type Start = (DVec4, Frame);
+
+/// Nearly how the curve runs by the free parameter f: x + f rates + f^2 bend.
+struct Course {
+    x: DVec4,
+    rates: DVec4,
+    bend: DVec4,
+}
 
 /// It cannot be told.
 struct Unclear;
@@ -68,21 +79,51 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
         Search { equation, chart, low, high, margin: MARGIN * part.size, tolerance, close, followed }
     }
 
-    /// The arc.
-    pub(super) fn arc(&self) -> Found {
-        let start = match self.start() {
+    /// The arc, if the line of the middle leads to its ends: the usual case. `middle`: the derivatives in the middle of the box.
+    pub(super) fn along_line(&self, middle: &Frame) -> Option<Found> {
+        let Chart { free, base, line, .. } = *self.chart;
+        let [from, to] = self.line_inside();
+        if to - from < SHORT * (self.high[free] - self.low[free]) {
+            return None;
+        }
+        let half = 0.5 * (from + to);
+        let first = self.exit(&Course { x: base + half * line, rates: line, bend: DVec4::ZERO }, -1.0)?;
+        // The parabola that has the slopes at this end and in the middle.
+        let rates = first.tangent / first.tangent[free];
+        let bend = (line - rates) / (2.0 * (base[free] - first.x[free]));
+        let step = base[free] + half - first.x[free];
+        let x = first.x + step * (rates + step * bend);
+        let last = self.exit(&Course { x, rates: rates + 2.0 * step * bend, bend }, 1.0)?;
+        Some(self.found(middle, first, last))
+    }
+
+    /// The same from a solution inside.
+    pub(super) fn through_inside(&self, middle: &Frame) -> Found {
+        let (x, frame) = match self.start() {
             Ok(Some(start)) => start,
             Ok(None) => return Found::Nothing,
             Err(Unclear) => return Found::Open,
         };
-        let (Some(first), Some(last)) = (self.exit(&start, -1.0), self.exit(&start, 1.0)) else {
-            return Found::Open;
-        };
-        match self.stays(&start.1, &first, &last) {
+        let course = Course { x, rates: self.rates(&frame), bend: DVec4::ZERO };
+        match (self.exit(&course, -1.0), self.exit(&course, 1.0)) {
+            (Some(first), Some(last)) => self.found(middle, first, last),
+            _ => Found::Open,
+        }
+    }
+
+    /// What it is if the curve leaves the box at these ends.
+    fn found(&self, middle: &Frame, first: End, last: End) -> Found {
+        match self.stays(middle, &first, &last) {
             Stay::Inside => Found::Arc([first, last]),
             Stay::Outside => Found::Nothing,
             Stay::Unknown => Found::Open,
         }
+    }
+
+    /// The slopes of all parameters by the free one.
+    fn rates(&self, frame: &Frame) -> DVec4 {
+        let tangent = frame.tangent();
+        tangent / tangent[self.chart.free]
     }
 
     /// True if a parameter surely rises, or surely falls, with the free one.
@@ -101,38 +142,50 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
         let free = self.chart.free;
         let mut guess = self.on_line();
         for _ in 0..4 {
-            let Some((x, frame)) = self.equation.solve(guess, free) else { return Err(Unclear) };
+            let Some((x, frame)) = self.equation.solve(guess, free) else {
+                return Err(Unclear);
+            };
             if x.cmplt(self.low - self.margin).any() || x.cmpgt(self.high + self.margin).any() {
                 return Err(Unclear);
             }
-            let play = |k: usize| if self.is_monotone(k) { ROUNDING } else { self.close(&frame, k) };
+            let play = |k: usize| {
+                if self.is_monotone(k) { ROUNDING } else { self.close(&frame, k) }
+            };
             if (0..4).all(|k| x[k] >= self.low[k] - play(k) && x[k] <= self.high[k] + play(k)) {
                 return Ok(Some((x, frame)));
             }
             // Where else it may be, by the bounds of slopes.
             let parts = [-1.0, 1.0].map(|way| (way, self.permitted(x, way)));
             let longest = parts.into_iter().max_by(|a, b| (a.1[1] - a.1[0]).total_cmp(&(b.1[1] - b.1[0])));
-            let Some((way, [from, to])) = longest else { return Err(Unclear) };
+            let Some((way, [from, to])) = longest else {
+                return Err(Unclear);
+            };
             let speed = frame.direction().length() / frame.tangent()[free].abs();
             if (to - from) * speed <= 0.25 * self.tolerance {
                 return Ok(None);
             }
             let step = way * 0.5 * (from + to);
-            let tangent = frame.tangent();
-            guess = x + step * tangent / tangent[free];
+            guess = x + step * self.rates(&frame);
             guess[free] = x[free] + step;
         }
         Err(Unclear)
     }
 
-    /// Where the line of the middle is deepest inside the box, or comes nearest to it.
-    fn on_line(&self) -> DVec4 {
+    /// Where the line of the middle is inside the box, by the free parameter, from its middle on; if it is nowhere, the first is the greater.
+    fn line_inside(&self) -> [f64; 2] {
         let Chart { free, base, line, .. } = *self.chart;
         let (mut from, mut to) = (self.low[free] - base[free], self.high[free] - base[free]);
         for k in (0..4).filter(|&k| k != free && line[k].abs() > 1e-6) {
             let ends = [self.low[k] - base[k], self.high[k] - base[k]].map(|x| x / line[k]);
             (from, to) = (from.max(ends[0].min(ends[1])), to.min(ends[0].max(ends[1])));
         }
+        [from, to]
+    }
+
+    /// Where the line of the middle is deepest inside the box, or comes nearest to it.
+    fn on_line(&self) -> DVec4 {
+        let Chart { free, base, line, .. } = *self.chart;
+        let [from, to] = self.line_inside();
         let step = (0.5 * (from + to)).clamp(self.low[free] - base[free], self.high[free] - base[free]);
         base + step * line
     }
@@ -159,35 +212,42 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
     }
 
     /// Where the curve leaves the box upwards or downwards (`way`) by the free parameter.
-    fn exit(&self, start: &Start, way: f64) -> Option<End> {
+    fn exit(&self, course: &Course, way: f64) -> Option<End> {
         let free = self.chart.free;
-        let rates = |frame: &Frame| {
-            let tangent = frame.tangent();
-            way * tangent / tangent[free]
-        };
         // The side that a parameter moves to.
         let rises = |k: usize| k == free && way > 0.0 || k != free && self.chart.slopes[k][0] * way > 0.0;
         let side = |k: usize| if rises(k) { self.high[k] } else { self.low[k] };
         let leaves = |k: usize| k == free || self.is_monotone(k);
-        let (inside, frame) = start;
-        let rate = rates(frame);
-        let step = |k: usize| ((side(k) - inside[k]) / rate[k]).max(0.0);
-        let first = (0..4).filter(|&k| leaves(k)).min_by(|&k, &n| step(k).total_cmp(&step(n)))?;
-        let mut through = first;
-        let mut guess = *inside + step(first) * rate;
+        let inside = course.x;
+        let nearest = |rates: DVec4| {
+            let mut best = (free, f64::INFINITY);
+            for k in (0..4).filter(|&k| leaves(k)) {
+                let step = ((side(k) - inside[k]) / (way * rates[k])).max(0.0);
+                best = if step < best.1 { (k, step) } else { best };
+            }
+            best
+        };
+        let chord = |step: f64| course.rates + way * step * course.bend;
+        let (_, roughly) = nearest(course.rates);
+        let (mut through, step) = nearest(chord(roughly));
+        let mut guess = inside + way * step * chord(step);
         for _ in 0..8 {
             guess[through] = side(through);
             let (x, frame) = self.equation.solve(guess, through)?;
-            let rate = rates(&frame);
+            let rate = way * self.rates(&frame);
             // What it has passed before it comes here.
-            let passed = |k: usize| if rises(k) { x[k] - side(k) } else { side(k) - x[k] };
-            let back = |k: usize| if passed(k) > ROUNDING { passed(k) / rate[k].abs() } else { 0.0 };
+            let passed = |k: usize| {
+                if rises(k) { x[k] - side(k) } else { side(k) - x[k] }
+            };
+            let back = |k: usize| {
+                if passed(k) > ROUNDING { passed(k) / rate[k].abs() } else { 0.0 }
+            };
             let earlier = (0..4)
                 .filter(|&k| k != through && leaves(k) && back(k) > 0.0)
                 .max_by(|&k, &n| back(k).total_cmp(&back(n)));
             let Some(earlier) = earlier else {
                 let end = End { x, tangent: frame.tangent(), direction: frame.direction() };
-                return self.sound(*inside, x, way).then_some(end);
+                return self.sound(inside, x, way).then_some(end);
             };
             guess = x - back(earlier) * rate;
             through = earlier;
@@ -223,7 +283,9 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
                 continue;
             }
             let samples = *samples.get_or_insert_with(|| self.samples(first, last));
-            let Some(samples) = samples else { return Stay::Unknown };
+            let Some(samples) = samples else {
+                return Stay::Unknown;
+            };
             match self.beside(k, &samples, self.close(frame, k)) {
                 Stay::Inside => {}
                 other => return other,

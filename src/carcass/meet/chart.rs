@@ -9,7 +9,8 @@
 //!
 //! As A - B is the difference of functions of different parameters, its bounds are the sums of bounds over control nets.
 
-use super::equation::{Frame, OTHERS};
+use super::equation::{Equation, Frame, OTHERS};
+use super::net::Net;
 use crate::carcass::Patch;
 use crate::carcass::solve::Field;
 use glam::{DVec3, DVec4};
@@ -20,8 +21,7 @@ pub(super) const MARGIN: f64 = 1.0 / 32.0;
 /// A box of parameters, and the control nets over it.
 #[derive(Clone)]
 pub(super) struct Part<const N: usize, const M: usize> {
-    pub(super) a: Patch<N>,
-    pub(super) b: Patch<M>,
+    pub(super) nets: Equation<N, M>,
     pub(super) low: DVec4,
     pub(super) size: DVec4,
 }
@@ -49,17 +49,6 @@ pub(super) enum Proof {
     Open,
 }
 
-/// A net along a direction.
-fn along<const N: usize>(patch: &Patch<N>, axis: DVec3) -> Field<N> {
-    Field { c: patch.points.map(|row| row.map(|point| point.dot(axis))) }
-}
-
-/// The values of A - B along a direction: in between these.
-fn range<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>) -> [f64; 2] {
-    let ([low, high], [others_low, others_high]) = (a.range(), b.range());
-    [low - others_high, high - others_low]
-}
-
 /// How much wider the range of a polynomial's coefficients, of total degree `degree`, may be over a box that is wider by [`MARGIN`] on each
 /// side: the weights of extrapolation sum to 1, and their absolute values to (1 + 2 m)^degree.
 fn growth(degree: usize) -> f64 {
@@ -71,7 +60,22 @@ fn grown([low, high]: [f64; 2], by: f64) -> [f64; 2] {
     [middle - half, middle + half]
 }
 
+/// True if A - B, of these fields along a direction, is 0 nowhere, nor as near to it as `noise`.
+fn are_apart<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>, noise: f64) -> bool {
+    let ([low, high], [others_low, others_high]) = (a.range(), b.range());
+    low - others_high > noise || high - others_low < -noise
+}
+
+/// The component with the greatest absolute value.
+fn most(tangent: DVec4) -> usize {
+    (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best })
+}
+
 impl<const N: usize, const M: usize> Part<N, M> {
+    /// All of two patches, still to be set.
+    pub(super) const WHOLE: Self =
+        Part { nets: Equation { a: Net::ZERO, b: Net::ZERO }, low: DVec4::ZERO, size: DVec4::ONE };
+
     pub(super) fn middle(&self) -> DVec4 {
         self.low + 0.5 * self.size
     }
@@ -81,7 +85,7 @@ impl<const N: usize, const M: usize> Part<N, M> {
         let mut columns = frame.columns;
         (0..4).for_each(|k| columns[k] *= self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();
-        let free = (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best });
+        let free = most(tangent);
         let others = OTHERS[free];
         let [x, y, z] = others.map(|k| columns[k]);
         let normals = [y.cross(z), z.cross(x), x.cross(y)];
@@ -90,26 +94,19 @@ impl<const N: usize, const M: usize> Part<N, M> {
         let regular = determinant.abs() > 1e-10 * lengths;
         let rows = normals.map(|normal| if regular { normal / determinant } else { normal });
 
-        let a = rows.map(|row| along(&self.a, row));
-        let b = rows.map(|row| along(&self.b, row));
-        for k in 0..3 {
-            let [low, high] = range(&a[k], &b[k]);
-            let noise = noise * rows[k].length();
-            if low > noise || high < -noise {
-                return Proof::Empty;
-            }
-        }
-        let rest = [x, y, z].map(|column| column.cross(columns[free]));
-        if rest.into_iter().any(|axis| self.separated(axis, noise)) {
+        let (a, b) = (rows.map(|row| self.nets.a.along(row)), rows.map(|row| self.nets.b.along(row)));
+        if (0..3).any(|k| are_apart(&a[k], &b[k], noise * rows[k].length())) {
             return Proof::Empty;
         }
         if !regular {
             // Of degenerate pieces some directions are 0: at least the boxes must meet.
-            let apart = DVec3::AXES.into_iter().any(|axis| self.separated(axis, noise));
-            return if apart { Proof::Empty } else { Proof::Open };
+            let apart = || DVec3::AXES.into_iter().any(|axis| self.separated(axis, noise));
+            return if self.is_apart(frame, noise) || apart() { Proof::Empty } else { Proof::Open };
         }
         let line = others.map(|k| tangent[k] / tangent[free]);
-        let Some(slopes) = slopes(&a, &b, others, free) else { return Proof::Open };
+        let Some(slopes) = slopes(&a, &b, others, free) else {
+            return if self.is_apart(frame, noise) { Proof::Empty } else { Proof::Open };
+        };
         let mut chart = Chart { free, base: self.middle(), line: DVec4::ONE, slopes: [[1.0; 2]; 4] };
         for (k, &other) in others.iter().enumerate() {
             // From parts of the box to parameters of the cells.
@@ -121,17 +118,24 @@ impl<const N: usize, const M: usize> Part<N, M> {
         Proof::Graph(chart)
     }
 
+    /// True if there is no solution, as the directions show that [`Part::prove`] does not try of graphs: products with the one of the
+    /// derivatives that the curve runs along.
+    pub(super) fn is_apart(&self, frame: &Frame, noise: f64) -> bool {
+        let columns: [DVec3; 4] = std::array::from_fn(|k| frame.columns[k] * self.size[k]);
+        let tangent = Frame { columns, ..*frame }.tangent();
+        let free = most(tangent);
+        OTHERS[free].into_iter().any(|k| self.separated(columns[k].cross(columns[free]), noise))
+    }
+
     fn separated(&self, axis: DVec3, noise: f64) -> bool {
-        let [low, high] = range(&along(&self.a, axis), &along(&self.b, axis));
-        let noise = noise * axis.length();
-        low > noise || high < -noise
+        are_apart(&self.nets.a.along(axis), &self.nets.b.along(axis), noise * axis.length())
     }
 
     /// True if both pieces lie between two planes that are `tolerance` apart, along the one's normal and along the other's: how they meet is
     /// below the tolerance.
     pub(super) fn is_within(&self, frame: &Frame, tolerance: f64) -> bool {
         let thin = |normal: DVec3| {
-            let (a, b) = (along(&self.a, normal).range(), along(&self.b, normal).range());
+            let (a, b) = (self.nets.a.along(normal).range(), self.nets.b.along(normal).range());
             a[1].max(b[1]) - a[0].min(b[0]) <= tolerance
         };
         frame.normals().into_iter().all(|normal| normal.try_normalize().is_some_and(thin))
@@ -139,18 +143,19 @@ impl<const N: usize, const M: usize> Part<N, M> {
 
     /// How long the pieces may be in the four directions, nearly: by the longest legs of the control nets.
     pub(super) fn extents(&self) -> [f64; 4] {
-        let ([s, t], [u, v]) = (legs(&self.a), legs(&self.b));
+        let ([s, t], [u, v]) = (legs(&self.nets.a.patch()), legs(&self.nets.b.patch()));
         [s, t, u, v]
     }
 
     /// The halves by parameter k.
     pub(super) fn halves(&self, k: usize) -> [Self; 2] {
         let mut parts = [self.clone(), self.clone()];
+        let Equation { a, b } = &self.nets;
         match k {
-            0 => [parts[0].a, parts[1].a] = self.a.halves(),
-            1 => [parts[0].a, parts[1].a] = self.a.transposed().halves().map(|half| half.transposed()),
-            2 => [parts[0].b, parts[1].b] = self.b.halves(),
-            _ => [parts[0].b, parts[1].b] = self.b.transposed().halves().map(|half| half.transposed()),
+            0 => [parts[0].nets.a, parts[1].nets.a] = a.halves(),
+            1 => [parts[0].nets.a, parts[1].nets.a] = a.transposed().halves().map(|half| half.transposed()),
+            2 => [parts[0].nets.b, parts[1].nets.b] = b.halves(),
+            _ => [parts[0].nets.b, parts[1].nets.b] = b.transposed().halves().map(|half| half.transposed()),
         }
         let half = 0.5 * self.size[k];
         parts[1].low[k] += half;

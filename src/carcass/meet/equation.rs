@@ -1,12 +1,13 @@
 //! The equation A(s, t) = B(u, v) over a pair of cells: its values and derivatives, and Newton's method.
 
-use crate::carcass::Patch;
+use super::net::Net;
 use glam::{DVec3, DVec4};
 
 /// Two patches. Parameters are those of the cells: (s, t) of A, then (u, v) of B.
+#[derive(Clone)]
 pub(super) struct Equation<const N: usize, const M: usize> {
-    pub(super) a: Patch<N>,
-    pub(super) b: Patch<M>,
+    pub(super) a: Net<N>,
+    pub(super) b: Net<M>,
 }
 
 /// A - B at some parameters, and its derivatives.
@@ -23,6 +24,8 @@ pub(super) const OTHERS: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0,
 
 /// Steps of Newton's method.
 const STEPS: usize = 16;
+/// Guesses nearer than this, by the cells' parameters, are good ones.
+const NEAR: f64 = 1e-3;
 
 impl Frame {
     /// N_A and N_B, as long as the cells' areas.
@@ -44,61 +47,27 @@ impl Frame {
         a.cross(b)
     }
 
-    /// Newton's step with one of the parameters fixed.
-    fn step(&self, fixed: usize) -> DVec4 {
-        let [i, j, k] = OTHERS[fixed];
-        let [x, y, z] = [i, j, k].map(|n| self.columns[n]);
+    /// The inverse of the derivatives with one of the parameters fixed: its rows, for the other three.
+    fn inverse(&self, fixed: usize) -> [DVec3; 3] {
+        let [x, y, z] = OTHERS[fixed].map(|n| self.columns[n]);
         let (yz, zx, xy) = (y.cross(z), z.cross(x), x.cross(y));
         let factor = 1.0 / x.dot(yz);
-        let mut step = DVec4::ZERO;
-        step[i] = self.miss.dot(yz) * factor;
-        step[j] = self.miss.dot(zx) * factor;
-        step[k] = self.miss.dot(xy) * factor;
-        step
+        [factor * yz, factor * zx, factor * xy]
     }
 }
 
-/// The Bernstein polynomials of degree N - 1 at t, and their derivatives.
-#[inline(always)]
-fn weights<const N: usize>(t: f64) -> [[f64; N]; 2] {
-    let (mut value, mut slope) = ([0.0; N], [0.0; N]);
-    value[0] = 1.0;
-    for degree in 1..N {
-        if degree == N - 1 {
-            for k in 0..N {
-                let before = if k > 0 { value[k - 1] } else { 0.0 };
-                slope[k] = degree as f64 * (before - value[k]);
-            }
-        }
-        for k in (1..=degree).rev() {
-            value[k] = (1.0 - t) * value[k] + t * value[k - 1];
-        }
-        value[0] *= 1.0 - t;
+/// Newton's step, by the inverse of the derivatives with one of the parameters fixed.
+fn step(inverse: &[DVec3; 3], miss: DVec3, fixed: usize) -> DVec4 {
+    let mut step = DVec4::ZERO;
+    for (&n, row) in OTHERS[fixed].iter().zip(inverse) {
+        step[n] = miss.dot(*row);
     }
-    [value, slope]
-}
-
-/// Point and first derivatives.
-#[inline(always)]
-fn tangents<const N: usize>(patch: &Patch<N>, u: f64, v: f64) -> [DVec3; 3] {
-    let ([along_u, slope_u], [along_v, slope_v]) = (weights::<N>(u), weights::<N>(v));
-    let mut sums = [DVec3::ZERO; 3];
-    for (a, row) in patch.points.iter().enumerate() {
-        let (mut value, mut slope) = (DVec3::ZERO, DVec3::ZERO);
-        for (b, &point) in row.iter().enumerate() {
-            value += along_v[b] * point;
-            slope += slope_v[b] * point;
-        }
-        sums[0] += along_u[a] * value;
-        sums[1] += slope_u[a] * value;
-        sums[2] += along_u[a] * slope;
-    }
-    sums
+    step
 }
 
 impl<const N: usize, const M: usize> Equation<N, M> {
     pub(super) fn frame(&self, x: DVec4) -> Frame {
-        let ([p, s, t], [q, u, v]) = (tangents(&self.a, x.x, x.y), tangents(&self.b, x.z, x.w));
+        let ([p, s, t], [q, u, v]) = (self.a.tangents(x.x, x.y), self.b.tangents(x.z, x.w));
         Frame { miss: p - q, columns: [s, t, -u, -v] }
     }
 
@@ -108,7 +77,7 @@ impl<const N: usize, const M: usize> Equation<N, M> {
         let (mut x, mut last) = (start, f64::INFINITY);
         for _ in 0..STEPS {
             let frame = self.frame(x);
-            let step = frame.step(fixed);
+            let step = step(&frame.inverse(fixed), frame.miss, fixed);
             let length = step.abs().max_element();
             // Far outside the cells the polynomials say nothing.
             if !step.is_finite() || length > 4.0 {
@@ -127,8 +96,27 @@ impl<const N: usize, const M: usize> Equation<N, M> {
         None
     }
 
+    /// The same for a good guess: after Newton's first step the derivatives hardly change, so that A - B is all that a second one needs.
+    pub(super) fn settle(&self, guess: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
+        let frame = self.frame(guess);
+        let inverse = frame.inverse(fixed);
+        let first = step(&inverse, frame.miss, fixed);
+        let length = first.abs().max_element();
+        if length < NEAR {
+            let x = guess - first;
+            let miss = self.a.point(x.x, x.y) - self.b.point(x.z, x.w);
+            let second = step(&inverse, miss, fixed);
+            // What is left falls by the same ratio at each step.
+            let left = second.abs().max_element();
+            if 4.0 * left * left <= 1e-15 * length || left < 1e-14 {
+                return Some((x - second, frame));
+            }
+        }
+        self.solve(guess, fixed)
+    }
+
     /// The point of A, between A and B where they differ by rounding.
     pub(super) fn point(&self, x: DVec4) -> DVec3 {
-        tangents(&self.a, x.x, x.y)[0]
+        self.a.point(x.x, x.y)
     }
 }

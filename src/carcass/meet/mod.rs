@@ -15,6 +15,7 @@ mod arc;
 mod chain;
 mod chart;
 mod equation;
+mod net;
 mod pairs;
 mod refine;
 mod solve;
@@ -22,14 +23,15 @@ mod solve;
 pub use pairs::MAX_PAIRS;
 
 use super::cells::Cells;
-use super::{Carcass, Patch, Paths, Place, Sheet, each_sheet};
+use super::{Carcass, Paths, Place, Sheet, each_sheet};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
 use chain::{Chain, chains};
-use equation::Equation;
+use chart::Part;
 use glam::{DVec3, DVec4};
+use net::Net;
 use pairs::{Indexed, pairs};
 use solve::{Pieces, Task};
 use std::ops::Range;
@@ -127,7 +129,6 @@ impl Carcass<'_> {
             let b = Indexed { number: n as u32, sheet: sheet_b, index: index_b };
             pairs(&a, &b, within, &mut found, job)?;
         }
-        found.sort_unstable();
         Ok(found)
     }
 }
@@ -215,22 +216,20 @@ impl Meeting<'_> {
         task: &impl Fn(u32, f64) -> Task,
         pieces: &mut Pieces,
     ) -> Result<()> {
-        let mut last: Option<([u32; 2], Patch<N>, f64)> = None;
+        let mut whole = Part::<N, M>::WHOLE;
+        let (mut last, mut size_a) = (None, 0.0);
         for &k in which {
             let [p, q] = self.pairs[k as usize].cells;
             // Pairs of one cell of A follow each other.
-            let (_, patch_a, size_a) = match last {
-                Some(last) if last.0 == p => last,
-                _ => {
-                    let (patch, size) = moved(a.patch(p[0] as usize, p[1] as usize), self.origin);
-                    (p, patch, size)
-                }
-            };
-            last = Some((p, patch_a, size_a));
-            let (patch_b, size_b) = moved(b.patch(q[0] as usize, q[1] as usize), self.origin);
+            if last != Some(p) {
+                (whole.nets.a, size_a) = Net::new(&a.patch(p[0] as usize, p[1] as usize), self.origin);
+                last = Some(p);
+            }
+            let size_b;
+            (whole.nets.b, size_b) = Net::new(&b.patch(q[0] as usize, q[1] as usize), self.origin);
             // Of the nets, and of their halvings.
-            let noise = 16.0 * f64::EPSILON * size_a.max(size_b);
-            task(k, noise).solve(&Equation { a: patch_a, b: patch_b }, pieces)?;
+            let noise = 16.0 * f64::EPSILON * f64::max(size_a, size_b);
+            task(k, noise).solve(&whole, pieces)?;
         }
         Ok(())
     }
@@ -280,22 +279,17 @@ impl Meeting<'_> {
         paths.levels = alloc::filled(0, chains.len())?;
         paths.points = alloc::with_capacity(paths.places.len())?;
         paths.normals = alloc::with_capacity(paths.places.len())?;
-        for &place in &paths.places {
-            let jet = self.carcasses[0].jet(place);
-            paths.points.push(jet.point);
-            paths.normals.push(self.carcasses[0].normal_by(place, &jet));
+        for run in paths.places.chunk_by(|p, q| (p.sheet, p.cell) == (q.sheet, q.cell)) {
+            let (sheet, [i, j]) = (self.carcasses[0].sheet(run[0].sheet as usize), run[0].cell);
+            each_sheet!(sheet, cells => {
+                let patch = Cells::patch(cells, i as usize, j as usize);
+                for &place in run {
+                    let jet = patch.jet(place.u, place.v);
+                    paths.points.push(jet.point);
+                    paths.normals.push(self.carcasses[0].normal_by(place, &jet));
+                }
+            });
         }
         Ok(paths)
     }
-}
-
-/// A patch relative to an origin, and the largest of the absolute values of its coordinates before and after.
-fn moved<const N: usize>(mut patch: Patch<N>, origin: DVec3) -> (Patch<N>, f64) {
-    let mut largest = DVec3::ZERO;
-    for point in patch.points.as_flattened_mut() {
-        let before = *point;
-        *point -= origin;
-        largest = largest.max(before.abs()).max(point.abs());
-    }
-    (patch, largest.max_element())
 }

@@ -1,60 +1,107 @@
 //! Points between the ends of an arc, until its chords are within a tolerance of it.
+//!
+//! Where the curve is between two of its points follows nearly from its tangents there, as the cubic through both: in space, how far it is from
+//! their chord, and so into how many pieces it is to be cut; by parameters, where the points in between are, so that a step or two of
+//! Newton's method suffice.
 
 use super::arc::End;
-use super::equation::{Equation, Frame};
+use super::equation::Equation;
 use crate::alloc;
 use crate::error::Result;
 use glam::{DVec3, DVec4};
 
-/// Halvings at most.
-const DEPTH: u32 = 12;
+/// Cuts of cuts at most.
+const DEPTH: u32 = 6;
+/// Pieces of one cut at most.
+const PIECES: f64 = 64.0;
 
-/// A point of the arc.
+/// A point of the arc: where it is, and how it goes on, by parameters for the free one's unit, and in space.
 #[derive(Clone, Copy)]
 struct Knot {
     x: DVec4,
+    rates: DVec4,
     point: DVec3,
+    direction: DVec3,
 }
 
-/// Adds the points strictly between the ends.
-pub(super) fn refine<const N: usize, const M: usize>(
-    equation: &Equation<N, M>,
-    ends: [End; 2],
-    free: usize,
-    chord: f64,
-    points: &mut Vec<DVec4>,
-) -> Result<()> {
-    if chord == f64::INFINITY {
-        return Ok(());
+/// An arc that is refined.
+pub(super) struct Refined<'a, const N: usize, const M: usize> {
+    pub(super) equation: &'a Equation<N, M>,
+    /// The parameter of which the others are functions.
+    pub(super) free: usize,
+    /// The greatest distance of the arc from its chords.
+    pub(super) chord: f64,
+}
+
+impl<const N: usize, const M: usize> Refined<'_, N, M> {
+    /// Adds the points strictly between the ends, which are at `places`.
+    pub(super) fn between(&self, ends: [End; 2], places: [DVec3; 2], points: &mut Vec<DVec4>) -> Result<()> {
+        if self.chord == f64::INFINITY {
+            return Ok(());
+        }
+        let knots = [0, 1].map(|k| {
+            let End { x, tangent, direction } = ends[k];
+            let rates = tangent / tangent[self.free];
+            Knot { x, rates, point: places[k], direction: direction.normalize_or_zero() }
+        });
+        let pieces = self.pieces(&knots);
+        if pieces > 1.0 {
+            return self.cut(knots, pieces, DEPTH, points);
+        }
+        // What the ends do not show, the middle may.
+        let Some(middle) = self.knot(&knots, 0.5) else {
+            return Ok(());
+        };
+        let [first, last] = knots;
+        let off = middle.point - first.point;
+        let along = (last.point - first.point).normalize_or_zero();
+        if (off - off.dot(along) * along).length() > self.chord {
+            self.cut(knots, 2.0, DEPTH, points)?;
+        }
+        Ok(())
     }
-    let knots = ends.map(|end| Knot { x: end.x, point: equation.point(end.x) });
-    halve(equation, knots, free, chord, DEPTH, points)
-}
 
-fn halve<const N: usize, const M: usize>(
-    equation: &Equation<N, M>,
-    [first, last]: [Knot; 2],
-    free: usize,
-    chord: f64,
-    depth: u32,
-    points: &mut Vec<DVec4>,
-) -> Result<()> {
-    let Some((x, frame)) = equation.solve(0.5 * (first.x + last.x), free) else { return Ok(()) };
-    let middle = Knot { x, point: equation.point(x) };
-    if depth == 0 || deviation(&first, &middle, &last, &frame) <= chord {
-        return Ok(());
+    /// Adds the points between two knots that cut the arc into equal pieces by the free parameter, and those of pieces that are still too long.
+    fn cut(&self, knots: [Knot; 2], pieces: f64, depth: u32, points: &mut Vec<DVec4>) -> Result<()> {
+        let mut before = knots[0];
+        for k in 1..=pieces as usize {
+            let last = k as f64 == pieces;
+            let next = if last { Some(knots[1]) } else { self.knot(&knots, k as f64 / pieces) };
+            let Some(next) = next else { continue };
+            let piece = [before, next];
+            let more = if depth > 0 { self.pieces(&piece) } else { 1.0 };
+            if more > 1.0 {
+                self.cut(piece, more, depth - 1, points)?;
+            }
+            if !last {
+                alloc::push(points, next.x)?;
+            }
+            before = next;
+        }
+        Ok(())
     }
-    halve(equation, [first, middle], free, chord, depth - 1, points)?;
-    alloc::push(points, x)?;
-    halve(equation, [middle, last], free, chord, depth - 1, points)
-}
 
-/// How far the arc is from its chord, nearly: in the middle, and for arcs that cross their chord, by the slope there.
-fn deviation(first: &Knot, middle: &Knot, last: &Knot, frame: &Frame) -> f64 {
-    let whole = last.point - first.point;
-    let Some(along) = whole.try_normalize() else { return middle.point.distance(first.point) };
-    let across = (middle.point - first.point).cross(along).length();
-    // A cubic through both ends and the middle of the chord with slope m there is at most |m| / (6 sqrt 3) of the chord off: 0.0962.
-    let slope = frame.direction().normalize_or_zero().cross(along).length();
-    across.max(0.1 * slope * whole.length())
+    /// The number of pieces whose chords are near enough to the arc between two knots: their distance falls by the square of it. That of
+    /// the cubic with directions T and U across the chord, L long, is of two parts: an arch, L / 8 |T - U|, and a wave,
+    /// L / (12 sqrt 3) |T + U|.
+    fn pieces(&self, [first, last]: &[Knot; 2]) -> f64 {
+        let whole = last.point - first.point;
+        let length = whole.length();
+        let along = whole / length.max(f64::MIN_POSITIVE);
+        let across = |direction: DVec3| direction - direction.dot(along) * along;
+        let (one, other) = (across(first.direction), across(last.direction));
+        let far = length * (one.distance(other) / 8.0 + (one + other).length() / (12.0 * 3.0_f64.sqrt()));
+        (far / self.chord).sqrt().ceil().min(PIECES)
+    }
+
+    /// The knot at a part of the way between two by the free parameter.
+    fn knot(&self, [first, last]: &[Knot; 2], t: f64) -> Option<Knot> {
+        let (s, whole) = (1.0 - t, last.x[self.free] - first.x[self.free]);
+        let rise = s * first.rates - t * last.rates;
+        let line = s * s * (1.0 + 2.0 * t) * first.x + t * t * (3.0 - 2.0 * t) * last.x;
+        let (x, frame) = self.equation.settle(line + (s * t * whole) * rise, self.free)?;
+        let rates = frame.tangent() / frame.tangent()[self.free];
+        let direction = frame.direction().normalize_or_zero();
+        Some(Knot { x, rates, point: self.equation.point(x), direction })
+    }
 }

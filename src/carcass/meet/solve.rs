@@ -6,7 +6,7 @@
 use super::arc::{End, Found, Search};
 use super::chart::{Part, Proof};
 use super::equation::Equation;
-use super::refine::refine;
+use super::refine::Refined;
 use crate::alloc;
 use crate::error::Result;
 use glam::{DVec3, DVec4};
@@ -94,22 +94,22 @@ pub(super) struct Task {
 
 impl Task {
     /// Adds the arcs of the pair.
-    pub(super) fn solve<const N: usize, const M: usize>(
-        &self,
-        equation: &Equation<N, M>,
-        pieces: &mut Pieces,
-    ) -> Result<()> {
+    pub(super) fn solve<const N: usize, const M: usize>(&self, whole: &Part<N, M>, pieces: &mut Pieces) -> Result<()> {
+        let equation = &whole.nets;
         let before = pieces.counts();
         let [_, _, spots] = before;
-        let whole = Part { a: equation.a, b: equation.b, low: DVec4::ZERO, size: DVec4::ONE };
-        let mut stack = vec![whole.clone()];
-        let mut looked_at = 0;
+        // Of most pairs there is one box to be looked at.
+        let Some([low, high]) = self.look(equation, whole, spots, pieces)? else {
+            return Ok(());
+        };
+        let mut stack = vec![high, low];
+        let mut looked_at = 1;
         while let Some(part) = stack.pop() {
             looked_at += 1;
-            let hopeless = || equation.a.has_no_area() && equation.b.has_no_area();
+            let hopeless = || equation.a.patch().has_no_area() && equation.b.patch().has_no_area();
             if looked_at == PATIENCE && (hopeless() || self.coincide(equation)) {
                 pieces.truncate(before);
-                self.give_up(equation, &whole, spots, pieces);
+                self.give_up(equation, whole, spots, pieces);
                 return Ok(());
             }
             if looked_at > self.limit && !self.last {
@@ -138,7 +138,13 @@ impl Task {
             Proof::Empty => return Ok(None),
             Proof::Open => {}
             Proof::Graph(chart) => {
-                match Search::new(equation, part, &chart, self.tolerance, self.noise, self.followed).arc() {
+                let search = Search::new(equation, part, &chart, self.tolerance, self.noise, self.followed);
+                let found = match search.along_line(&frame) {
+                    Some(found) => found,
+                    None if part.is_apart(&frame, self.noise) => Found::Nothing,
+                    None => search.through_inside(&frame),
+                };
+                match found {
                     Found::Nothing => return Ok(None),
                     Found::Open => {}
                     Found::Arc(ends) => {
@@ -174,7 +180,7 @@ impl Task {
         }
         let from = pieces.points.len() as u32;
         alloc::push(&mut pieces.points, ends[0].x)?;
-        refine(equation, ends, free, self.chord, &mut pieces.points)?;
+        Refined { equation, free, chord: self.chord }.between(ends, places, &mut pieces.points)?;
         alloc::push(&mut pieces.points, ends[1].x)?;
         let to = pieces.points.len() as u32;
         let directions = ends.map(|end| end.direction.normalize_or_zero());
@@ -192,7 +198,7 @@ impl Task {
         let x = part.middle();
         let centre = equation.point(x);
         let reach = |corner: &DVec3| corner.distance(centre);
-        let radius = part.a.points.as_flattened().iter().map(reach).fold(0.0, f64::max);
+        let radius = part.nets.a.patch().points.as_flattened().iter().map(reach).fold(0.0, f64::max);
         let gap = equation.frame(x).miss.length();
         let spot = Spot { pair: self.pair, x, centre, radius, gap };
         let own = &mut pieces.spots[first..];
@@ -215,7 +221,9 @@ impl Task {
         let mut count = 0;
         for k in 0..18 {
             let (along, across) = (0.5 * f64::from(k / 3 % 3), 0.5 * f64::from(k % 3));
-            let Some(contact) = self.contact(equation, along, across, k < 9) else { continue };
+            let Some(contact) = self.contact(equation, along, across, k < 9) else {
+                continue;
+            };
             if contacts[..count].iter().all(|other| other.distance(contact) > 64.0 * self.tolerance) {
                 contacts[count] = contact;
                 count += 1;
