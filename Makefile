@@ -8,6 +8,8 @@ CARGO   ?= cargo
 version := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 abi     := $(basename $(version))
 stage   := $(CURDIR)/build/stage
+# A build of its own: the same file name would otherwise stand for two libraries.
+openmfx := $(CURDIR)/target/openmfx/debug/libgusset.so
 libdir  := $(DESTDIR)$(PREFIX)/lib
 incdir  := $(DESTDIR)$(PREFIX)/include
 
@@ -17,7 +19,7 @@ test_packages  := $(host_packages) doctest-dev libeigen3-dev valgrind
 bench_packages := $(host_packages) fonts-dejavu-core glmark2-data libembree-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libsisl-dev nlohmann-json3-dev python3-venv
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build test check exhaustive demo bench install stage clean
+.PHONY: help build openmfx test check exhaustive demo bench install stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -29,6 +31,7 @@ help:
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
 	@echo 'make bench ONLY=join [SLOW=1]     the cases whose names contain that, into the report alone; SLOW=1: none skipped'
 	@echo 'make build                        the libraries, in target/release'
+	@echo 'make openmfx                      the library with the entry points of OpenMfx, unoptimised, for the tests of them'
 	@echo 'make install [PREFIX=/usr/local] [DESTDIR=]   libraries, headers, pkg-config file, licences'
 	@echo 'make clean                        remove build and target'
 
@@ -39,15 +42,19 @@ check:
 	$(CARGO) fmt --check
 	$(CARGO) clippy --locked --all-targets -- -D warnings
 	$(CARGO) test --locked
-	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --no-deps
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --no-deps --features openmfx
 
 # What is ignored in `make test` because it takes minutes.
 exhaustive:
 	$(CARGO) test --release --locked --test 'carcass_*' -- --ignored --nocapture exhaustive_
 
-test: check stage
+# The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx.
+openmfx:
+	$(CARGO) rustc --locked --lib --crate-type cdylib --features openmfx --target-dir target/openmfx
+
+test: check stage openmfx
 	@scripts/install-packages.sh $(test_packages)
-	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error
 
