@@ -12,6 +12,8 @@ version := $(call manifest,version)
 abi     := $(basename $(version))
 release := $(or $(CARGO_TARGET_DIR),target)/release
 stage   := $(CURDIR)/build/stage
+# A build of its own: the same file name would otherwise stand for two libraries.
+openmfx := $(CURDIR)/target/openmfx/debug/libgusset.so
 libdir   = $(DESTDIR)$(LIBDIR)
 incdir   = $(DESTDIR)$(PREFIX)/include
 docdir   = $(DESTDIR)$(DOCDIR)
@@ -26,7 +28,7 @@ deb_packages   := debhelper dpkg-dev lintian
 pictures_packages := $(host_packages)
 demo_packages  := $(host_packages) libcgal-demo f3d xvfb xauth
 
-.PHONY: help build test check exhaustive host check-cancel demo docs pictures bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
+.PHONY: help build openmfx test check exhaustive host check-cancel demo docs pictures bench install install-strip check-abi abi-baseline check-cargo-c deb stage clean
 .DEFAULT_GOAL := help
 
 help:
@@ -42,6 +44,7 @@ help:
 	@echo 'make host                         gusset-host, which runs the filters of the plugin on files, into build/host'
 	@echo 'make check-cancel [ONLY=weld]     how fast the filters stop on large meshes, on a machine that does nothing else; minutes'
 	@echo 'make build                        the libraries, in target/release'
+	@echo 'make openmfx                      the library with the entry points of OpenMfx, unoptimised, for the tests of them'
 	@echo 'make install [PREFIX=/usr/local] [LIBDIR=] [DESTDIR=]   libraries, headers, pkg-config file, CMake package, docs'
 	@echo 'make install-strip                the same, without what debuggers read'
 	@echo 'make check-abi                    whether the binary interface is that of packaging/abi; it is in make test too'
@@ -57,15 +60,19 @@ check:
 	$(CARGO) fmt --check
 	$(CARGO) clippy --locked --all-targets -- -D warnings
 	$(CARGO) test --locked
-	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --no-deps
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --locked --no-deps --features openmfx
 
 # What is ignored in `make test` because it takes minutes.
 exhaustive:
 	$(CARGO) test --profile search --locked --test 'carcass_*' -- --ignored --nocapture exhaustive_
 
-test: check stage
+# The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx.
+openmfx:
+	$(CARGO) rustc --locked --lib --crate-type cdylib --features openmfx --target-dir target/openmfx
+
+test: check stage openmfx
 	@scripts/install-packages.sh $(test_packages)
-	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage)
+	cmake -S cpp_tests -B build/cpp -DGUSSET_PREFIX=$(stage) -DGUSSET_OPENMFX=$(openmfx)
 	env -u MAKELEVEL -u MAKEFLAGS cmake --build build/cpp --parallel 2
 	ctest --test-dir build/cpp --output-on-failure --no-tests=error
 

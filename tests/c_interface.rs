@@ -91,8 +91,14 @@ fn run(command: &mut Command) -> String {
 #[cfg(target_os = "linux")]
 fn the_library_exports_what_the_header_declares_and_nothing_else() {
     let listing = run(Command::new("nm").args(["-D", "--defined-only"]).arg(built("libgusset.so")));
-    let symbols: Vec<_> = listing.lines().filter_map(|line| line.split_whitespace().nth(2)).collect();
+    let symbols = listing.lines().filter_map(|line| line.split_whitespace().nth(2));
+    let (effects, symbols): (Vec<_>, Vec<_>) = symbols.partition(|symbol| symbol.starts_with("Ofx"));
     committed("include/gusset.symbols", &(symbols.join("\n") + "\n"));
+    if cfg!(feature = "openmfx") {
+        committed("include/gusset.openmfx.symbols", &(effects.join("\n") + "\n"));
+    } else {
+        assert!(effects.is_empty(), "{effects:?}");
+    }
     let headers = HEADERS.map(|name| fs::read_to_string(Path::new(ROOT).join("include").join(name)).unwrap());
     let header = headers.concat();
     for symbol in &symbols {

@@ -27,6 +27,7 @@
 //! | [`carcass_level`] | sections, contours and isophotes of surfaces |
 //! | [`carcass_closest`] | nearest points of surfaces, places of locally least distance, regions of cells |
 //! | [`plugin`] | the other interface: one symbol and tables of filters, with a header of its own |
+//! | `openmfx` | with the feature of this name: the entry points of OpenMfx hosts |
 //! | [`curve`] | the handle of a curve, and places on it |
 //! | [`curve_ask`], [`curve_find`], [`curve_make`], [`curve_export`] | what is asked of curves, found on them, made of them,
 //! written of them |
@@ -79,6 +80,10 @@ pub mod net_scene;
 pub mod net_stream;
 pub mod net_transform;
 pub mod net_validate;
+/// cbindgen:ignore
+// In unit tests always, so that it is tested and linted with the rest.
+#[cfg(any(feature = "openmfx", test))]
+pub mod openmfx;
 pub mod orient;
 pub mod outline;
 pub mod outline_options;

@@ -1,0 +1,50 @@
+// Layers as inputs of a filter, and outputs as layers.
+#pragma once
+
+#include "polygons.hpp"
+#include "wires.hpp"
+
+#include <common/ml_document/mesh_model.h>
+#include <gusset_plugin.h>
+
+#include <deque>
+#include <vector>
+
+/// Inputs of a filter: views of layers, and what had to be copied for them. Everything is in the coordinates of the
+/// first layer.
+class Inputs {
+public:
+    /// Adds a layer as an input of this kind. Its vertices stay where they are if the layer lies as the first one does.
+    void add(const CMeshO &layer, std::uint32_t kind);
+
+    /// What run and suggest take; valid until the next add.
+    const std::vector<gusset_input> &list() const { return list_; }
+    /// The faces of an input that is a mesh.
+    const Polygons &faces(std::size_t input) const { return held_[input].faces; }
+
+private:
+    struct Held {
+        Polygons faces;
+        Wires wires;
+        std::vector<double> positions;
+        gusset_plugin_mesh mesh;
+        gusset_plugin_curves curves;
+    };
+
+    void add_mesh(const CMeshO &layer, Held &held, const Matrix44m *move);
+
+    std::vector<gusset_input> list_;
+    /// Its elements do not move.
+    std::deque<Held> held_;
+    Matrix44m first_;
+};
+
+/// Puts a mesh in the place of the layer's. With the same faces only the vertices move, and all else stays; with
+/// others, colour and quality stay with the vertices that stay where they are, and other attributes are dropped.
+void replace(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &before);
+
+/// Puts a mesh into a new layer.
+void fill(MeshModel &layer, const gusset_plugin_mesh &mesh);
+
+/// Puts polylines into a new layer.
+void fill(MeshModel &layer, const gusset_plugin_curves &curves);

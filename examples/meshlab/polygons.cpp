@@ -1,0 +1,180 @@
+#include "polygons.hpp"
+
+#include <vcg/space/planar_polygon_tessellation.h>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+namespace {
+
+/// Sets of triangles, each named by its least.
+class Groups {
+public:
+    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+    std::uint32_t of(std::uint32_t face) {
+        while (parent_[face] != face) {
+            face = parent_[face] = parent_[parent_[face]];
+        }
+        return face;
+    }
+
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = of(a);
+        b = of(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+/// Edge `edge` of triangle `face`, from vertex `from` to vertex `to`.
+struct HalfEdge {
+    std::uint32_t from, to, face;
+    int edge;
+
+    auto key() const { return std::make_tuple(std::min(from, to), std::max(from, to)); }
+};
+
+HalfEdge half_edge(const CMeshO &mesh, std::uint32_t face, int edge) {
+    const CFaceO &f = mesh.face[face];
+    const auto index = [&](int corner) { return static_cast<std::uint32_t>(vcg::tri::Index(mesh, f.cV(corner % 3))); };
+    return {index(edge), index(edge + 1), face, edge};
+}
+
+/// For each edge of each triangle whether it lies inside a polygon: marked as faux from both sides, which run against
+/// each other.
+std::vector<std::uint8_t> inner_edges(const CMeshO &mesh, Groups &groups) {
+    std::vector<HalfEdge> faux;
+    for (std::uint32_t face = 0; face < mesh.face.size(); ++face) {
+        for (int edge = 0; edge < 3 && !mesh.face[face].IsD(); ++edge) {
+            if (mesh.face[face].IsF(edge)) {
+                faux.push_back(half_edge(mesh, face, edge));
+            }
+        }
+    }
+    std::sort(faux.begin(), faux.end(), [](const HalfEdge &a, const HalfEdge &b) { return a.key() < b.key(); });
+    std::vector<std::uint8_t> inner(3 * mesh.face.size(), 0);
+    for (std::size_t first = 0, end; first < faux.size(); first = end) {
+        end = first;
+        while (end < faux.size() && faux[end].key() == faux[first].key()) {
+            ++end;
+        }
+        if (end - first == 2 && faux[first].from == faux[first + 1].to && faux[first].face != faux[first + 1].face) {
+            for (std::size_t k = first; k < end; ++k) {
+                inner[3 * faux[k].face + static_cast<std::size_t>(faux[k].edge)] = 1;
+            }
+            groups.join(faux[first].face, faux[first + 1].face);
+        }
+    }
+    return inner;
+}
+
+/// The outline of a group, or nothing if it is not one simple loop.
+std::vector<std::uint32_t> outline(const CMeshO &mesh, const std::vector<std::uint32_t> &group,
+                                   const std::vector<std::uint8_t> &inner) {
+    std::unordered_map<std::uint32_t, std::uint32_t> next;
+    std::vector<std::uint32_t> loop;
+    std::size_t edges = 0;
+    for (const std::uint32_t face : group) {
+        for (int edge = 0; edge < 3; ++edge) {
+            if (inner[3 * face + static_cast<std::size_t>(edge)] == 0) {
+                const HalfEdge outer = half_edge(mesh, face, edge);
+                next[outer.from] = outer.to;
+                if (edges++ == 0) {
+                    loop.push_back(outer.from);
+                }
+            }
+        }
+    }
+    while (!loop.empty() && loop.size() <= edges) {
+        const auto found = next.find(loop.back());
+        if (found == next.end()) {
+            break;
+        }
+        if (found->second == loop.front()) {
+            return loop.size() == edges && edges >= 3 ? loop : std::vector<std::uint32_t>();
+        }
+        loop.push_back(found->second);
+    }
+    return {};
+}
+
+/// Places among the corners of a polygon, three for each triangle that it is cut into.
+std::vector<int> cut(const CMeshO &mesh, const std::uint32_t *corners, std::size_t count) {
+    std::vector<Point3m> points;
+    for (std::size_t k = 0; k < count; ++k) {
+        points.push_back(mesh.vert[corners[k]].cP());
+    }
+    std::vector<int> triangles;
+    vcg::TessellatePlanarPolygon3(points, triangles);
+    if (triangles.size() != 3 * (count - 2)) {
+        // It found no way, as for polygons without area.
+        triangles.clear();
+        for (int k = 2; k < static_cast<int>(count); ++k) {
+            triangles.insert(triangles.end(), {0, k - 1, k});
+        }
+    }
+    return triangles;
+}
+
+} // namespace
+
+Polygons polygons(const CMeshO &mesh) {
+    Polygons found;
+    Groups groups(mesh.face.size());
+    const std::vector<std::uint8_t> inner = inner_edges(mesh, groups);
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> members;
+    for (std::uint32_t face = 0; face < mesh.face.size(); ++face) {
+        if (groups.of(face) != face) {
+            members[groups.of(face)].push_back(face);
+        }
+    }
+    const auto add = [&](const std::vector<std::uint32_t> &corners) {
+        found.corners.insert(found.corners.end(), corners.begin(), corners.end());
+        found.offsets.push_back(static_cast<std::uint32_t>(found.corners.size()));
+    };
+    for (std::uint32_t face = 0; face < mesh.face.size(); ++face) {
+        if (mesh.face[face].IsD() || groups.of(face) != face) {
+            continue;
+        }
+        std::vector<std::uint32_t> group{face};
+        if (const auto more = members.find(face); more != members.end()) {
+            group.insert(group.end(), more->second.begin(), more->second.end());
+            if (const auto loop = outline(mesh, group, inner); !loop.empty()) {
+                add(loop);
+                continue;
+            }
+        }
+        for (const std::uint32_t triangle : group) {
+            add({half_edge(mesh, triangle, 0).from, half_edge(mesh, triangle, 1).from,
+                 half_edge(mesh, triangle, 2).from});
+        }
+    }
+    return found;
+}
+
+bool add_faces(CMeshO &mesh, const Polygons &faces) {
+    const std::size_t count = faces.offsets.size() - 1;
+    const std::size_t triangles = faces.corners.size() - 2 * count;
+    auto face = vcg::tri::Allocator<CMeshO>::AddFaces(mesh, triangles);
+    for (std::size_t f = 0; f < count; ++f) {
+        const std::uint32_t *corners = faces.corners.data() + faces.offsets[f];
+        const int degree = static_cast<int>(faces.offsets[f + 1] - faces.offsets[f]);
+        const std::vector<int> places = cut(mesh, corners, static_cast<std::size_t>(degree));
+        for (std::size_t k = 0; k < places.size(); k += 3, ++face) {
+            for (int c = 0; c < 3; ++c) {
+                const int here = places[k + static_cast<std::size_t>(c)],
+                          next = places[k + static_cast<std::size_t>((c + 1) % 3)];
+                face->V(c) = &mesh.vert[corners[here]];
+                if ((here + 1) % degree != next) {
+                    face->SetF(c);
+                }
+            }
+        }
+    }
+    return triangles != count;
+}

@@ -1,0 +1,90 @@
+//! What a host is told of an effect. Labels, hints and ranges that a host has no place for are left out.
+
+use super::abi::{
+    CONTEXT_FILTER, CONTEXT_GENERAL, CONTEXT_GENERATOR, Handle, MAIN_OUTPUT, PARAM_BOOLEAN, PARAM_CHOICE, PARAM_DOUBLE,
+    PARAM_DOUBLE_3D, PARAM_DOUBLE_ANGLE, PARAM_INTEGER, PARAM_PROP_CHOICE, PARAM_PROP_DEFAULT, PARAM_PROP_DOUBLE_TYPE,
+    PARAM_PROP_HINT, PARAM_PROP_INCREMENT, PARAM_PROP_MAX, PARAM_PROP_MIN, PROP_CONTEXTS, PROP_DESCRIPTION, PROP_LABEL,
+    PROP_REQUEST_TRANSFORM, Status,
+};
+use super::effects::{Effect, Knob, KnobKind, SUIT, SUIT_HINT, SUIT_LABEL};
+use super::suites::{Parameters, Properties, Suites};
+use libc::c_int;
+
+/// The action of this name.
+pub(super) fn describe(effect: &'static Effect, suites: &Suites, descriptor: Handle) -> Result<(), Status> {
+    if let Some(properties) = suites.effect_properties(descriptor) {
+        let context = match effect.inputs.len() {
+            0 => CONTEXT_GENERATOR,
+            1 => CONTEXT_FILTER,
+            _ => CONTEXT_GENERAL,
+        };
+        let _ = properties.set_text(PROP_LABEL, 0, &effect.label);
+        let _ = properties.set_text(PROP_DESCRIPTION, 0, &effect.help);
+        let _ = properties.set_text(PROP_CONTEXTS, 0, context);
+    }
+    for slot in &effect.inputs {
+        let input = suites.define_input(descriptor, &slot.name)?;
+        let _ = input.set_text(PROP_LABEL, 0, &slot.label);
+        if effect.inputs.len() > 1 {
+            // Meshes that lie in different places are brought together.
+            let _ = input.set_int(PROP_REQUEST_TRANSFORM, 0, 1);
+        }
+    }
+    let output = suites.define_input(descriptor, MAIN_OUTPUT)?;
+    let _ = output.set_text(PROP_LABEL, 0, c"Output");
+    let parameters = suites.parameters(descriptor)?;
+    for knob in &effect.knobs {
+        define(&parameters, knob)?;
+    }
+    if effect.filter.suggest.is_some() {
+        let properties = parameters.define(PARAM_BOOLEAN, SUIT)?;
+        let _ = properties.set_text(PROP_LABEL, 0, SUIT_LABEL);
+        let _ = properties.set_text(PARAM_PROP_HINT, 0, SUIT_HINT);
+        properties.set_int(PARAM_PROP_DEFAULT, 0, 1)?;
+    }
+    Ok(())
+}
+
+fn define(parameters: &Parameters<'_>, knob: &'static Knob) -> Result<(), Status> {
+    let kind = match knob.kind {
+        KnobKind::Boolean => PARAM_BOOLEAN,
+        KnobKind::Integer => PARAM_INTEGER,
+        KnobKind::Choice => PARAM_CHOICE,
+        KnobKind::Double | KnobKind::Angle => PARAM_DOUBLE,
+        KnobKind::Vector => PARAM_DOUBLE_3D,
+    };
+    let properties = parameters.define(kind, &knob.name)?;
+    let _ = properties.set_text(PROP_LABEL, 0, &knob.label);
+    let _ = properties.set_text(PARAM_PROP_HINT, 0, &knob.hint);
+    match knob.kind {
+        KnobKind::Boolean | KnobKind::Integer | KnobKind::Choice => whole(properties, knob),
+        KnobKind::Double | KnobKind::Angle | KnobKind::Vector => real(properties, knob),
+    }
+}
+
+fn whole(properties: Properties, knob: &'static Knob) -> Result<(), Status> {
+    for (place, choice) in knob.choices.iter().enumerate() {
+        let _ = properties.set_text(PARAM_PROP_CHOICE, place, choice);
+    }
+    if knob.kind == KnobKind::Integer {
+        let _ = properties.set_int(PARAM_PROP_MIN, 0, knob.param.min as c_int);
+        let _ = properties.set_int(PARAM_PROP_MAX, 0, knob.param.max as c_int);
+    }
+    properties.set_int(PARAM_PROP_DEFAULT, 0, knob.default[0] as c_int)
+}
+
+fn real(properties: Properties, knob: &Knob) -> Result<(), Status> {
+    let shown = |value: f64| if knob.kind == KnobKind::Angle { value.to_degrees() } else { value };
+    if knob.kind == KnobKind::Angle {
+        let _ = properties.set_text(PARAM_PROP_DOUBLE_TYPE, 0, PARAM_DOUBLE_ANGLE);
+    }
+    if knob.param.step > 0.0 {
+        let _ = properties.set_double(PARAM_PROP_INCREMENT, 0, shown(knob.param.step));
+    }
+    for (component, &value) in knob.default.iter().enumerate() {
+        let _ = properties.set_double(PARAM_PROP_MIN, component, shown(knob.param.min));
+        let _ = properties.set_double(PARAM_PROP_MAX, component, shown(knob.param.max));
+        properties.set_double(PARAM_PROP_DEFAULT, component, shown(value))?;
+    }
+    Ok(())
+}
