@@ -24,6 +24,7 @@ pub(super) const FILTER: Filter = Filter {
     min_inputs: 1,
     max_inputs: 1 << 16,
     outputs: &[OutputKind::Mesh, OutputKind::Text],
+    replaces: false,
     params: &[
         length(
             "tolerance",

@@ -14,17 +14,45 @@ pub mod param;
 
 mod assemble;
 mod boundary_loops;
+mod check;
+mod curve;
+mod curve_measures;
+mod curve_meet;
+mod curve_nearest;
+mod curve_offset;
+mod curve_resample;
+mod curve_svg;
 mod deform;
+mod displace;
+mod distances;
+mod extent;
+mod facing_arcs;
 mod fill_holes;
+mod loft;
+mod net_analyse;
+mod net_decimate;
+mod net_join;
+mod net_lathe;
+mod net_measures;
+mod net_resample;
 mod net_shape;
 mod orient;
 mod outline;
+mod project;
+mod quads;
 mod smooth;
+mod smooth_curve;
 mod smooth_distance;
+mod smooth_intersect;
+mod smooth_isophotes;
+mod smooth_line;
+mod smooth_nearest;
+mod smooth_net;
 mod smooth_sections;
 mod smooth_silhouette;
 mod smooth_surface;
 mod stitch;
+mod strip;
 mod weld;
 
 use crate::error::{Error, Result};
@@ -54,6 +82,9 @@ pub struct Filter {
     pub max_inputs: usize,
     /// What comes out, in order.
     pub outputs: &'static [OutputKind],
+    /// The first output is the first input, mended, moved or made anew with other faces: an editor puts it in its place. Else
+    /// what comes out is something new beside the inputs, as what is joined from several of them is.
+    pub replaces: bool,
     /// The parameters, in the order of their values.
     pub params: &'static [Param],
     /// Values better than the defaults for these inputs, if the filter knows any.
@@ -79,6 +110,30 @@ pub static FILTERS: &[Filter] = &[
     smooth_sections::FILTER,
     smooth_silhouette::FILTER,
     smooth_distance::FILTER,
+    check::FILTER,
+    facing_arcs::FILTER,
+    strip::FILTER,
+    net_resample::FILTER,
+    net_decimate::FILTER,
+    net_join::FILTER,
+    net_measures::FILTER,
+    net_analyse::FILTER,
+    net_lathe::FILTER,
+    displace::FILTER,
+    project::FILTER,
+    curve_measures::FILTER,
+    curve_resample::FILTER,
+    curve_offset::FILTER,
+    curve_meet::FILTER,
+    curve_nearest::FILTER,
+    curve_svg::FILTER,
+    loft::FILTER,
+    smooth_net::FILTER,
+    smooth_isophotes::FILTER,
+    smooth_intersect::FILTER,
+    smooth_line::FILTER,
+    smooth_curve::FILTER,
+    smooth_nearest::FILTER,
 ];
 
 impl Filter {
@@ -87,11 +142,17 @@ impl Filter {
         FILTERS.iter().find(|filter| filter.id == id)
     }
 
-    /// The defaults, as the inputs suggest them; what [`Filter::run`] takes for values that are not given.
+    /// The defaults, as the inputs suggest them, each within the range of its parameter; what [`Filter::run`] takes for values that are not given.
     pub fn defaults(&self, inputs: &[Input<'_>]) -> Vec<f64> {
         let mut values: Vec<f64> = self.params.iter().flat_map(|param| param.default).copied().collect();
         if let Some(suggest) = self.suggest {
+            let usual = values.clone();
             suggest(inputs, &mut values);
+            // Meshes may be of any size, even of one that no range was made for.
+            let params = self.params.iter().flat_map(|param| (0..param.kind.arity()).map(move |_| param));
+            for ((value, usual), param) in values.iter_mut().zip(usual).zip(params) {
+                *value = if value.is_nan() { usual } else { value.clamp(param.min, param.max) };
+            }
         }
         values
     }
@@ -111,10 +172,11 @@ impl Filter {
                 return refused(i);
             }
         }
-        let mut all = self.defaults(inputs);
-        if values.len() > all.len() {
+        let count: usize = self.params.iter().map(|param| param.kind.arity()).sum();
+        if values.len() > count {
             return Err(Error::OptionOutOfRange { option: "values", value: values.len() as f64 });
         }
+        let mut all = if values.len() < count { self.defaults(inputs) } else { values.to_vec() };
         all[..values.len()].copy_from_slice(values);
         (self.run)(inputs, &Values::check(self.params, &all)?, job)
     }

@@ -23,6 +23,7 @@ pub(super) const FILTER: Filter = Filter {
     min_inputs: 1,
     max_inputs: 1,
     outputs: &[OutputKind::Mesh, OutputKind::Text],
+    replaces: true,
     params: &[Param::choice(
         "outward",
         "Closed pieces",

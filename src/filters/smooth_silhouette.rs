@@ -20,6 +20,7 @@ pub(super) const FILTER: Filter = Filter {
     min_inputs: 1,
     max_inputs: 1,
     outputs: &[OutputKind::Curves, OutputKind::Text],
+    replaces: false,
     params: &[
         SCHEME,
         smooth::direction("The direction that is looked along."),

@@ -28,6 +28,7 @@ pub(super) const FILTER: Filter = Filter {
     min_inputs: 1,
     max_inputs: 2,
     outputs: &[OutputKind::Mesh, OutputKind::Text],
+    replaces: false,
     params: &[
         loop_number("loop_a", "Loop of the first mesh"),
         loop_number("loop_b", "Loop of the second mesh"),
