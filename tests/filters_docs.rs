@@ -86,8 +86,8 @@ fn suggested(filter: &Filter) -> Vec<bool> {
         points.iter_mut().for_each(|p| *p = [1.7 * p[2] + 3.0, 1.7 * p[0] + 5.0, 1.7 * p[1] + 7.0]);
     }
     let mut values = filter.defaults(&editor::inputs(&given)).into_iter();
-    let mut differs = |param: &Param| values.by_ref().take(param.default.len()).ne(param.default.iter().copied());
-    filter.params.iter().map(|param| differs(param)).collect()
+    let mut own = |param: &Param| values.by_ref().take(param.default.len()).collect::<Vec<_>>();
+    filter.params.iter().map(|param| own(param) != param.default).collect()
 }
 
 fn row(param: &Param, suggested: bool) -> String {

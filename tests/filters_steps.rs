@@ -51,7 +51,10 @@ impl Progress for Watch {
 /// The gaps above a limit while a filter runs, the longest first.
 fn gaps(filter: &Filter, given: &[Given]) -> Vec<(Duration, String)> {
     let inputs = inputs(given);
-    let values = filter.defaults(&inputs);
+    let mut values = filter.defaults(&inputs);
+    if filter.inputs.is_empty() {
+        values = editor::values(filter.id, &inputs, &[("rows", &[1001.0]), ("columns", &[1001.0])]);
+    }
     let watch = Watch::new();
     let begun = Instant::now();
     let outputs = filter.run(&inputs, &values, &Job::new(1, &watch));

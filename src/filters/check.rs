@@ -39,26 +39,35 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let found = check(mesh, job)?;
     let mut text = summary(&found);
     let most = values.number("listed") as usize;
-    let edge = |&h: &u32| format!("{}-{}", mesh.faces().corner(h), mesh.faces().corner(mesh.faces().next(h)));
-    let face = |&face: &u32| face.to_string();
-    let lists: [(&str, &[u32], &dyn Fn(&u32) -> String); 9] = [
-        ("edges of one face", &found.boundary_edges, &edge),
-        ("edges of three or more faces", &found.non_manifold_edges, &edge),
-        ("vertices that are not manifold", &found.non_manifold_vertices, &face),
-        ("vertices whose faces fall apart", &found.bow_ties, &face),
-        ("edges that both faces run the same way", &found.orientation_conflicts, &edge),
-        ("faces that are there already", &found.duplicate_faces, &face),
-        ("faces that pass a vertex twice", &found.degenerate_faces, &face),
-        ("faces without area", &found.zero_area_faces, &face),
-        ("vertices without faces", &found.unused_vertices, &face),
+    let faces = mesh.faces();
+    let edge = |h: u32| format!("{}-{}", faces.corner(h), faces.corner(faces.next(h)));
+    // Edges are named by their ends, vertices and faces by their numbers.
+    let edges: [(&str, &[u32]); 3] = [
+        ("edges of one face", &found.boundary_edges),
+        ("edges of three or more faces", &found.non_manifold_edges),
+        ("edges that both faces run the same way", &found.orientation_conflicts),
     ];
-    for (what, elements, name) in lists.iter().filter(|(_, elements, _)| !elements.is_empty()) {
+    let others: [(&str, &[u32]); 6] = [
+        ("vertices that are not manifold", &found.non_manifold_vertices),
+        ("vertices whose faces fall apart", &found.bow_ties),
+        ("faces that are there already", &found.duplicate_faces),
+        ("faces that pass a vertex twice", &found.degenerate_faces),
+        ("faces without area", &found.zero_area_faces),
+        ("vertices without faces", &found.unused_vertices),
+    ];
+    edges.iter().for_each(|(what, list)| enter(&mut text, what, list, most, edge));
+    others.iter().for_each(|(what, list)| enter(&mut text, what, list, most, |element| element.to_string()));
+    Ok(vec![Output::Text(text)])
+}
+
+/// A line of the report for a kind of fault that there is.
+fn enter(text: &mut String, what: &str, elements: &[u32], most: usize, name: impl Fn(u32) -> String) {
+    if !elements.is_empty() {
         // Writing to a string cannot fail.
         let _ = write!(text, "{} {what}:", elements.len());
-        elements.iter().take(most).for_each(|element| text += &format!(" {}", name(element)));
-        text += if elements.len() > most { " ...\n" } else { "\n" };
+        elements.iter().take(most).for_each(|&element| *text += &format!(" {}", name(element)));
+        *text += if elements.len() > most { " ...\n" } else { "\n" };
     }
-    Ok(vec![Output::Text(text)])
 }
 
 fn summary(found: &Check) -> String {

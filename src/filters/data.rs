@@ -99,6 +99,9 @@ pub struct Curves {
     pub closed: Vec<bool>,
 }
 
+/// The points of one curve, and whether it is closed.
+pub(super) type Polyline<'a> = (&'a [[f64; 3]], bool);
+
 impl Curves {
     /// No curves yet.
     pub(super) fn none() -> Self {
@@ -122,7 +125,7 @@ impl Curves {
     ///
     /// # Errors
     /// [`Error::BadOffsets`], [`Error::OutlineNotFinite`] with a place among all points.
-    pub(super) fn each(&self) -> Result<Vec<(&[[f64; 3]], bool)>> {
+    pub(super) fn each(&self) -> Result<Vec<Polyline<'_>>> {
         let value = |entry: usize| self.offsets.get(entry).copied().unwrap_or(0);
         let bad = |entry: usize| Error::BadOffsets { entry: entry as u32, value: value(entry) };
         if let Some(entry) = self.points.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
