@@ -61,6 +61,7 @@ pub mod outline;
 mod par;
 pub mod repair;
 mod simd;
+mod sort;
 pub mod stitch;
 pub mod winged;
 

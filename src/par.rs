@@ -4,7 +4,11 @@
 //! items: whatever is reduced over them is reduced in the same order on one thread and on a hundred. No thread outlives the
 //! call.
 
+use crate::error::Result;
+use crate::job::Job;
+use std::convert::Infallible;
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
@@ -16,38 +20,74 @@ pub(crate) fn map<T: Send, R: Send>(
     items: impl ExactSizeIterator<Item = T> + Send,
     work: impl Fn(T) -> R + Sync,
 ) -> Vec<R> {
+    match shared_out(threads, items, work, |_| Ok::<(), Infallible>(())) {
+        Ok(results) => results,
+        Err(never) => match never {},
+    }
+}
+
+/// [`map`] that the host is heard in: the calling thread reports before each item that it takes, and when it is told to stop
+/// no thread takes another. Items are to be large enough for that, and small enough for a host not to wait.
+///
+/// # Errors
+/// [`Error::Cancelled`](crate::Error::Cancelled).
+pub(crate) fn heard<T: Send, R: Send>(
+    job: &Job<'_>,
+    stage: &'static str,
+    items: impl ExactSizeIterator<Item = T> + Send,
+    work: impl Fn(T) -> R + Sync,
+) -> Result<Vec<R>> {
+    let count = items.len().max(1) as f64;
+    job.step(0.0, stage)?;
+    shared_out(job.threads(), items, work, |i| job.step(i as f64 / count, stage))
+}
+
+/// The work of [`map`]; `before` is called on this thread with the number of each item that it takes.
+fn shared_out<T: Send, R: Send, E>(
+    threads: usize,
+    items: impl ExactSizeIterator<Item = T> + Send,
+    work: impl Fn(T) -> R + Sync,
+    before: impl Fn(usize) -> std::result::Result<(), E>,
+) -> std::result::Result<Vec<R>, E> {
     let count = items.len();
     let wanted = at_most(count, threads);
     if wanted <= 1 {
-        return items.map(work).collect();
+        return items.enumerate().map(|(i, item)| before(i).map(|()| work(item))).collect();
     }
 
-    let queue = Mutex::new(items.enumerate());
+    let (queue, stopped) = (Mutex::new(items.enumerate()), AtomicBool::new(false));
+    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
     let take = || {
         let mut done = Vec::new();
-        loop {
-            let next = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-            match next {
-                Some((i, item)) => done.push((i, work(item))),
-                None => return done,
-            }
+        while let Some((i, item)) = next().filter(|_| !stopped.load(Ordering::Relaxed)) {
+            done.push((i, work(item)));
         }
+        done
+    };
+    let take_and_tell = || {
+        let mut done = Vec::new();
+        while let Some((i, item)) = next() {
+            before(i).inspect_err(|_| stopped.store(true, Ordering::Relaxed))?;
+            done.push((i, work(item)));
+        }
+        Ok(done)
     };
     let mut results = thread::scope(|scope| {
         // A thread that cannot be started is no failure: the others take its share.
         let handles: Vec<_> =
             (1..wanted).map_while(|_| thread::Builder::new().spawn_scoped(scope, take).ok()).collect();
-        let mut results = take();
+        let mut results = take_and_tell();
         for handle in handles {
-            match handle.join() {
-                Ok(part) => results.extend(part),
-                Err(panic) => std::panic::resume_unwind(panic),
+            match (handle.join(), &mut results) {
+                (Ok(part), Ok(results)) => results.extend(part),
+                (Ok(_), Err(_)) => {}
+                (Err(panic), _) => std::panic::resume_unwind(panic),
             }
         }
         results
-    });
+    })?;
     results.sort_unstable_by_key(|&(i, _)| i);
-    results.into_iter().map(|(_, result)| result).collect()
+    Ok(results.into_iter().map(|(_, result)| result).collect())
 }
 
 /// [`map`] over consecutive ranges of `chunk` elements that cover `0..len`.
@@ -57,7 +97,22 @@ pub(crate) fn chunks<R: Send>(
     chunk: usize,
     work: impl Fn(Range<usize>) -> R + Sync,
 ) -> Vec<R> {
-    map(threads, (0..len.div_ceil(chunk)).map(|i| i * chunk..len.min((i + 1) * chunk)), work)
+    map(threads, ranges(len, chunk), work)
+}
+
+/// [`heard`] over the ranges of [`chunks`].
+pub(crate) fn heard_chunks<R: Send>(
+    job: &Job<'_>,
+    stage: &'static str,
+    len: usize,
+    chunk: usize,
+    work: impl Fn(Range<usize>) -> R + Sync,
+) -> Result<Vec<R>> {
+    heard(job, stage, ranges(len, chunk), work)
+}
+
+fn ranges(len: usize, chunk: usize) -> impl ExactSizeIterator<Item = Range<usize>> + Send {
+    (0..len.div_ceil(chunk)).map(move |i| i * chunk..len.min((i + 1) * chunk))
 }
 
 /// How many threads `threads` stands for (0: as many as the machine has), but at most `limit`, and at least 1.
@@ -73,6 +128,9 @@ pub(crate) fn at_most(limit: usize, threads: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cell::Cell;
+    use std::ops::ControlFlow;
+    use std::sync::atomic::AtomicUsize;
 
     #[test]
     fn the_same_for_any_thread_count() {
@@ -83,6 +141,33 @@ mod tests {
             assert_eq!(one, sums(threads));
         }
         assert!(chunks(4, 0, 10, |range| range.len()).is_empty());
+    }
+
+    #[test]
+    fn a_host_is_heard_before_every_item_of_this_thread() {
+        struct Counter(Cell<u32>);
+        impl crate::Progress for Counter {
+            fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
+                assert!((0.0..1.0).contains(&fraction));
+                self.0.set(self.0.get() - 1);
+                if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            }
+        }
+        let run = |threads, calls| {
+            let counter = Counter(Cell::new(calls));
+            let begun = AtomicUsize::new(0);
+            let work = |range: Range<usize>| begun.fetch_add(1, Ordering::Relaxed) + range.len();
+            let done = heard_chunks(&Job::new(threads, &counter), "work", 1000, 10, work);
+            (done.map(|done| done.len()), begun.into_inner(), calls - counter.0.get())
+        };
+        // One call at first, and one for each item.
+        assert_eq!(run(1, 1000), (Ok(100), 100, 101));
+        assert_eq!(run(1, 41), (Err(crate::Error::Cancelled), 39, 41));
+        for threads in [2, 16] {
+            assert_eq!(run(threads, 1000).0, Ok(100));
+            let (done, begun, _) = run(threads, 1);
+            assert_eq!((done, begun), (Err(crate::Error::Cancelled), 0));
+        }
     }
 
     #[test]

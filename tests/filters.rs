@@ -1,14 +1,17 @@
 //! The filter table, walked: what a host relies on holds for every entry, and every entry runs.
 
 mod common;
+mod editor;
 
-use common::{Soup, cap};
+use common::{Soup, Steady, cap};
+use editor::{Given, given, inputs, pieces, polylines, run_on, run_on_curves, values};
 use gusset::filters::data::{Curves, Input, InputKind, Output};
-use gusset::filters::param::ParamKind;
+use gusset::filters::param::{Param, ParamKind};
 use gusset::filters::{FILTERS, Filter};
-use gusset::mesh::PositionBuffer;
-use gusset::{Error, Job};
+use gusset::{Error, Job, Progress};
+use std::cell::Cell;
 use std::collections::HashSet;
+use std::ops::ControlFlow;
 
 /// Ids are stable for ever: an entry may be added here, none changed or taken away.
 const IDS: &[&str] = &[
@@ -25,68 +28,35 @@ const IDS: &[&str] = &[
     "smooth_sections",
     "smooth_silhouette",
     "smooth_distance",
+    "check",
+    "facing_arcs",
+    "strip",
+    "net_resample",
+    "net_decimate",
+    "net_join",
+    "net_measures",
+    "net_analyse",
+    "net_lathe",
+    "displace",
+    "project",
+    "curve_measures",
+    "curve_resample",
+    "curve_offset",
+    "curve_meet",
+    "curve_nearest",
+    "curve_svg",
+    "loft",
+    "smooth_net",
+    "smooth_isophotes",
+    "smooth_intersect",
+    "smooth_line",
+    "smooth_curve",
+    "smooth_nearest",
 ];
 
-/// Two caps that face each other askew: the inputs of any filter that takes meshes.
-fn pieces() -> [Soup; 2] {
-    let mut second = cap(9, 4, 0.3, -1.0);
-    second.points.iter_mut().for_each(|p| p[0] += 0.6);
-    [cap(12, 3, 0.2, 1.0), second]
-}
-
-/// Two grids of quads: spheres, whose rows of faces end in fans of triangles at the poles.
-fn grids() -> [Soup; 2] {
-    [(8, 12), (16, 24)].map(|(rows, columns)| sphere(rows, columns))
-}
-
-/// A unit sphere of quads, closed round and seen from outside; `rows` cells from pole to pole.
-fn sphere(rows: u32, columns: u32) -> Soup {
-    use std::f64::consts::{PI, TAU};
-    let mut points = vec![[0.0, 0.0, 1.0]];
-    for i in 1..rows {
-        let (sin, cos) = (PI * f64::from(i) / f64::from(rows)).sin_cos();
-        points.extend((0..columns).map(|j| {
-            let (y, x) = (TAU * f64::from(j) / f64::from(columns)).sin_cos();
-            [sin * x, sin * y, cos]
-        }));
-    }
-    points.push([0.0, 0.0, -1.0]);
-    let south = points.len() as u32 - 1;
-    let node = |i: u32, j: u32| 1 + (i - 1) * columns + j % columns;
-    let mut soup = Soup::new(points, &[]);
-    for j in 0..columns {
-        soup.face(&[0, node(1, j), node(1, j + 1)]);
-    }
-    for (i, j) in (1..rows - 1).flat_map(|i| (0..columns).map(move |j| (i, j))) {
-        soup.face(&[node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)]);
-    }
-    for j in 0..columns {
-        soup.face(&[south, node(rows - 1, j + 1), node(rows - 1, j)]);
-    }
-    soup
-}
-
-fn inputs(soups: &[Soup]) -> Vec<Input<'_>> {
-    soups.iter().map(|soup| Input::Mesh(soup.view())).collect()
-}
-
-/// A closed polyline and an open one.
-fn curves() -> Curves {
-    let points = (0..12).map(|i| {
-        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 7.0).sin_cos();
-        [cos * if i < 7 { 1.0 } else { 2.0 }, sin, 0.0]
-    });
-    Curves { points: points.collect(), offsets: vec![0, 7, 12], closed: vec![true, false] }
-}
-
-/// What a filter takes, as many as two.
-fn inputs_of<'a>(filter: &Filter, [soups, grids]: &'a [[Soup; 2]; 2], curves: &'a Curves) -> Vec<Input<'a>> {
-    let soups = if filter.id.starts_with("smooth_") { grids } else { soups };
-    match filter.inputs.first() {
-        None => Vec::new(),
-        Some(InputKind::Mesh) => inputs(&soups[..filter.max_inputs.min(2)]),
-        Some(InputKind::Curves) => vec![Input::Curves(curves)],
-    }
+/// Choices that need other inputs or values: nets that are welded lie on each other, and so on.
+fn fits_any_input(filter: &Filter, param: &Param, choice: usize) -> bool {
+    !matches!((filter.id, param.id, choice), ("net_join", "bridge", 2) | ("net_shape", "shape", 13))
 }
 
 fn is_word(text: &str) -> bool {
@@ -101,7 +71,8 @@ fn names_are_unique_stable_and_explained() {
     for filter in FILTERS {
         assert!(is_word(filter.id) && is_word(filter.script_name), "{}", filter.id);
         assert!(filter.help.len() > 40 && filter.help.ends_with('.') && !filter.help.contains("  "), "{}", filter.help);
-        assert!(!filter.reference.is_empty() && !filter.category.is_empty() && !filter.name.is_empty());
+        assert!(!filter.reference.is_empty() && !filter.reference.contains("  "), "{}", filter.reference);
+        assert!(!filter.category.is_empty() && !filter.name.is_empty());
         assert!(std::ptr::eq(Filter::find(filter.id).unwrap(), filter));
         assert!(!filter.outputs.is_empty());
         // A filter takes some meshes or curves, or nothing at all.
@@ -110,6 +81,11 @@ fn names_are_unique_stable_and_explained() {
         assert!(filter.min_inputs <= filter.max_inputs);
         let params: HashSet<_> = filter.params.iter().map(|p| p.id).collect();
         assert_eq!(params.len(), filter.params.len(), "{}", filter.id);
+        // What takes the place of the first input is of its kind.
+        if filter.replaces {
+            let kinds = (filter.inputs[0], filter.outputs[0].to_owned());
+            assert!(format!("{:?}", kinds.0) == format!("{:?}", kinds.1), "{}", filter.id);
+        }
     }
     assert!(Filter::find("no such filter").is_none());
 }
@@ -127,25 +103,66 @@ fn parameters_have_defaults_in_range() {
             assert_eq!((param.min, param.max), (0.0, (param.choices.len() - 1) as f64));
             assert!(param.choices.iter().all(|c| !c.label.is_empty() && c.help.ends_with('.')));
         }
+        // Meshes come in all units.
+        let lengths = [ParamKind::Length, ParamKind::Point, ParamKind::Plane];
+        if lengths.contains(&param.kind) {
+            assert!([1e-9, 1e9].into_iter().all(|length| param.accepts(length)), "{}", param.id);
+        }
     }
 }
 
+/// The same inputs, larger and elsewhere.
+fn scaled(given: &[Given], by: f64, shift: f64) -> Vec<Given> {
+    let moved = |points: &[[f64; 3]]| points.iter().map(|p| p.map(|x| (x + shift) * by)).collect();
+    let input = |given: &Given| match given {
+        Given::Mesh(soup) => Given::Mesh(Soup { points: moved(&soup.points), ..soup.clone() }),
+        Given::Curves(curves) => Given::Curves(Curves { points: moved(&curves.points), ..curves.clone() }),
+    };
+    given.iter().map(input).collect()
+}
+
 #[test]
-fn every_filter_runs_with_its_defaults_and_with_every_choice() {
-    let (soups, curves) = ([pieces(), grids()], curves());
+fn suggestions_are_in_range_whatever_the_mesh() {
+    let flat = |point: [f64; 3]| {
+        let soup = Soup::new(vec![point; 4], &[&[0, 1, 2, 3]]);
+        let mut nan = soup.clone();
+        nan.points.push([f64::NAN; 3]);
+        [soup, nan]
+    };
     for filter in FILTERS {
-        let inputs = inputs_of(filter, &soups, &curves);
-        let defaults = filter.defaults(&inputs);
-        let reference = filter.run(&inputs, &[], &Job::default()).unwrap();
-        assert_eq!(reference.iter().map(Output::kind).collect::<Vec<_>>(), filter.outputs, "{}", filter.id);
-        assert_eq!(filter.run(&inputs, &defaults, &Job::default()).unwrap(), reference);
+        let usual = given(filter, 100);
+        let mut cases: Vec<Vec<Given>> =
+            [(1e-9, 0.0), (1e9, 0.0), (1e300, 0.0), (1e-300, 0.0), (1.0, 1e14), (1e200, 1e100)]
+                .into_iter()
+                .map(|(by, shift)| scaled(&usual, by, shift))
+                .collect();
+        let all = |mesh: &Soup, curves: &Curves| -> Vec<Given> {
+            let input = |given: &Given| match given {
+                Given::Mesh(_) => Given::Mesh(mesh.clone()),
+                Given::Curves(_) => Given::Curves(curves.clone()),
+            };
+            usual.iter().map(input).collect()
+        };
+        for mesh in flat([0.0; 3]).into_iter().chain(flat([1e5, 0.0, 0.0])) {
+            let points = mesh.points.clone();
+            cases.push(all(&mesh, &polylines(&[(points, true), (Vec::new(), false)])));
+            cases.push(all(&mesh, &Curves::default()));
+            cases.push(all(&mesh, &Curves { offsets: vec![3, 1, 9], ..Curves::default() }));
+        }
+        for case in &cases {
+            let values = filter.defaults(&inputs(case));
+            let params = filter.params.iter().flat_map(|param| (0..param.kind.arity()).map(move |_| param));
+            for (param, &value) in params.zip(&values) {
+                assert!(param.accepts(value), "{} {} {value}", filter.id, param.id);
+            }
+        }
+        // A mesh a thousand times as large has lengths a thousand times as large, to the digits shown.
+        let [small, large] = [&usual, &scaled(&usual, 1e3, 0.0)].map(|given| filter.defaults(&inputs(given)));
         let mut start = 0;
         for param in filter.params {
-            for choice in 0..param.choices.len() {
-                let mut values = defaults.clone();
-                values[start] = choice as f64;
-                let outputs = filter.run(&inputs, &values, &Job::default()).unwrap();
-                assert_eq!(outputs.len(), reference.len(), "{} {} {choice}", filter.id, param.id);
+            if param.kind == ParamKind::Length && filter.suggest.is_some() && param.default[0] != small[start] {
+                let ratio = large[start] / small[start];
+                assert!((ratio / 1e3 - 1.0).abs() < 0.02, "{} {} {ratio}", filter.id, param.id);
             }
             start += param.kind.arity();
         }
@@ -153,23 +170,87 @@ fn every_filter_runs_with_its_defaults_and_with_every_choice() {
 }
 
 #[test]
-fn values_and_inputs_out_of_range_are_refused() {
-    let (soups, curves) = ([pieces(), grids()], curves());
+fn every_filter_runs_with_its_defaults_and_with_every_choice() {
     for filter in FILTERS {
-        let inputs = inputs_of(filter, &soups, &curves);
+        let given = given(filter, 100);
+        let inputs = inputs(&given);
+        let defaults = filter.defaults(&inputs);
+        let run = |values: &[f64]| filter.run(&inputs, values, &Job::new(1, &Steady::default()));
+        let reference = run(&[]).unwrap_or_else(|error| panic!("{}: {error}", filter.id));
+        assert_eq!(reference.iter().map(Output::kind).collect::<Vec<_>>(), filter.outputs, "{}", filter.id);
+        assert_eq!(filter.run(&inputs, &defaults, &Job::default()).unwrap(), reference);
+        let mut start = 0;
+        for param in filter.params {
+            for choice in (0..param.choices.len()).filter(|&choice| fits_any_input(filter, param, choice)) {
+                let mut values = defaults.clone();
+                values[start] = choice as f64;
+                let outputs = run(&values).unwrap_or_else(|e| panic!("{} {} {choice}: {e}", filter.id, param.id));
+                assert_eq!(outputs.len(), reference.len(), "{} {} {choice}", filter.id, param.id);
+            }
+            start += param.kind.arity();
+        }
+    }
+}
+
+/// Cancels at the n-th call.
+struct Impatient(Cell<u32>);
+
+impl Progress for Impatient {
+    fn step(&self, _: f64, _: &'static str) -> ControlFlow<()> {
+        self.0.set(self.0.get().saturating_sub(1));
+        if self.0.get() == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+#[test]
+fn every_filter_can_be_cancelled_wherever_it_asks() {
+    for filter in FILTERS {
+        let given = given(filter, 100);
+        let inputs = inputs(&given);
+        let mut calls = 0;
+        loop {
+            calls += 1;
+            match filter.run(&inputs, &[], &Job::new(1, &Impatient(Cell::new(calls)))) {
+                Err(Error::Cancelled) => {}
+                Ok(_) => break,
+                Err(error) => panic!("{} at call {calls}: {error}", filter.id),
+            }
+        }
+        assert!(calls > 1, "{} never asks", filter.id);
+    }
+}
+
+#[test]
+fn values_and_inputs_out_of_range_are_refused() {
+    for filter in FILTERS {
+        let given = given(filter, 100);
+        let inputs = inputs(&given);
         let defaults = filter.defaults(&inputs);
         let mut start = 0;
         for param in filter.params {
-            let mut bad = vec![f64::NAN, param.min - 1.0, param.max + 1.0, f64::INFINITY];
+            let mut bad = vec![f64::NAN, param.min - 1.0, f64::INFINITY, f64::NEG_INFINITY];
+            bad.push(param.max + param.max.abs().max(1.0));
             if matches!(param.kind, ParamKind::Bool | ParamKind::Int | ParamKind::Choice) {
-                bad.push(0.5);
+                bad.push(param.min + 0.5);
             }
-            for value in bad {
+            for value in
+                bad.into_iter().filter(|&value| !(param.min..=param.max).contains(&value) || value.fract() != 0.0)
+            {
                 let mut values = defaults.clone();
                 values[start] = value;
                 match filter.run(&inputs, &values, &Job::default()) {
                     Err(Error::OptionOutOfRange { option, .. }) => assert_eq!(option, param.id),
                     other => panic!("{} {} {value}: {other:?}", filter.id, param.id),
+                }
+            }
+            // No direction, no plane.
+            if matches!(param.kind, ParamKind::Direction | ParamKind::Plane) {
+                let mut values = defaults.clone();
+                values[start..start + 3].fill(0.0);
+                match filter.run(&inputs, &values, &Job::default()) {
+                    Ok(_) => {}
+                    Err(Error::OptionOutOfRange { option, .. }) => assert_eq!(option, param.id, "{}", filter.id),
+                    other => panic!("{} {}: {other:?}", filter.id, param.id),
                 }
             }
             start += param.kind.arity();
@@ -182,159 +263,103 @@ fn values_and_inputs_out_of_range_are_refused() {
         let refused = |inputs: &[Input<'_>]| {
             matches!(filter.run(inputs, &[], &Job::default()), Err(Error::OptionOutOfRange { option: "inputs", .. }))
         };
-        let any = Input::Mesh(soups[0][0].view());
-        let too_many = vec![*inputs.first().unwrap_or(&any); filter.max_inputs + 1];
+        let (mesh, curves) = (cap(5, 2, 0.0, 1.0), Curves::default());
+        let too_many = vec![*inputs.first().unwrap_or(&Input::Mesh(mesh.view())); filter.max_inputs + 1];
         assert!((filter.min_inputs == 0 || refused(&[])) && refused(&too_many), "{}", filter.id);
-    }
-}
-
-#[test]
-fn boundary_loops_gives_the_rim() {
-    let soups = pieces();
-    let outputs = Filter::find("boundary_loops").unwrap().run(&inputs(&soups[..1]), &[], &Job::default()).unwrap();
-    let [Output::Curves(curves), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
-    assert_eq!((curves.offsets.as_slice(), curves.closed.as_slice()), (&[0, 12][..], &[true][..]));
-    assert!(curves.points.iter().all(|p| (p[2] - 0.2).abs() < 1e-12));
-    assert!(text.starts_with("1 boundary loops, 12 edges\n"), "{text}");
-}
-
-#[test]
-fn stitch_closes_a_sphere_by_loops_found_and_by_loops_given() {
-    let soups = pieces();
-    let filter = Filter::find("stitch").unwrap();
-    let found = filter.run(&inputs(&soups), &[], &Job::default()).unwrap();
-    assert_eq!(filter.run(&inputs(&soups), &[0.0, 0.0], &Job::default()).unwrap(), found);
-    let Output::Mesh(mesh) = &found[0] else { panic!("{found:?}") };
-    let faces = mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize]);
-    assert!(common::edge_counts(faces.clone()).values().all(|&n| n == (1, 1)));
-    assert_eq!(common::euler(faces), 2);
-    let wrong = filter.run(&inputs(&soups), &[0.0, 1.0], &Job::default());
-    assert_eq!(wrong, Err(Error::OptionOutOfRange { option: "loop_b", value: 1.0 }));
-    let both = soups[0].and(&soups[1]);
-    let within = filter.run(&[Input::Mesh(both.view())], &[], &Job::default()).unwrap();
-    assert_eq!(within[0], found[0]);
-}
-
-#[test]
-fn fill_holes_closes_what_it_may() {
-    let filter = Filter::find("fill_holes").unwrap();
-    let soups = pieces();
-    let both = soups[0].and(&soups[1]);
-    // Refined and fair; then the second rim is too long, or is the longest.
-    for (values, filled) in
-        [(&[2.0][..], 2), (&[0.0, 2.0, 10.0], 1), (&[1.0, 0.0, 0.0, 6.05], 1), (&[0.0, 0.0, 0.0, 0.0, 1.0], 1)]
-    {
-        let outputs = filter.run(&[Input::Mesh(both.view())], values, &Job::default()).unwrap();
-        let [Output::Mesh(mesh), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
-        assert!(text.starts_with(&format!("filled {filled} of 2 loops")), "{values:?}: {text}");
-        let faces = mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize]);
-        let open = common::edge_counts(faces).values().filter(|&&n| n != (1, 1)).count();
-        assert_eq!(open == 0, filled == 2, "{values:?}");
-    }
-}
-
-#[test]
-fn outline_draws_through_the_points() {
-    let given = curves();
-    let filter = Filter::find("outline").unwrap();
-    for curve in 0..5 {
-        let outputs = filter.run(&[Input::Curves(&given)], &[f64::from(curve)], &Job::default()).unwrap();
-        let [Output::Curves(drawn), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
-        assert_eq!((drawn.offsets.len(), drawn.closed.as_slice()), (3, &[true, false][..]), "{text}");
-        assert!(text.starts_with("curve 0: 7 points, "), "{text}");
-        for p in &given.points {
-            // The chord error is 1e-4 of the size, which is at most 4.
-            let at = |a: [f64; 3], b: [f64; 3]| {
-                let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-                let t = ((u[0] * v[0] + u[1] * v[1]) / (u[0] * u[0] + u[1] * u[1])).clamp(0.0, 1.0);
-                (v[0] - t * u[0]).hypot(v[1] - t * u[1])
-            };
-            let nearest = drawn.points.windows(2).map(|pair| at(pair[0], pair[1])).fold(f64::MAX, f64::min);
-            assert!(nearest < 4e-4, "{curve}: {nearest}");
+        for (k, kind) in filter.inputs.iter().enumerate().take(inputs.len()) {
+            let mut wrong = inputs.clone();
+            wrong[k] = if *kind == InputKind::Mesh { Input::Curves(&curves) } else { Input::Mesh(mesh.view()) };
+            assert!(refused(&wrong), "{} input {k}", filter.id);
         }
     }
-    let none = Curves::default();
-    let outputs = filter.run(&[Input::Curves(&none)], &[], &Job::default()).unwrap();
-    assert_eq!(outputs.len(), 2);
-    let wrong = Curves { offsets: vec![0, 9], ..Curves::default() };
-    assert!(matches!(filter.run(&[Input::Curves(&wrong)], &[], &Job::default()), Err(Error::BadOffsets { .. })));
-    let soups = pieces();
-    assert!(filter.run(&inputs(&soups[..1]), &[], &Job::default()).is_err());
 }
 
-/// What a filter gives for a mesh.
-fn run_on(id: &str, soups: &[Soup], values: &[f64]) -> Vec<Output> {
-    Filter::find(id).unwrap().run(&inputs(soups), values, &Job::default()).unwrap()
-}
-
-fn radius(p: &[f64; 3]) -> f64 {
-    p[0].hypot(p[1]).hypot(p[2])
-}
-
+/// Inputs that mean nothing: whatever a filter says of them, it says it.
 #[test]
-fn smooth_surfaces_are_nearer_to_the_truth_than_quads() {
-    let given = sphere(16, 24);
-    let outputs = run_on("smooth_surface", std::slice::from_ref(&given), &[0.0, 1e-4, 4.0, 1.0]);
-    let [Output::Mesh(mesh), Output::Text(_)] = outputs.as_slice() else { panic!("of other kinds") };
-    let PositionBuffer::F64(points) = &mesh.positions else { panic!("of another type") };
-    assert!(points.len() > 16 * 24 * 10);
-    // The quads' middles are off by a per cent.
-    assert!(points.iter().all(|p| (radius(p) - 1.0).abs() < 1e-3));
-    assert!(given.points.iter().all(|p| points.iter().any(|q| (0..3).all(|k| (p[k] - q[k]).abs() < 1e-12))));
-    let faces = || mesh.face_offsets.windows(2).map(|w| &mesh.face_corners[w[0] as usize..w[1] as usize]);
-    assert_eq!(common::euler(faces()), 2);
-    // Seen from outside, as the quads are.
-    for face in faces() {
-        let [a, b, c] = [0, 1, 2].map(|k| glam::DVec3::from_array(points[face[k] as usize]));
-        assert!((b - a).cross(c - a).dot(a + b + c) > 0.0);
-    }
-}
-
-#[test]
-fn smooth_sections_are_circles() {
-    let given = [sphere(32, 48)];
-    let outputs = run_on("smooth_sections", &given, &[0.0, 0.0, 0.0, 1.0, 0.0, 5.0]);
-    let [Output::Curves(curves), Output::Text(text)] = outputs.as_slice() else { panic!("{outputs:?}") };
-    assert!(text.starts_with("5 curves, 5 of them closed"), "{text}");
-    for (k, ends) in curves.offsets.windows(2).enumerate() {
-        // The box of the surface is a little larger than the sphere's.
-        let points = &curves.points[ends[0] as usize..ends[1] as usize];
-        let height = points[0][2];
-        assert!((height + 0.8 - 0.4 * k as f64).abs() < 0.01, "{height}");
-        for p in points {
-            assert!((p[2] - height).abs() < 1e-6 && (radius(p) - 1.0).abs() < 1e-4, "{p:?}");
+fn degenerate_inputs_are_answered_or_refused_clearly() {
+    let point = Soup::new(vec![[1.0, 2.0, 3.0]; 4], &[&[0, 1, 2, 3]]);
+    let line = Soup::new((0..6).map(|k| [f64::from(k), 0.0, 0.0]).collect(), &[&[0, 1, 4, 3], &[1, 2, 5, 4]]);
+    let open = common::sheet(3, 2);
+    let three = Soup::new(
+        vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]],
+        &[&[0, 1, 2], &[0, 1, 3], &[0, 1, 4]],
+    );
+    let meshes = [point, line, open, three];
+    let nan = Curves { points: vec![[0.0, f64::NAN, 0.0]], offsets: vec![0, 1], closed: vec![false] };
+    let wrong = [
+        Curves { offsets: vec![0, 9], closed: vec![true], ..Curves::default() },
+        Curves { points: vec![[0.0; 3]; 3], offsets: vec![0, 2, 1], closed: vec![true; 2] },
+        Curves { points: vec![[0.0; 3]; 3], offsets: vec![1, 3], closed: vec![true] },
+        Curves { points: vec![[0.0; 3]; 3], offsets: vec![0, 2], closed: vec![true] },
+        Curves { points: vec![[0.0; 3]; 3], ..Curves::default() },
+    ];
+    let fine = [
+        Curves::default(),
+        polylines(&[(Vec::new(), false), (Vec::new(), true)]),
+        polylines(&[(vec![[1.0, 2.0, 3.0]], false)]),
+        polylines(&[(vec![[1.0, 2.0, 3.0]; 5], true), (vec![[1.0, 2.0, 3.0]; 5], true)]),
+        polylines(&[(vec![[0.0; 3], [1.0; 3], [0.0; 3]], true), (vec![[0.0; 3], [1.0; 3]], true)]),
+        polylines(&[(vec![[0.0; 3], [1e200; 3]], false), (vec![[-1e-200; 3], [1e-200; 3]], false)]),
+    ];
+    for filter in FILTERS.iter().filter(|filter| !filter.inputs.is_empty()) {
+        let usual = given(filter, 100);
+        for k in 0..usual.len() {
+            let mut all = inputs(&usual);
+            let run = |all: &[Input<'_>]| filter.run(all, &[], &Job::default());
+            match &usual[k] {
+                Given::Mesh(_) => {
+                    for mesh in &meshes {
+                        all[k] = Input::Mesh(mesh.view());
+                        let _ = run(&all);
+                    }
+                }
+                Given::Curves(_) => {
+                    for curves in &fine {
+                        all[k] = Input::Curves(curves);
+                        for choice in 0..3 {
+                            let between =
+                                if filter.params.iter().any(|p| p.id == "between") { f64::from(choice) } else { 0.0 };
+                            let set: &[(&str, &[f64])] = &[("between", &[between])];
+                            let set = if between > 0.0 { set } else { &[] };
+                            match filter.run(&all, &values(filter.id, &all, set), &Job::default()) {
+                                Err(Error::OptionOutOfRange { option, .. }) => {
+                                    let known = filter.params.iter().any(|p| p.id == option) || option == "inputs";
+                                    assert!(known, "{}: {option}", filter.id);
+                                }
+                                _ => {}
+                            }
+                        }
+                    }
+                    all[k] = Input::Curves(&nan);
+                    let refused = run(&all);
+                    assert!(
+                        matches!(refused, Err(Error::OutlineNotFinite { point: 0, .. })),
+                        "{}: {refused:?}",
+                        filter.id
+                    );
+                    for curves in &wrong {
+                        all[k] = Input::Curves(curves);
+                        let refused = run(&all);
+                        assert!(matches!(refused, Err(Error::BadOffsets { .. })), "{}: {refused:?}", filter.id);
+                    }
+                }
+            }
         }
     }
-    // At given places: one cuts, two pass above.
-    let outputs = run_on("smooth_sections", &given, &[0.0, 1.0, 0.0, 0.0, 1.0, 3.0, 0.5, 0.75]);
-    let [Output::Curves(curves), _] = outputs.as_slice() else { panic!("{outputs:?}") };
-    assert_eq!(curves.closed, [true]);
-    assert!(curves.points.iter().all(|p| (p[0] - 0.5).abs() < 1e-9));
 }
 
 #[test]
-fn smooth_silhouettes_are_great_circles() {
-    let outputs = run_on("smooth_silhouette", &[sphere(32, 48)], &[0.0, 1.0, 2.0, 3.0]);
-    let [Output::Curves(curves), Output::Text(_)] = outputs.as_slice() else { panic!("{outputs:?}") };
-    assert!(curves.points.len() > 30);
-    for p in &curves.points {
-        assert!((p[0] + 2.0 * p[1] + 3.0 * p[2]).abs() < 1e-2 && (radius(p) - 1.0).abs() < 1e-4, "{p:?}");
+fn what_is_no_grid_is_refused_by_filters_of_grids() {
+    let [first, second] = pieces(100);
+    let both = [first.and(&second), editor::sphere(6, 9)];
+    for filter in FILTERS.iter().filter(|f| f.inputs.first() == Some(&InputKind::Mesh)) {
+        let grids = ["Nets", "Smooth surfaces"].contains(&filter.category);
+        let any = ["deform", "project", "smooth_distance"].contains(&filter.id);
+        if grids && !any && filter.inputs.iter().all(|&kind| kind == InputKind::Mesh) {
+            let refused = run_on(filter.id, &both[..filter.max_inputs.min(2)], &[]);
+            assert!(matches!(refused, Err(Error::NoGrid { .. })), "{}: {refused:?}", filter.id);
+        }
     }
-}
-
-#[test]
-fn distances_from_smooth_surfaces() {
-    let (mut shifted, grid) = (sphere(8, 12), sphere(32, 48));
-    shifted.points.iter_mut().flatten().for_each(|x| *x *= 1.1);
-    let outputs = run_on("smooth_distance", &[shifted, grid], &[]);
-    let [Output::Mesh(mesh), Output::Text(text)] = outputs.as_slice() else { panic!("of other kinds") };
-    let PositionBuffer::F64(points) = &mesh.positions else { panic!("of another type") };
-    assert!(points.iter().all(|p| (radius(p) - 1.0).abs() < 1e-4));
-    let largest: f64 = text.split("largest distance ").nth(1).unwrap().split(',').next().unwrap().parse().unwrap();
-    assert!((largest - 0.1).abs() < 1e-4, "{text}");
-    // Two grids are none.
-    let [first, second] = pieces();
-    let both = [first.and(&second)];
-    let refused = Filter::find("smooth_surface").unwrap().run(&inputs(&both), &[], &Job::default());
-    assert!(matches!(refused, Err(Error::NoGrid { .. })));
+    let twice = run_on_curves("outline", &[Curves::default(), Curves::default()], &[]);
+    assert_eq!(twice, Err(Error::OptionOutOfRange { option: "inputs", value: 2.0 }));
 }

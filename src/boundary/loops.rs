@@ -168,6 +168,9 @@ impl Boundary {
     }
 }
 
+/// Walks between two progress reports.
+const STEP: usize = 1 << 12;
+
 /// Finds every free boundary loop of `mesh`.
 ///
 /// O(H log d) for H half-edges and vertices of degree d; extra memory is linear: that of [`Topology`], 5 bytes a
@@ -183,6 +186,9 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
     {
         let mut boundary = Boundary { walks: walks.len() as u32, ..Boundary::default() };
         for (number, walk) in walks.iter().enumerate() {
+            if number % STEP == 0 {
+                job.step(0.5 + 0.5 * number as f64 / walks.len() as f64, "walking along the boundary")?;
+            }
             let walk_of = Walk { number: number as u32, closed: true, is_split: false };
             boundary.add(mesh, walk, true, &Ordinary, &walk_of)?;
         }

@@ -176,6 +176,7 @@ impl Plan {
             whole.face_corners.extend_from_slice(face);
             whole.face_offsets.push(whole.face_corners.len() as u32);
         }
+        job.step(0.1, "putting the pieces together")?;
         let part = part_alone(&whole, mesh.faces().len())?;
         let quality = Quality::of(&whole, &part, &job.part(0.2, 1.0))?;
         Ok(Filled { mesh: whole, holes: self.holes, rims: self.rims, quality })

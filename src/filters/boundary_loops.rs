@@ -3,7 +3,6 @@
 use super::Filter;
 use super::data::{Curves, Input, InputKind, Output, OutputKind};
 use super::param::{Choice, Param, Values};
-use crate::alloc;
 use crate::boundary::{Boundary, LoopFlags, NonManifold, Options, boundary_loops};
 use crate::error::Result;
 use crate::job::Job;
@@ -42,12 +41,9 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let mesh = inputs[0].mesh()?;
     let non_manifold = [NonManifold::Cut, NonManifold::Stop][values.chosen("non_manifold")];
     let boundary = boundary_loops(mesh, &Options { non_manifold, ..Options::default() }, job)?;
-    let mut curves = Curves { offsets: vec![0], ..Curves::default() };
+    let mut curves = Curves::none();
     for found in boundary.iter() {
-        alloc::reserve(&mut curves.points, found.vertices.len())?;
-        curves.points.extend(found.vertices.iter().map(|&v| mesh.positions().get(v).to_array()));
-        alloc::push(&mut curves.offsets, curves.points.len() as u32)?;
-        alloc::push(&mut curves.closed, !found.flags.any(LoopFlags::OPEN))?;
+        curves.add(found.vertices.iter().map(|&v| mesh.positions().get(v)), !found.flags.any(LoopFlags::OPEN))?;
     }
     Ok(vec![Output::Curves(curves), Output::Text(report(&boundary))])
 }

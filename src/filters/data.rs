@@ -1,7 +1,9 @@
 //! What goes into a filter and what comes out.
 
+use crate::alloc;
 use crate::error::{Error, Result};
-use crate::mesh::{Mesh, MeshView};
+use crate::mesh::{Mesh, MeshView, PositionBuffer};
+use glam::DVec3;
 
 /// What an input is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -117,4 +119,60 @@ impl Curves {
         }
         if before as usize != self.points.len() { bad(self.offsets.len() - 1, before) } else { Ok(()) }
     }
+}
+
+/// The points of one curve, and whether it is closed.
+pub(super) type Polyline<'a> = (&'a [[f64; 3]], bool);
+
+impl Curves {
+    /// No curves yet.
+    pub(super) fn none() -> Self {
+        Curves { offsets: vec![0], ..Curves::default() }
+    }
+
+    /// Appends a curve.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`].
+    pub(super) fn add(&mut self, points: impl ExactSizeIterator<Item = DVec3>, closed: bool) -> Result<()> {
+        alloc::reserve(&mut self.points, points.len())?;
+        self.points.extend(points.map(|point| point.to_array()));
+        let (count, limit) = (self.points.len() as u64, u64::from(u32::MAX));
+        let end = u32::try_from(count).map_err(|_| Error::TooLarge { what: "points", count, limit })?;
+        alloc::push(&mut self.offsets, end)?;
+        alloc::push(&mut self.closed, closed)
+    }
+
+    /// The points of each curve, and whether it is closed.
+    ///
+    /// # Errors
+    /// [`Error::BadOffsets`], [`Error::OutlineNotFinite`] with a place among all points.
+    pub(super) fn each(&self) -> Result<Vec<Polyline<'_>>> {
+        let value = |entry: usize| self.offsets.get(entry).copied().unwrap_or(0);
+        let bad = |entry: usize| Error::BadOffsets { entry: entry as u32, value: value(entry) };
+        if let Some(entry) = self.points.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
+            let value = self.points[entry].into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
+            return Err(Error::OutlineNotFinite { point: entry as u32, value });
+        }
+        if self.offsets.first().is_some_and(|&start| start != 0) {
+            return Err(bad(0));
+        }
+        let mut each = alloc::with_capacity(self.offsets.len().saturating_sub(1))?;
+        for (c, ends) in self.offsets.windows(2).enumerate() {
+            let points = self.points.get(ends[0] as usize..ends[1] as usize).ok_or(bad(c + 1))?;
+            each.push((points, self.closed.get(c).copied().unwrap_or(false)));
+        }
+        if self.points.len() != self.offsets.last().map_or(0, |&end| end as usize) {
+            return Err(bad(self.offsets.len().saturating_sub(1)));
+        }
+        Ok(each)
+    }
+}
+
+/// A mesh with the faces of another one, its vertices elsewhere.
+pub(super) fn with_positions(mesh: &MeshView<'_>, positions: PositionBuffer) -> Result<Mesh> {
+    let faces = mesh.faces();
+    let offsets = (0..faces.len() + 1).map(|f| if f == 0 { 0 } else { faces.range(f - 1).end as u32 });
+    let face_corners = alloc::collect(faces.corners(0..faces.half_edge_count()))?;
+    Ok(Mesh { positions, face_offsets: alloc::collect(offsets)?, face_corners })
 }

@@ -1,18 +1,22 @@
 //! The filter `deform`.
 
 use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
+use super::data::{Input, InputKind, Output, OutputKind, with_positions};
+use super::extent::{Extent, put, rounded};
 use super::param::{Choice, Param, ParamKind, Values};
-use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
 use crate::net::field::{Bend, Field, Shear, Spherify, Taper, Twist};
 use crate::net::transform::Axis;
 use glam::DVec3;
+use std::f64::consts::PI;
 
 /// Vertices that are moved at a time.
 const PIECE: usize = 1024;
+
+/// Pieces between two chances to cancel.
+const PIECES: usize = 64;
 
 pub(super) const FILTER: Filter = Filter {
     id: "deform",
@@ -27,77 +31,74 @@ pub(super) const FILTER: Filter = Filter {
     max_inputs: 1,
     outputs: &[OutputKind::Mesh],
     replaces: true,
-    params: &[
-        Param::choice(
-            "field",
-            "Field",
-            "What is done to space.",
-            &[
-                Choice {
-                    label: "Twist",
-                    help: "Turns round the axis, the amount in radians for each unit of length along it.",
-                },
-                Choice {
-                    label: "Taper",
-                    help: "Scales across the axis by 1 and the amount for each unit of length along it.",
-                },
-                Choice {
-                    label: "Bend",
-                    help: "Bends the axis to an arc from the lowest vertex on; the amount is its curvature.",
-                },
-                Choice { label: "Shear", help: "Moves along the axis by the amount times the next coordinate." },
-                Choice {
-                    label: "Spherify",
-                    help: "Draws towards the sphere round the origin whose radius is the amount.",
-                },
-            ],
-        ),
-        Param::choice(
-            "axis",
-            "Axis",
-            "The axis of the field, through the origin.",
-            &[
-                Choice { label: "z", help: "The third one." },
-                Choice { label: "x", help: "The first one." },
-                Choice { label: "y", help: "The second one." },
-            ],
-        ),
-        Param {
-            id: "amount",
-            label: "Amount",
-            help: "How much; what it means depends on the field, and 0 leaves all as it is.",
-            kind: ParamKind::Real,
-            min: -1e9,
-            max: 1e9,
-            default: &[0.1],
-            step: 0.0,
-            choices: &[],
-        },
-        Param {
-            id: "strength",
-            label: "Strength",
-            help: "The part of the deformation that is done, from none to all of it.",
-            kind: ParamKind::Real,
-            min: 0.0,
-            max: 1.0,
-            default: &[1.0],
-            step: 0.0,
-            choices: &[],
-        },
-    ],
-    suggest: None,
+    params: PARAMS,
+    suggest: Some(suggest),
     run,
 };
+
+const PARAMS: &[Param] = &[
+    Param::choice(
+        "field",
+        "Field",
+        "What is done to space.",
+        &[
+            Choice {
+                label: "Twist",
+                help: "Turns round the axis, the amount in radians for each unit of length along it.",
+            },
+            Choice {
+                label: "Taper",
+                help: "Scales across the axis by 1 and the amount for each unit of length along it.",
+            },
+            Choice {
+                label: "Bend",
+                help: "Bends the axis to an arc from the lowest vertex on; the amount is its curvature.",
+            },
+            Choice { label: "Shear", help: "Moves along the axis by the amount times the next coordinate." },
+            Choice { label: "Spherify", help: "Draws towards the sphere round the origin whose radius is the amount." },
+        ],
+    ),
+    Param::choice(
+        "axis",
+        "Axis",
+        "The axis of the field, through the origin.",
+        &[
+            Choice { label: "z", help: "The third one." },
+            Choice { label: "x", help: "The first one." },
+            Choice { label: "y", help: "The second one." },
+        ],
+    ),
+    Param {
+        id: "amount",
+        label: "Amount",
+        help: "How much; what it means depends on the field, and 0 leaves all as it is. Suggested is what suits a twist.",
+        kind: ParamKind::Real,
+        min: -1e15,
+        max: 1e15,
+        default: &[0.1],
+        step: 0.0,
+        choices: &[],
+    },
+    Param {
+        id: "strength",
+        label: "Strength",
+        help: "The part of the deformation that is done, from none to all of it.",
+        kind: ParamKind::Real,
+        min: 0.0,
+        max: 1.0,
+        default: &[1.0],
+        step: 0.0,
+        choices: &[],
+    },
+];
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let mesh = inputs[0].mesh()?;
     let (amount, strength) = (values.number("amount"), values.number("strength"));
     let axis = [Axis::Z, Axis::X, Axis::Y][values.chosen("axis")];
     let next = [Axis::X, Axis::Y, Axis::Z][values.chosen("axis")];
-    job.step(0.0, "deform")?;
-    let mut moved = copied(mesh)?;
-    if amount == 0.0 || strength == 0.0 {
-        return Ok(vec![Output::Mesh(moved)]);
+    if amount == 0.0 {
+        return Ok(vec![Output::Mesh(copied(mesh, job)?)]);
     }
     let field: Box<dyn Field> = match values.chosen("field") {
         0 => Box::new(Twist::new(axis, amount, 0.0)?),
@@ -106,11 +107,31 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         3 => Box::new(Shear::new(axis, next, amount)?),
         _ => Box::new(Spherify::new(DVec3::ZERO, amount.abs())?),
     };
-    match &mut moved.positions {
-        PositionBuffer::F32(points) => map(field.as_ref(), strength, points, |x| x as f32)?,
-        PositionBuffer::F64(points) => map(field.as_ref(), strength, points, |x| x)?,
+    Ok(vec![Output::Mesh(moved(mesh, field.as_ref(), strength, job)?)])
+}
+
+/// The amount that turns the mesh by half a right angle from end to end, if it is twisted.
+fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
+    if let Some(extent) = Extent::of(inputs) {
+        put(PARAMS, values, "amount", &[rounded(0.25 * PI / extent.diagonal())]);
     }
-    Ok(vec![Output::Mesh(moved)])
+}
+
+/// A mesh moved by a field.
+///
+/// # Errors
+/// [`Error::FieldUndefined`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub(super) fn moved(mesh: &MeshView<'_>, field: &dyn Field, strength: f64, job: &Job<'_>) -> Result<Mesh> {
+    let mut moved = copied(mesh, &job.part(0.0, 0.2))?;
+    // In no part at all, not even undefined places matter.
+    if strength > 0.0 {
+        let job = job.part(0.2, 1.0);
+        match &mut moved.positions {
+            PositionBuffer::F32(points) => map(field, strength, points, |x| x as f32, &job)?,
+            PositionBuffer::F64(points) => map(field, strength, points, |x| x, &job)?,
+        }
+    }
+    Ok(moved)
 }
 
 /// The least coordinate along an axis.
@@ -131,9 +152,14 @@ fn map<T: Copy + Into<f64>>(
     strength: f64,
     points: &mut [[T; 3]],
     round: impl Fn(f64) -> T,
+    job: &Job<'_>,
 ) -> Result<()> {
     let mut scratch = [[0.0; PIECE]; 3];
+    let pieces = points.len().div_ceil(PIECE);
     for (number, piece) in points.chunks_mut(PIECE).enumerate() {
+        if number % PIECES == 0 {
+            job.step(number as f64 / pieces as f64, "moving vertices")?;
+        }
         let count = piece.len();
         for (k, point) in piece.iter().enumerate() {
             (0..3).for_each(|axis| scratch[axis][k] = point[axis].into());
@@ -152,14 +178,11 @@ fn map<T: Copy + Into<f64>>(
     Ok(())
 }
 
-fn copied(mesh: &MeshView<'_>) -> Result<Mesh> {
-    let (positions, faces) = (mesh.positions(), mesh.faces());
+/// The mesh as it is.
+fn copied(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Mesh> {
+    job.step(0.0, "copying the mesh")?;
+    let positions = mesh.positions();
     let mut buffer = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
     buffer.append(positions)?;
-    let offsets = (0..faces.len() + 1).map(|f| if f == 0 { 0 } else { faces.range(f - 1).end as u32 });
-    Ok(Mesh {
-        positions: buffer,
-        face_offsets: alloc::collect(offsets)?,
-        face_corners: alloc::collect(faces.corners(0..faces.half_edge_count()))?,
-    })
+    with_positions(mesh, buffer)
 }

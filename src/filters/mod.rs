@@ -14,17 +14,45 @@ pub mod param;
 
 mod assemble;
 mod boundary_loops;
+mod check;
+mod curve;
+mod curve_measures;
+mod curve_meet;
+mod curve_nearest;
+mod curve_offset;
+mod curve_resample;
+mod curve_svg;
 mod deform;
+mod displace;
+mod distances;
+mod extent;
+mod facing_arcs;
 mod fill_holes;
+mod loft;
+mod net_analyse;
+mod net_decimate;
+mod net_join;
+mod net_lathe;
+mod net_measures;
+mod net_resample;
 mod net_shape;
 mod orient;
 mod outline;
+mod project;
+mod quads;
 mod smooth;
+mod smooth_curve;
 mod smooth_distance;
+mod smooth_intersect;
+mod smooth_isophotes;
+mod smooth_line;
+mod smooth_nearest;
+mod smooth_net;
 mod smooth_sections;
 mod smooth_silhouette;
 mod smooth_surface;
 mod stitch;
+mod strip;
 mod weld;
 
 use crate::error::{Error, Result};
@@ -82,6 +110,30 @@ pub static FILTERS: &[Filter] = &[
     smooth_sections::FILTER,
     smooth_silhouette::FILTER,
     smooth_distance::FILTER,
+    check::FILTER,
+    facing_arcs::FILTER,
+    strip::FILTER,
+    net_resample::FILTER,
+    net_decimate::FILTER,
+    net_join::FILTER,
+    net_measures::FILTER,
+    net_analyse::FILTER,
+    net_lathe::FILTER,
+    displace::FILTER,
+    project::FILTER,
+    curve_measures::FILTER,
+    curve_resample::FILTER,
+    curve_offset::FILTER,
+    curve_meet::FILTER,
+    curve_nearest::FILTER,
+    curve_svg::FILTER,
+    loft::FILTER,
+    smooth_net::FILTER,
+    smooth_isophotes::FILTER,
+    smooth_intersect::FILTER,
+    smooth_line::FILTER,
+    smooth_curve::FILTER,
+    smooth_nearest::FILTER,
 ];
 
 impl Filter {
@@ -95,13 +147,24 @@ impl Filter {
         self.params.iter().flat_map(|param| param.default).copied().collect()
     }
 
-    /// The defaults, as the inputs suggest them; what [`Filter::run`] takes for values that are not given.
+    /// The defaults, as the inputs suggest them, each within the range of its parameter; what [`Filter::run`] takes for values that are not given.
     pub fn defaults(&self, inputs: &[Input<'_>]) -> Vec<f64> {
         let mut values = self.plain_defaults();
         if let Some(suggest) = self.suggest {
+            let usual = values.clone();
             suggest(inputs, &mut values);
+            // Meshes may be of any size, even of one that no range was made for.
+            let params = self.params.iter().flat_map(|param| (0..param.kind.arity()).map(move |_| param));
+            for ((value, usual), param) in values.iter_mut().zip(usual).zip(params) {
+                *value = if value.is_nan() { usual } else { value.clamp(param.min, param.max) };
+            }
         }
         values
+    }
+
+    /// The number of values of all parameters.
+    pub fn value_count(&self) -> usize {
+        self.params.iter().map(|param| param.kind.arity()).sum()
     }
 
     /// Whether the filter takes so many inputs of these kinds.
@@ -137,8 +200,11 @@ impl Filter {
     /// # Errors
     /// [`Error::OptionOutOfRange`] with their number if not.
     pub fn check_value_count(&self, count: usize) -> Result<()> {
-        let most: usize = self.params.iter().map(|param| param.kind.arity()).sum();
-        if count <= most { Ok(()) } else { Err(Error::OptionOutOfRange { option: "values", value: count as f64 }) }
+        if count <= self.value_count() {
+            Ok(())
+        } else {
+            Err(Error::OptionOutOfRange { option: "values", value: count as f64 })
+        }
     }
 
     /// Runs the filter.
@@ -149,7 +215,7 @@ impl Filter {
     pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
         self.check_inputs(inputs)?;
         self.check_value_count(values.len())?;
-        let mut all = self.defaults(inputs);
+        let mut all = if values.len() < self.value_count() { self.defaults(inputs) } else { values.to_vec() };
         all[..values.len()].copy_from_slice(values);
         (self.run)(inputs, &Values::check(self.params, &all)?, job)
     }

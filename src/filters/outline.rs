@@ -1,15 +1,12 @@
 //! The filter `outline`.
 
 use super::Filter;
+use super::curve::sampled;
 use super::data::{Curves, Input, InputKind, Output, OutputKind};
 use super::param::{Choice, Param, ParamKind, Values};
-use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::job::Job;
-use crate::outline::{
-    CurveView, Ends, Fit, FitStatus, Joint, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
-};
-use glam::DVec3;
+use crate::outline::{Ends, Fit, FitStatus, Joint, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit};
 use std::fmt::Write;
 
 pub(super) const FILTER: Filter = Filter {
@@ -122,39 +119,18 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         corner_angle: values.number("corner_angle"),
         ..Options::default()
     };
-    let mut drawn = Curves { offsets: vec![0], ..Curves::default() };
-    let mut text = String::new();
-    let count = given.offsets.len().saturating_sub(1);
-    for c in 0..count {
-        let part = job.part(c as f64 / count as f64, (c + 1) as f64 / count as f64);
-        let bad = Error::BadOffsets { entry: c as u32 + 1, value: given.offsets[c + 1] };
-        let points = given.points.get(given.offsets[c] as usize..given.offsets[c + 1] as usize).ok_or(bad)?;
-        let closed = given.closed.get(c).copied().unwrap_or(false);
+    let (mut drawn, mut text) = (Curves::none(), String::new());
+    let curves = given.each()?;
+    for (c, &(points, closed)) in curves.iter().enumerate() {
+        let part = job.part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
         let outline = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
         let done = fit(&outline, &options, &part)?;
-        add(&mut drawn, done.curve(0), values.number("chord_error") * done.reports()[0].size)?;
+        let chord = (values.number("chord_error") * done.reports()[0].size).max(f64::MIN_POSITIVE);
+        drawn.add(sampled(&done.curve(0), chord)?.into_iter(), closed)?;
         // Writing to a string cannot fail.
         let _ = writeln!(text, "curve {c}: {}", report(&done));
     }
     Ok(vec![Output::Curves(drawn), Output::Text(text)])
-}
-
-/// Appends a curve as a polyline.
-fn add(drawn: &mut Curves, curve: CurveView<'_>, tolerance: f64) -> Result<()> {
-    if curve.is_empty() {
-        let points = curve.points();
-        alloc::reserve(&mut drawn.points, points.len())?;
-        drawn.points.extend(points.iter().map(DVec3::to_array));
-    } else {
-        let samples = curve.sampled_by_chord(tolerance.max(f64::MIN_POSITIVE))?;
-        alloc::reserve(&mut drawn.points, samples.points.len())?;
-        drawn.points.extend(samples.points.iter().map(DVec3::to_array));
-    }
-    let count = drawn.points.len() as u64;
-    let limit = u64::from(u32::MAX);
-    let end = u32::try_from(count).map_err(|_| Error::TooLarge { what: "points", count, limit })?;
-    alloc::push(&mut drawn.offsets, end)?;
-    alloc::push(&mut drawn.closed, curve.is_closed())
 }
 
 fn report(done: &Fit) -> String {

@@ -73,7 +73,36 @@ pub struct Param {
     pub choices: &'static [Choice],
 }
 
+/// Lengths that may be meant: meshes come in all units.
+pub(super) const LENGTHS: [f64; 2] = [1e-15, 1e15];
+
+/// Coordinates that may be meant, and lengths with a sign.
+pub(super) const PLACES: [f64; 2] = [-1e15, 1e15];
+
 impl Param {
+    /// A parameter that is no choice.
+    pub(super) const fn new(
+        id: &'static str,
+        label: &'static str,
+        help: &'static str,
+        kind: ParamKind,
+        [min, max]: [f64; 2],
+        default: &'static [f64],
+    ) -> Self {
+        let step = if kind.is_whole() { 1.0 } else { 0.0 };
+        Param { id, label, help, kind, min, max, default, step, choices: &[] }
+    }
+
+    /// Something that is done or not; not by default.
+    pub(super) const fn flag(id: &'static str, label: &'static str, help: &'static str) -> Self {
+        Param::new(id, label, help, ParamKind::Bool, [0.0, 1.0], &[0.0])
+    }
+
+    /// The greatest error of a result, relative to a size that the help names.
+    pub(super) const fn relative(id: &'static str, label: &'static str, help: &'static str) -> Self {
+        Param::new(id, label, help, ParamKind::Real, [1e-9, 1.0], &[1e-4])
+    }
+
     /// A choice, whose default is the first.
     pub(super) const fn choice(
         id: &'static str,
@@ -137,6 +166,29 @@ impl<'a> Values<'a> {
     /// The value of a parameter of three components.
     pub(super) fn vector(&self, id: &str) -> DVec3 {
         DVec3::from_slice(&self.of(id)[..3])
+    }
+
+    /// Whether a flag is set.
+    pub(super) fn is_set(&self, id: &str) -> bool {
+        self.number(id) != 0.0
+    }
+
+    /// A unit vector along a direction.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`]: it has no length.
+    pub(super) fn direction(&self, id: &'static str) -> Result<DVec3> {
+        let given = self.vector(id);
+        given.try_normalize().ok_or(Error::OptionOutOfRange { option: id, value: given.length() })
+    }
+
+    /// The unit normal n of a plane and its distance d from the origin: n . x = d.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`]: its normal has no length.
+    pub(super) fn plane(&self, id: &'static str) -> Result<(DVec3, f64)> {
+        let length = self.vector(id).length();
+        self.direction(id).map(|normal| (normal, self.of(id)[3] / length))
     }
 
     /// The place of a choice.

@@ -1,13 +1,13 @@
 //! What filters of smooth surfaces have in common: the surface through the vertices of a mesh of quads in rows and columns.
 
 use super::data::Curves;
-use super::param::{Choice, Param, ParamKind, Values};
+use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use crate::alloc;
 use crate::carcass::level::Between;
-use crate::carcass::{Carcass, Grid, Nodes, Paths, Scheme, Sheet};
+use crate::carcass::{Carcass, Grid, Nodes, Paths, Scheme, Sheet, SurfaceMeshOptions};
 use crate::error::Result;
 use crate::job::Job;
-use crate::mesh::MeshView;
+use crate::mesh::{Mesh, MeshView};
 use crate::net::convert::net_of_grid;
 use glam::DVec3;
 
@@ -26,31 +26,36 @@ pub(super) const SCHEME: Param = Param::choice(
 );
 
 /// How fine curves are.
-pub(super) const CHORD: Param = Param {
-    id: "chord_error",
-    label: "Chord error",
-    help: "How far the polylines may be from the curves, relative to the diagonal of the surface's box.",
-    kind: ParamKind::Real,
-    min: 1e-9,
-    max: 1.0,
-    default: &[1e-4],
-    step: 0.0,
-    choices: &[],
-};
+pub(super) const CHORD: Param = Param::relative(
+    "chord_error",
+    "Chord error",
+    "How far the polylines may be from the curves, relative to the diagonal of the surface's box.",
+);
+
+/// How fine meshes are: relative deviation, fewest parts of a cell, triangles or quads.
+pub(super) const FINENESS: [Param; 3] = [
+    Param::new(
+        "deviation",
+        "Deviation",
+        "How far faces may be from the surface, relative to the diagonal of its box.",
+        ParamKind::Real,
+        [1e-7, 1.0],
+        &[1e-3],
+    ),
+    Param::new(
+        "parts",
+        "Parts",
+        "The fewest parts that each side of a cell is cut into.",
+        ParamKind::Int,
+        [1.0, 1000.0],
+        &[1.0],
+    ),
+    Param::flag("triangles", "Triangles", "The mesh is made of triangles instead of quads."),
+];
 
 /// A direction; the z axis by default.
 pub(super) const fn direction(help: &'static str) -> Param {
-    Param {
-        id: "direction",
-        label: "Direction",
-        help,
-        kind: ParamKind::Direction,
-        min: -1e9,
-        max: 1e9,
-        default: &[0.0, 0.0, 1.0],
-        step: 0.0,
-        choices: &[],
-    }
+    Param::new("direction", "Direction", help, ParamKind::Direction, PLACES, &[0.0, 0.0, 1.0])
 }
 
 /// The surface through a mesh, with its normals on the side that the faces are counter-clockwise from.
@@ -77,6 +82,20 @@ pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -
 pub(super) fn chord(surface: &Carcass<'_>, values: &Values<'_>) -> Between {
     let [low, high] = surface.bounds();
     Between::Chord((values.number("chord_error") * low.distance(high)).max(f64::MIN_POSITIVE))
+}
+
+/// The surface of one sheet as a mesh, and what there is to say of it.
+pub(super) fn meshed(surface: &Carcass<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<(Mesh, String)> {
+    let [low, high] = surface.bounds();
+    let options = SurfaceMeshOptions {
+        tolerance: (values.number("deviation") * low.distance(high)).max(f64::MIN_POSITIVE),
+        least: [values.number("parts") as u32; 2],
+        triangles: values.is_set("triangles"),
+    };
+    let made = surface.sheet(0).to_mesh(&options, job)?;
+    let (vertices, faces) = (made.places.len(), made.mesh.face_count());
+    let text = format!("{vertices} vertices, {faces} faces, at most {:.1e} from the surface\n", made.deviation);
+    Ok((made.mesh, text))
 }
 
 /// Paths as polylines.

@@ -1,14 +1,15 @@
 //! The filter `smooth_distance`.
 
 use super::Filter;
-use super::data::{Input, InputKind, Output, OutputKind};
+use super::data::{Input, InputKind, Output, OutputKind, with_positions};
+use super::distances;
 use super::param::{Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::alloc;
 use crate::carcass::Carcass;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::mesh::{Mesh, MeshView, PositionBuffer};
+use crate::mesh::{MeshView, PositionBuffer};
 use crate::par;
 use glam::DVec3;
 
@@ -44,7 +45,7 @@ pub(super) const FILTER: Filter = Filter {
 };
 
 /// Vertices that are looked at between two chances to cancel, and by a thread at a time.
-const ROUND: usize = 1 << 14;
+const ROUND: usize = 1 << 12;
 const TAKEN: usize = 1 << 9;
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
@@ -56,24 +57,9 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let from = |v: usize| positions.get(v as u32);
     let mut moved = PositionBuffer::with_capacity(positions.scalar(), positions.len())?;
     moved.extend(nearest.iter().enumerate().map(|(v, &to)| from(v).lerp(to, strength)))?;
-    let distances = || nearest.iter().enumerate().map(|(v, &to)| from(v).distance(to));
-    let count = nearest.len().max(1) as f64;
-    let (sum, squares) = distances().fold((0.0, 0.0), |(sum, squares), d| (sum + d, squares + d * d));
-    let text = format!(
-        "{} vertices: largest distance {:.6e}, mean {:.6e}, root mean square {:.6e}\n",
-        nearest.len(),
-        distances().fold(0.0, f64::max),
-        sum / count,
-        (squares / count).sqrt()
-    );
-    let faces = mesh.faces();
-    let offsets = (0..faces.len() + 1).map(|f| if f == 0 { 0 } else { faces.range(f - 1).end as u32 });
-    let mesh = Mesh {
-        positions: moved,
-        face_offsets: alloc::collect(offsets)?,
-        face_corners: alloc::collect(faces.corners(0..faces.half_edge_count()))?,
-    };
-    Ok(vec![Output::Mesh(mesh), Output::Text(text)])
+    let distances = nearest.iter().enumerate().map(|(v, &to)| from(v).distance(to));
+    let text = distances::account("vertices", distances);
+    Ok(vec![Output::Mesh(with_positions(mesh, moved)?), Output::Text(text)])
 }
 
 /// The nearest points of all vertices.

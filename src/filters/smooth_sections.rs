@@ -2,11 +2,12 @@
 
 use super::Filter;
 use super::data::{Input, InputKind, Output, OutputKind};
-use super::param::{Choice, Param, ParamKind, Values};
+use super::extent::{Extent, put};
+use super::param::{Choice, LENGTHS, PLACES, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, CHORD, REFERENCE, SCHEME};
 use crate::carcass::level::Planes;
 use crate::carcass::{Carcass, Paths};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
 
@@ -23,56 +24,51 @@ pub(super) const FILTER: Filter = Filter {
     max_inputs: 1,
     outputs: &[OutputKind::Curves, OutputKind::Text],
     replaces: false,
-    params: &[
-        SCHEME,
-        smooth::direction("The direction across the planes."),
-        Param::choice(
-            "placement",
-            "Planes",
-            "Where the planes are.",
-            &[
-                Choice { label: "Even", help: "Evenly over the extent of the surface." },
-                Choice { label: "Given", help: "At the offset and, one after the other, at the distance from there." },
-            ],
-        ),
-        Param {
-            id: "number",
-            label: "Number",
-            help: "The number of planes.",
-            kind: ParamKind::Int,
-            min: 1.0,
-            max: 10_000.0,
-            default: &[10.0],
-            step: 1.0,
-            choices: &[],
-        },
-        Param {
-            id: "offset",
-            label: "Offset",
-            help: "How far the first plane is from the origin, along the direction; for given planes.",
-            kind: ParamKind::Length,
-            min: -1e9,
-            max: 1e9,
-            default: &[0.0],
-            step: 0.0,
-            choices: &[],
-        },
-        Param {
-            id: "distance",
-            label: "Distance",
-            help: "How far planes are from each other; for given planes.",
-            kind: ParamKind::Length,
-            min: 1e-9,
-            max: 1e9,
-            default: &[1.0],
-            step: 0.0,
-            choices: &[],
-        },
-        CHORD,
-    ],
-    suggest: None,
+    params: PARAMS,
+    suggest: Some(suggest),
     run,
 };
+
+const PARAMS: &[Param] = &[
+    SCHEME,
+    smooth::direction("The direction across the planes."),
+    Param::choice(
+        "placement",
+        "Planes",
+        "Where the planes are.",
+        &[
+            Choice { label: "Even", help: "Evenly over the extent of the surface." },
+            Choice { label: "Given", help: "At the offset and, one after the other, at the distance from there." },
+        ],
+    ),
+    Param::new("number", "Number", "The number of planes.", ParamKind::Int, [1.0, 10_000.0], &[10.0]),
+    Param::new(
+        "offset",
+        "Offset",
+        "How far the first plane is from the origin, along the direction; for given planes.",
+        ParamKind::Length,
+        PLACES,
+        &[0.0],
+    ),
+    Param::new(
+        "distance",
+        "Distance",
+        "How far planes are from each other; for given planes.",
+        ParamKind::Length,
+        LENGTHS,
+        &[1.0],
+    ),
+    CHORD,
+];
+
+/// Ten planes across the z axis, as the defaults of the other parameters have it.
+fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
+    if let Some(extent) = Extent::of(inputs) {
+        let height = Some(extent.high.z - extent.low.z).filter(|&height| height > 0.0).unwrap_or(extent.diagonal());
+        put(PARAMS, values, "offset", &[extent.low.z + 0.05 * height]);
+        put(PARAMS, values, "distance", &[0.1 * height]);
+    }
+}
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
@@ -81,9 +77,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 }
 
 fn cut(surface: &Carcass<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Paths> {
-    let given = values.vector("direction");
-    let bad = Error::OptionOutOfRange { option: "direction", value: given.length() };
-    let normal = given.try_normalize().ok_or(bad)?;
+    let normal = values.direction("direction")?;
     let number = values.number("number") as usize;
     let [first, distance] = match values.chosen("placement") {
         0 => evenly(surface, normal, number),

@@ -6,11 +6,15 @@
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::scale::common_unit;
+use crate::job::Job;
 use glam::DVec3;
 use std::ops::Range;
 
 /// Ranges of at most this many points are searched one by one.
 const LEAF: usize = 8;
+
+/// Ranges of at most this many points are split without asking the host.
+const HEARD: usize = 1 << 15;
 
 /// Points of several groups.
 const MIXED: u32 = u32::MAX;
@@ -31,6 +35,11 @@ pub(crate) struct KdTree<'a> {
 impl<'a> KdTree<'a> {
     /// Extra memory: 5 bytes a point.
     pub(crate) fn new(points: &'a [DVec3]) -> Result<Self> {
+        Self::heard(points, &Job::default(), "")
+    }
+
+    /// As [`new`](Self::new), for many points: the host can cancel.
+    pub(crate) fn heard(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = KdTree {
             points,
             order: alloc::collect((0..points.len()).map(|i| i as u32))?,
@@ -39,7 +48,13 @@ impl<'a> KdTree<'a> {
             low: points.iter().fold(DVec3::INFINITY, |low, &p| low.min(p)),
             high: points.iter().fold(DVec3::NEG_INFINITY, |high, &p| high.max(p)),
         };
-        split(points, &mut tree.order, &mut tree.axis);
+        let mut done = 0;
+        let mut hear = |count: usize| {
+            job.step(done as f64 / points.len() as f64, stage)?;
+            done += count;
+            Ok(())
+        };
+        split_heard(points, &mut tree.order, &mut tree.axis, &mut hear)?;
         Ok(tree)
     }
 
@@ -187,10 +202,32 @@ impl Reach {
     }
 }
 
-fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
-    if order.len() <= LEAF {
-        return;
+/// Splits a range and its halves; `hear` is called for every large one, with the number of points that it sees to alone.
+fn split_heard(
+    points: &[DVec3],
+    order: &mut [u32],
+    axes: &mut [u8],
+    hear: &mut impl FnMut(usize) -> Result<()>,
+) -> Result<()> {
+    if order.len() <= HEARD {
+        hear(order.len())?;
+        split(points, order, axes);
+        return Ok(());
     }
+    hear(1)?;
+    let [(left, left_axes), (right, right_axes)] = split_once(points, order, axes);
+    split_heard(points, left, left_axes, hear)?;
+    split_heard(points, right, right_axes, hear)
+}
+
+fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
+    if order.len() > LEAF {
+        split_once(points, order, axes).into_iter().for_each(|(order, axes)| split(points, order, axes));
+    }
+}
+
+/// Brings the middle of a range to its place, and returns the halves on either side.
+fn split_once<'a>(points: &[DVec3], order: &'a mut [u32], axes: &'a mut [u8]) -> [(&'a mut [u32], &'a mut [u8]); 2] {
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for &i in order.iter() {
         low = low.min(points[i as usize]);
@@ -204,8 +241,7 @@ fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
     axes[middle] = axis as u8;
     let (left, right) = order.split_at_mut(middle);
     let (left_axes, right_axes) = axes.split_at_mut(middle);
-    split(points, left, left_axes);
-    split(points, &mut right[1..], &mut right_axes[1..]);
+    [(left, left_axes), (&mut right[1..], &mut right_axes[1..])]
 }
 
 #[cfg(test)]

@@ -68,8 +68,8 @@ pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>)
         let (a, b) = (before.shape().node_count() as u32, after.shape().node_count() as u32);
         return Err(Error::SidesDiffer { a, b });
     }
-    let mut found = compare(before, after, tolerance, job)?;
-    turn_over(&mut found, &fold::sides(before, after, tolerance, job.threads())?);
+    let mut found = compare(before, after, tolerance, &job.part(0.0, 0.5))?;
+    turn_over(&mut found, &fold::sides(before, after, tolerance, &job.part(0.5, 1.0))?);
     Ok(found)
 }
 
@@ -84,10 +84,9 @@ pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Jo
     let mut after = net.copied()?;
     deform(&mut after, steps, &job.part(0.0, 0.3))?;
     let mut found = compare(net, &after, tolerance, &job.part(0.3, 0.6))?;
-    job.step(0.6, "analyse")?;
-    found.determinants = each!(net.coordinates(), planes => determinants(planes, steps, job.threads()))?;
+    found.determinants = each!(net.coordinates(), planes => determinants(planes, steps, &job.part(0.6, 0.8)))?;
     if !turn_inside_out(&mut found) {
-        turn_over(&mut found, &fold::sides(net, &after, tolerance, job.threads())?);
+        turn_over(&mut found, &fold::sides(net, &after, tolerance, &job.part(0.8, 1.0))?);
     }
     Ok(found)
 }
@@ -120,7 +119,7 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     let width = 2 * shape.columns();
     let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let row = |i: usize, ratios: &mut [f64]| row_of_links((old, new), i, ratios, &classes, tolerance);
-        pieces::rows(&mut links, width, job.threads(), row).collect()
+        pieces::rows(&mut links, width, (&job.part(0.0, 0.5), "analyse"), row)?.collect()
     }));
     let (mut contracted, mut torn) = (Vec::new(), Vec::new());
     for change in changes {
@@ -132,13 +131,13 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
     let hidden = Hidden::of(before)?;
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        pieces::rows(&mut cells, shape.columns() - 1, job.threads(), |i, ratios| {
+        pieces::rows(&mut cells, shape.columns() - 1, (&job.part(0.5, 1.0), "analyse"), |i, ratios| {
             for (j, ratio) in ratios.iter_mut().enumerate().filter(|&(j, _)| !hidden.contains(i, j)) {
                 *ratio = area_vector(new, i, j).length() / area_vector(old, i, j).length();
                 // 0 / 0 is NaN already; an area out of nothing has no ratio either.
                 *ratio = if ratio.is_infinite() { f64::NAN } else { *ratio };
             }
-        })
+        })?
         .for_each(drop);
     }));
     Ok(Analysis { links, cells, determinants: Vec::new(), contracted, torn, folded: Vec::new() })
@@ -216,10 +215,10 @@ fn turn_inside_out(found: &mut Analysis) -> bool {
 }
 
 /// The determinants of the Jacobian at the centres of all cells, by central differences.
-fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], threads: usize) -> Result<Vec<f64>> {
+fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'_>) -> Result<Vec<f64>> {
     let columns = planes.shape().columns() - 1;
     let mut determinants = alloc::zeroed(planes.shape().cell_count())?;
-    pieces::rows(&mut determinants, columns, threads, |i, row| {
+    pieces::rows(&mut determinants, columns, (job, "analyse"), |i, row| {
         for (j, determinant) in row.iter_mut().enumerate() {
             let [a, b, c, d] = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| planes.get(i, j));
             let size = (c - a).length() + (d - b).length();
@@ -229,7 +228,7 @@ fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], threads: us
             let off = error * (x.cross(y).length() + y.cross(z).length() + z.cross(x).length());
             *determinant = if jacobian.determinant().abs() <= off { 0.0 } else { jacobian.determinant() };
         }
-    })
+    })?
     .for_each(drop);
     Ok(determinants)
 }

@@ -12,6 +12,7 @@ use super::topology::Forest;
 use super::{Classes, Net, Planes, Real, Shape, each};
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::par;
 use glam::DVec3;
@@ -25,6 +26,10 @@ enum Fold {
     Unclear,
 }
 
+/// About so many cells are one thread's work at a time, and are looked at between two chances to cancel.
+const BLOCK: usize = 1 << 14;
+const STAGE: &str = "looking for folds";
+
 /// How much wider the margins are before the deformation: what is folded after must not have been nearly so before.
 const BEFORE: f64 = 8.0;
 
@@ -32,12 +37,15 @@ const BEFORE: f64 = 8.0;
 ///
 /// Folds part the cells into those of one side and those of the other; of the parts that hang together, the smaller side is
 /// turned over. Where there is no such parting, as round the end of a fold, the cells at the fold itself are.
-pub(super) fn sides(before: &Net<'_>, after: &Net<'_>, tolerance: f64, threads: usize) -> Result<Vec<i8>> {
+pub(super) fn sides(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<i8>> {
     let (shape, classes, hidden) = (before.shape(), Classes::of(before.topology())?, Hidden::of(before)?);
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let search = Search { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
-        let rows = par::map(threads, 0..shape.rows() - 1, |i| search.is_folded_in_row(i));
-        if rows.contains(&true) { search.parted() } else { Ok(Vec::new()) }
+        let (lines, part) = ((BLOCK / shape.columns()).max(1), job.part(0.0, 0.5));
+        let blocks = par::heard_chunks(&part, STAGE, shape.rows() - 1, lines, |mut rows| {
+            rows.any(|i| search.is_folded_in_row(i))
+        })?;
+        if blocks.contains(&true) { search.parted(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }
     }))
 }
 
@@ -95,14 +103,19 @@ impl<A: Real, B: Real> Search<'_, A, B> {
     }
 
     /// Of each cell, the side of the folds that it is on.
-    fn parted(&self) -> Result<Vec<i8>> {
+    fn parted(&self, job: &Job<'_>) -> Result<Vec<i8>> {
         let count = self.shape.cell_count();
         let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
         // Each cell twice: as it is, and turned over.
         let (mut forest, over) = (Forest::new(2 * count)?, count as u32);
         let mut folded = Vec::new();
+        let heard = |cell: u32, from: f64| match cell as usize % BLOCK {
+            0 => job.step(from + 0.4 * f64::from(cell) / count as f64, STAGE),
+            _ => Ok(()),
+        };
         for pair in cells().flat_map(|(i, j)| self.pairs(i, j)) {
             let [a, b] = pair.0;
+            heard(a, 0.0)?;
             match self.is_folded(pair) {
                 Some(true) => alloc::push(&mut folded, [a, b])?,
                 Some(false) => [[a, b], [a + over, b + over]].into_iter().for_each(|cells| forest.join(cells)),
@@ -133,7 +146,8 @@ impl<A: Real, B: Real> Search<'_, A, B> {
             if balance[part] < 0 { -sign } else { sign }
         }));
         at_ends.into_iter().for_each(|cell| signs[cell as usize] = -1);
-        for (sign, (i, j)) in signs.iter_mut().zip(cells()) {
+        for ((sign, (i, j)), cell) in signs.iter_mut().zip(cells()).zip(0..) {
+            heard(cell, 0.6)?;
             *sign = if self.is_crossed(i, j) { -1 } else { *sign };
         }
         Ok(signs)

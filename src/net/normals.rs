@@ -19,6 +19,11 @@ use glam::DVec3;
 /// About so many nodes are one thread's work at a time.
 const BLOCK: usize = 1 << 15;
 
+/// So many glued nodes are one thread's work at a time.
+const GLUED: usize = 1 << 10;
+
+const STAGE: &str = "normals";
+
 /// The unit normals of a net, and the number of nodes that have none: see [`normals_into`].
 ///
 /// # Errors
@@ -52,11 +57,10 @@ pub fn normals_into(net: &Net<'_>, out: &mut Coordinates<'_>, job: &Job<'_>) -> 
 }
 
 fn write<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
-    job.step(0.0, "normals")?;
+    job.step(0.0, STAGE)?;
     let corners = Corners::new(net, planes)?;
-    let without: u64 = rows(&corners, out, job.threads()).into_iter().sum();
-    job.step(0.8, "normals")?;
-    Ok(without + glued(&corners, out, job.threads())?)
+    let without: u64 = rows(&corners, out, &job.part(0.0, 0.8))?.into_iter().sum();
+    Ok(without + glued(&corners, out, &job.part(0.8, 1.0))?)
 }
 
 /// What it takes to sum over the corners at a node.
@@ -175,11 +179,11 @@ impl Sum {
 
 /// The normals of all nodes that are not glued, those of one row and column inwards the fast way. Returns for each
 /// block the number of nodes without normal.
-fn rows<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, threads: usize) -> Vec<u64> {
+fn rows<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<Vec<u64>> {
     let (shape, stride) = (out.shape(), out.stride());
     let lines = (BLOCK / stride).max(1);
     let [x, y, z] = out.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride));
-    par::map(threads, x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
+    par::heard(job, STAGE, x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
         let [x, y, z] = [x, y, z].map(|matrix| matrix.chunks_mut(stride));
         let lines = x.zip(y).zip(z).enumerate().map(|(line, ((x, y), z))| {
             let out = [x, y, z].map(|row| &mut row[..shape.columns()]);
@@ -228,16 +232,16 @@ fn row<T: Real>(corners: &Corners<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u
 }
 
 /// Gives all nodes of a class the sum over all of them, and returns how many have no normal.
-fn glued<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, threads: usize) -> Result<u64> {
+fn glued<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
     let (shape, groups) = (out.shape(), &corners.groups);
     let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
     let mut normals = alloc::zeroed(groups.len())?;
-    par::map(threads, normals.chunks_mut(64).enumerate(), |(chunk, normals)| {
-        for (normal, k) in normals.iter_mut().zip(64 * chunk..) {
+    par::heard(job, STAGE, normals.chunks_mut(GLUED).enumerate(), |(chunk, normals)| {
+        for (normal, k) in normals.iter_mut().zip(GLUED * chunk..) {
             let sum = places(k).fold(Sum::default(), |sum, (i, j)| sum.add(corners.sum(i, j)));
             *normal = corners.unit(sum).to_array();
         }
-    });
+    })?;
     let mut without = 0;
     let (stride, mut matrices) = (out.stride(), out.matrices_mut());
     for (k, normal) in normals.into_iter().enumerate() {

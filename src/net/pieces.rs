@@ -2,6 +2,7 @@
 
 use super::{Planes, Real};
 use crate::error::Result;
+use crate::job::Job;
 use crate::par;
 
 /// The most nodes of a piece: three rows of `f64` take 24 kB.
@@ -91,17 +92,17 @@ pub(crate) fn scan<T: Real>(
 }
 
 /// Calls `work` with the number and the values of each row of `width` values, on many threads; a small net is one
-/// thread's work.
+/// thread's work. The host is heard between blocks of rows.
 pub(crate) fn rows<V: Send, R: Send>(
     values: &mut [V],
     width: usize,
-    threads: usize,
+    (job, stage): (&Job<'_>, &'static str),
     work: impl Fn(usize, &mut [V]) -> R + Sync,
-) -> impl Iterator<Item = R> {
+) -> Result<impl Iterator<Item = R>> {
     let lines = (BLOCK / width).max(1);
-    let blocks = par::map(threads, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
+    let blocks = par::heard(job, stage, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
         let rows = values.chunks_mut(width).enumerate();
         rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()
-    });
-    blocks.into_iter().flatten()
+    })?;
+    Ok(blocks.into_iter().flatten())
 }

@@ -14,6 +14,7 @@ use crate::error::Result;
 use crate::geom::kd_tree::{KdTree, Reach};
 use crate::job::Job;
 use crate::mesh::{MeshView, NONE};
+use crate::sort::sort;
 use glam::DVec3;
 
 /// Vertices by representatives.
@@ -27,6 +28,8 @@ pub(super) struct Clusters {
 /// Claims between two progress reports.
 const STEP: usize = 1 << 14;
 
+const STAGE: &str = "clustering vertices";
+
 impl Clusters {
     /// Clusters `members`, which are ascending and have finite positions. `tolerance`: `None` for equal positions, else
     /// positive. With `corners`, no cluster gets two corners of one face.
@@ -38,7 +41,8 @@ impl Clusters {
         job: &Job<'_>,
     ) -> Result<Self> {
         let points = alloc::collect(members.iter().map(|&v| mesh.positions().get(v)))?;
-        let near = Near::new(&points, tolerance)?;
+        let near = Near::new(&points, tolerance, &job.part(0.0, 0.4))?;
+        let job = job.part(0.4, 1.0);
         let mut guard = Guard::new(mesh, corners)?;
         let mut found =
             Clusters { of: alloc::collect((0..mesh.positions().len()).map(|v| v as u32))?, kept_apart: Vec::new() };
@@ -46,7 +50,7 @@ impl Clusters {
         let mut candidates = Vec::new();
         for (i, &representative) in members.iter().enumerate() {
             if i % STEP == 0 {
-                job.step(i as f64 / members.len() as f64, "clustering vertices")?;
+                job.step(i as f64 / members.len() as f64, STAGE)?;
             }
             if claimed[i] {
                 continue;
@@ -87,16 +91,19 @@ enum Near<'a> {
 }
 
 impl<'a> Near<'a> {
-    fn new(points: &'a [DVec3], tolerance: Option<f64>) -> Result<Self> {
+    fn new(points: &'a [DVec3], tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
         if let Some(tolerance) = tolerance {
-            return Ok(Near::Within { tree: KdTree::new(points)?, reach: Reach::new(tolerance) });
+            return Ok(Near::Within { tree: KdTree::heard(points, job, STAGE)?, reach: Reach::new(tolerance) });
         }
+        job.step(0.0, STAGE)?;
         // -0 becomes 0, so that the order of bits is the order of numbers.
         let mut sorted = alloc::collect(points.iter().enumerate().map(|(i, &p)| (p + DVec3::ZERO, i as u32)))?;
-        sorted.sort_unstable_by(|(p, i), (q, j)| {
+        let by_position = |(p, i): &(DVec3, u32), (q, j): &(DVec3, u32)| {
             p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z)).then(i.cmp(j))
-        });
+        };
+        sort(&mut sorted, by_position, job, STAGE)?;
         let order = alloc::collect(sorted.into_iter().map(|(_, i)| i))?;
+        job.step(1.0, STAGE)?;
         let mut begin = alloc::filled(0u32, points.len())?;
         let mut group = 0;
         for (k, &i) in order.iter().enumerate() {

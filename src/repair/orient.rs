@@ -74,19 +74,17 @@ pub fn orient(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<O
         topology: &topology,
         seen: alloc::filled(false, count)?,
         found: alloc::with_capacity(count)?,
+        reached: 0,
         half_edge: NONE,
         closed: true,
     };
     let (mut components, mut inverted_components, mut one_sided) = (0, 0, Vec::new());
     for f in 0..count as u32 {
-        if (f as usize).is_multiple_of(STEP) {
-            job.step(0.5 + 0.4 * f64::from(f) / count as f64, "orienting faces")?;
-        }
         if search.seen[f as usize] {
             continue;
         }
         components += 1;
-        search.component(f, &mut turned);
+        search.component(f, &mut turned, &job.part(0.5, 0.9))?;
         let found = &search.found;
         if search.half_edge != NONE {
             found.iter().for_each(|&g| turned[g as usize] = false);
@@ -120,6 +118,8 @@ struct Search<'m> {
     seen: Vec<bool>,
     /// The faces of the component, in the order found.
     found: Vec<u32>,
+    /// How many faces all components had so far.
+    reached: usize,
     /// The smallest half-edge that contradicts, or none.
     half_edge: u32,
     /// Every edge of the component has two faces.
@@ -128,7 +128,7 @@ struct Search<'m> {
 
 impl Search<'_> {
     /// Finds the component of face `f`, and in `turned` which of its faces disagree with `f`.
-    fn component(&mut self, f: u32, turned: &mut [bool]) {
+    fn component(&mut self, f: u32, turned: &mut [bool], job: &Job<'_>) -> Result<()> {
         let faces = self.mesh.faces();
         (self.half_edge, self.closed) = (NONE, true);
         self.found.clear();
@@ -136,6 +136,10 @@ impl Search<'_> {
         self.seen[f as usize] = true;
         let mut next = 0;
         while let Some(&f) = self.found.get(next) {
+            if self.reached.is_multiple_of(STEP) {
+                job.step(self.reached as f64 / faces.len() as f64, "orienting faces")?;
+            }
+            self.reached += 1;
             next += 1;
             let proper = |&h: &u32| !self.topology.is_ignored(h);
             for h in faces.range(f as usize).map(|h| h as u32).filter(proper) {
@@ -154,6 +158,7 @@ impl Search<'_> {
                 }
             }
         }
+        Ok(())
     }
 }
 

@@ -16,6 +16,9 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{Mesh, MeshView, NONE, PositionBuffer, Topology, half_edges};
+use crate::sort::sort;
+
+const STAGE: &str = "welding";
 
 /// Which vertices are welded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -78,19 +81,21 @@ pub fn weld(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> Result<Wel
     };
     let topology = Topology::new(mesh, &job.part(0.0, 0.2))?;
     let sewing = options.vertices == Vertices::Boundary;
+    job.step(0.2, STAGE)?;
     let members = members(mesh, &topology, sewing)?;
+    job.step(0.2, STAGE)?;
     let corners = if sewing || options.collapse { None } else { Some(Corners::of(mesh)?) };
     let mut clusters = Clusters::find(mesh, &members, tolerance, corners.as_ref(), &job.part(0.2, 0.6))?;
     let representative = match sewing {
         true => sew(mesh, &topology, &clusters.of, options.collapse, &job.part(0.6, 0.9))?,
         false => alloc::copied(&clusters.of)?,
     };
-    job.step(0.9, "welding")?;
-    let mut welded = rebuilt(mesh, &representative, options)?;
-    welded.count_edges(mesh, &topology, &clusters.of, &representative, sewing)?;
+    let mut welded = rebuilt(mesh, &representative, options, &job.part(0.9, 0.95))?;
+    let places = [&clusters.of[..], &representative];
+    welded.count_edges(mesh, &topology, places, sewing, &job.part(0.95, 1.0))?;
     clusters.enter_split(&members, &representative)?;
     welded.left_vertices = clusters.kept_apart;
-    job.step(1.0, "welding")?;
+    job.step(1.0, STAGE)?;
     Ok(welded)
 }
 
@@ -125,7 +130,8 @@ impl Clusters {
 }
 
 /// The mesh with each vertex replaced by its representative, and the maps.
-fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options) -> Result<Weld> {
+fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options, job: &Job<'_>) -> Result<Weld> {
+    job.step(0.0, STAGE)?;
     let faces = mesh.faces();
     let mut face_map = alloc::with_capacity(faces.len())?;
     let mut face_offsets = alloc::with_capacity(faces.len() + 1)?;
@@ -143,6 +149,7 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options) -> Re
         face_offsets.push(face_corners.len() as u32);
     }
 
+    job.step(0.4, STAGE)?;
     let mut stays = alloc::filled(!options.remove_unused, representative.len())?;
     face_corners.iter().for_each(|&v| stays[v as usize] = true);
     let mut kept = Vec::new();
@@ -156,6 +163,7 @@ fn rebuilt(mesh: &MeshView<'_>, representative: &[u32], options: &Options) -> Re
             alloc::push(&mut kept, r)?;
         }
     }
+    job.step(0.7, STAGE)?;
     face_corners.iter_mut().for_each(|v| *v = vertex_map[*v as usize]);
     let positions = PositionBuffer::gather(mesh.positions(), &kept)?;
     Ok(Weld {
@@ -194,10 +202,11 @@ impl Weld {
         &mut self,
         mesh: &MeshView<'_>,
         topology: &Topology,
-        clusters: &[u32],
-        representative: &[u32],
+        [clusters, representative]: [&[u32]; 2],
         free_only: bool,
+        job: &Job<'_>,
     ) -> Result<()> {
+        job.step(0.0, STAGE)?;
         // Sewing leaves edges with two faces alone; other welding does not.
         let taken = |h| if free_only { is_free(topology, h) } else { !topology.is_ignored(h) };
         let kept = (0..mesh.faces().len()).filter(|&f| self.face_map[f] != NONE);
@@ -208,7 +217,8 @@ impl Weld {
                 alloc::push(&mut edges, (unordered(place), unordered(now), h))?;
             }
         }
-        edges.sort_unstable();
+        sort(&mut edges, Ord::cmp, &job.part(0.2, 0.8), STAGE)?;
+        job.step(0.8, STAGE)?;
         for together in edges.chunk_by(|a, b| a.0 == b.0) {
             for edge in together.chunk_by(|a, b| a.1 == b.1) {
                 let free = |&&(_, _, h): &&(u64, u64, u32)| is_free(topology, h);

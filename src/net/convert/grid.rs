@@ -32,8 +32,8 @@ pub struct GridNet {
 pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Result<GridNet> {
     let pairing = Pairing::new(mesh, &job.part(0.0, 0.6))?;
     let walker = Walker { mesh, pairing: &pairing };
-    let grid = Grid::find(&walker, seed)?;
-    job.step(0.8, "rows to nodes")?;
+    let grid = Grid::find(&walker, seed, &job.part(0.6, 0.8))?;
+    job.step(0.8, STAGE)?;
     if seed.is_none() {
         let mut visited = alloc::filled(false, mesh.faces().len())?;
         grid.faces(&walker).for_each(|face| visited[face as usize] = true);
@@ -41,8 +41,12 @@ pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Res
             return Err(Error::NoGrid { face: face as u32 });
         }
     }
-    grid.net(&walker)
+    grid.net(&walker, &job.part(0.8, 1.0))
 }
+
+/// Cells between two progress reports.
+const STEP: usize = 1 << 15;
+const STAGE: &str = "rows to nodes";
 
 /// Where a step leads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -138,12 +142,17 @@ struct Grid {
 }
 
 impl Grid {
-    fn find(walker: &Walker<'_>, seed: Option<u32>) -> Result<Grid> {
+    fn find(walker: &Walker<'_>, seed: Option<u32>, job: &Job<'_>) -> Result<Grid> {
         let head = Grid::head(walker, seed)?;
         let mut grid = Grid { cells: Vec::new(), columns: 0, rows_closed: false, shift: None, poles: [None, None] };
+        let count = walker.mesh.faces().len();
         grid.add_row(walker, head)?;
-        let mut row = head;
+        let (mut row, mut heard) = (head, 0);
         while let Step::Cell(next) = walker.step(row, Way::Down)? {
+            if grid.cells.len() >= heard {
+                job.step(0.5 * grid.cells.len() as f64 / count as f64, STAGE)?;
+                heard = grid.cells.len() + STEP;
+            }
             grid.shift = grid.cells[..grid.columns].iter().position(|&cell| cell == next);
             if grid.shift.is_some() {
                 break;
@@ -151,11 +160,11 @@ impl Grid {
             grid.add_row(walker, next)?;
             row = next;
             // Rows are no more than faces; a way that never ends is none of a grid.
-            if grid.cells.len() > walker.mesh.faces().len() {
+            if grid.cells.len() > count {
                 return Err(walker.no_grid(row));
             }
         }
-        grid.check(walker)?;
+        grid.check(walker, &job.part(0.5, 1.0))?;
         let last = grid.cells.len() - grid.columns;
         grid.poles = [grid.pole(walker, 0, Way::Up)?, grid.pole(walker, last, Way::Down)?];
         Ok(grid)
@@ -222,10 +231,13 @@ impl Grid {
     }
 
     /// Every cell is above the one below it, rows begin at the border, and no face is in the grid twice.
-    fn check(&self, walker: &Walker<'_>) -> Result<()> {
+    fn check(&self, walker: &Walker<'_>, job: &Job<'_>) -> Result<()> {
         let mut visited = alloc::filled(false, walker.mesh.faces().len())?;
         let rows = self.cells.len() / self.columns;
         for (k, &cell) in self.cells.iter().enumerate() {
+            if k % STEP == 0 {
+                job.step(k as f64 / self.cells.len() as f64, STAGE)?;
+            }
             if std::mem::replace(&mut visited[walker.face(cell) as usize], true) {
                 return Err(walker.no_grid(cell));
             }
@@ -284,7 +296,8 @@ impl Grid {
         top.iter().chain(&self.cells).chain(bottom).map(|&h| walker.face(h))
     }
 
-    fn net(&self, walker: &Walker<'_>) -> Result<GridNet> {
+    fn net(&self, walker: &Walker<'_>, job: &Job<'_>) -> Result<GridNet> {
+        job.step(0.0, STAGE)?;
         let poles = self.poles.each_ref().map(Option::is_some);
         let quads = self.cells.len() / self.columns;
         let rows = quads + 1 + usize::from(poles[0]) + usize::from(poles[1]);
@@ -292,7 +305,9 @@ impl Grid {
         let vertex_of_node = self.vertices(walker, shape)?;
         let mut face_of_cell = alloc::with_capacity(shape.cell_count())?;
         face_of_cell.extend(self.faces(walker));
+        job.step(0.3, STAGE)?;
         let topology = self.topology(shape, &vertex_of_node, walker.mesh.positions().len())?;
+        job.step(0.6, STAGE)?;
         let positions = walker.mesh.positions();
         let net = Net::from_fn(topology, positions.scalar(), |i, j| {
             positions.get(vertex_of_node[shape.node(i, j) as usize])

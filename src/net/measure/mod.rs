@@ -54,17 +54,17 @@ pub struct Measures {
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
-    job.step(0.0, "measure")?;
     let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
     let origin = origin(net);
     let total = each!(net.coordinates(), planes => {
         let hidden = Hidden::of(net)?;
-        let parts = par::chunks(job.threads(), net.shape().rows() - 1, rows_at_once(net.shape()), |rows| {
+        let (count, part) = (net.shape().rows() - 1, job.part(0.0, 0.7));
+        let parts = par::heard_chunks(&part, "measure", count, rows_at_once(net.shape()), |rows| {
             rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &hidden, i, origin)))
-        });
+        })?;
         parts.into_iter().fold(Sums::default(), Sums::add)
     });
-    let (low, high) = bounds(net, job);
+    let (low, high) = bounds(net, &job.part(0.7, 1.0))?;
     Ok(Measures {
         area: total.lengths / 2.0,
         area_vector: sign * total.vector / 2.0,
@@ -172,15 +172,18 @@ fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &m
 }
 
 /// The box round all nodes that are there.
-pub(crate) fn bounds(net: &Net<'_>, job: &Job<'_>) -> (DVec3, DVec3) {
+///
+/// # Errors
+/// [`Error::Cancelled`](crate::Error::Cancelled).
+pub(crate) fn bounds(net: &Net<'_>, job: &Job<'_>) -> Result<(DVec3, DVec3)> {
     let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let join = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
     each!(net.coordinates(), planes => {
         let rows_at_once = (BLOCK / net.shape().columns()).max(1);
-        let parts = par::chunks(job.threads(), net.shape().rows(), rows_at_once, |rows| {
+        let parts = par::heard_chunks(job, "measure", net.shape().rows(), rows_at_once, |rows| {
             rows.fold(empty, |found, i| join(found, simd::run(Extent(planes.row(i)))))
-        });
-        parts.into_iter().fold(empty, join)
+        })?;
+        Ok(parts.into_iter().fold(empty, join))
     })
 }
 

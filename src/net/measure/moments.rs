@@ -33,7 +33,6 @@ fn gauss() -> [(f64, f64); 3] {
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
-    job.step(0.0, "moments")?;
     let (origin, hidden) = (origin(net), Hidden::of(net)?);
     let row = |i: usize| {
         let cells = hidden.runs(i).flatten();
@@ -43,9 +42,9 @@ pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
             if points.iter().all(|point| point.is_finite()) { sums.add(patch(points)) } else { sums }
         })
     };
-    let parts = par::chunks(job.threads(), net.shape().rows() - 1, rows_at_once(net.shape()), |rows| {
+    let parts = par::heard_chunks(job, "moments", net.shape().rows() - 1, rows_at_once(net.shape()), |rows| {
         rows.map(row).fold(Integrals::default(), Integrals::add)
-    });
+    })?;
     let total = parts.into_iter().fold(Integrals::default(), Integrals::add);
     let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
     Ok(total.moments(origin, sign))

@@ -31,16 +31,15 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
     if tolerance.is_nan() || tolerance < 0.0 {
         return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
     }
-    job.step(0.0, "planarity")?;
     let (shape, hidden) = (net.shape(), Hidden::of(net)?);
     let columns = shape.columns() - 1;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
-    pieces::rows(&mut cells, columns, job.threads(), |i, row| {
+    pieces::rows(&mut cells, columns, (job, "planarity"), |i, row| {
         for j in hidden.runs(i).flatten() {
             let corners = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
             row[j] = each!(net.coordinates(), planes => off(corners.map(|(i, j)| planes.get(i, j))));
         }
-    })
+    })?
     .for_each(drop);
     let there = || cells.iter().enumerate().filter(|(_, off)| !off.is_nan());
     let worst = there().fold(None, |worst: Option<(f64, u32)>, (cell, &off)| match worst {

@@ -47,10 +47,9 @@ pub fn resample(
     let (sides, shape) = (sides(net)?, Shape::new(rows, columns)?);
     let along = Taps::new(net.shape().columns(), columns, sides.rows_closed, interpolation)?;
     let across = Taps::new(net.shape().rows(), rows, sides.columns_closed, interpolation)?;
-    job.step(0.0, "resample")?;
     let coordinates = match net.coordinates() {
-        Coordinates::F32(planes) => Coordinates::F32(interpolated(planes, shape, &along, &across, job.threads())?),
-        Coordinates::F64(planes) => Coordinates::F64(interpolated(planes, shape, &along, &across, job.threads())?),
+        Coordinates::F32(planes) => Coordinates::F32(interpolated(planes, shape, &along, &across, job)?),
+        Coordinates::F64(planes) => Coordinates::F64(interpolated(planes, shape, &along, &across, job)?),
     };
     with_sides(coordinates, net, sides)
 }
@@ -176,12 +175,12 @@ fn interpolated<T: Real>(
     shape: Shape,
     along: &Taps,
     across: &Taps,
-    threads: usize,
+    job: &Job<'_>,
 ) -> Result<Planes<'static, T>> {
     let mut to = Planes::zeroed(shape)?;
     let lines = (BLOCK / shape.columns()).max(1);
     let [x, y, z] = to.matrices_mut().map(|matrix| matrix.chunks_mut(lines * shape.columns()));
-    let results = par::map(threads, x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
+    let results = par::heard(job, "resample", x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
         let mut line = crate::alloc::filled(0.0, from.shape().columns())?;
         for (axis, matrix) in [x, y, z].into_iter().enumerate() {
             for (k, row) in matrix.chunks_mut(shape.columns()).enumerate() {
@@ -190,7 +189,7 @@ fn interpolated<T: Real>(
             }
         }
         Ok(())
-    });
+    })?;
     results.into_iter().collect::<Result<()>>()?;
     Ok(to)
 }

@@ -24,7 +24,8 @@ pub(super) struct Found {
 /// Finds the nodes of sections.
 pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>) -> Result<Found> {
     let rows = sections.offsets.map_or(1, |offsets| offsets.len().saturating_sub(1));
-    let curves = fit(sections, &options.across, job)?;
+    let curves = fit(sections, &options.across, &job.part(0.0, 0.5))?;
+    let job = job.part(0.5, 1.0);
     let mut found =
         Found { rows, columns: 0, nodes: Vec::new(), turned: alloc::filled(0, rows)?, ambiguous: Vec::new() };
     match options.correspondence {

@@ -1,0 +1,127 @@
+//! The filter `curve_meet`.
+
+use super::Filter;
+use super::curve::{self, BETWEEN, CATEGORY};
+use super::data::{Curves, Input, InputKind, Output, OutputKind};
+use super::extent::{Extent, put};
+use super::param::{Param, ParamKind, Values};
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use crate::outline::Curve;
+use std::fmt::Write;
+
+/// Places that the report lists one by one.
+const LISTED: usize = 1000;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "curve_meet",
+    name: "Intersections of curves",
+    script_name: "curve_meet",
+    category: CATEGORY,
+    help: "Finds where curves meet each other, or pass each other nearer than a distance: a curve of one point for each place, in the \
+           middle between the two. Those of plane curves with themselves are found too.",
+    reference: "Bezier clipping by convex hulls, and Newton's method",
+    inputs: &[InputKind::Curves],
+    min_inputs: 1,
+    max_inputs: 1,
+    outputs: &[OutputKind::Curves, OutputKind::Text],
+    replaces: false,
+    params: PARAMS,
+    suggest: Some(suggest),
+    run,
+};
+
+const PARAMS: &[Param] = &[
+    BETWEEN,
+    Param::new(
+        "within",
+        "Distance",
+        "How far apart curves may pass each other; 0 for those that meet but for rounding.",
+        ParamKind::Length,
+        [0.0, 1e15],
+        &[0.0],
+    ),
+];
+
+fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
+    if let Some(extent) = Extent::of(inputs) {
+        put(PARAMS, values, "within", &[extent.length(1e-6)]);
+    }
+}
+
+/// What was found.
+struct Found {
+    places: Curves,
+    text: String,
+    overlaps: usize,
+    undecided: usize,
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let curves = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.3))?;
+    let mut found = Found { places: Curves::none(), text: String::new(), overlaps: 0, undecided: 0 };
+    let boxes = curves.iter().map(|curve| curve.view().bounding_box().ok());
+    let boxes = alloc::collect(boxes.collect::<Vec<_>>().into_iter())?;
+    let (within, count) = (values.number("within"), curves.len());
+    for i in 0..count {
+        let job = job.part(0.3 + 0.7 * i as f64 / count as f64, 0.3 + 0.7 * (i + 1) as f64 / count as f64);
+        job.step(0.0, "intersections")?;
+        // Of curves in other planes than z = 0 there is no way to tell.
+        if curves[i].view().points().iter().all(|point| point.z == 0.0) {
+            found.with_itself(i, &curves[i], &job.part(0.0, 0.5))?;
+        }
+        for k in i + 1..count {
+            let (Some(a), Some(b)) = (&boxes[i], &boxes[k]) else { continue };
+            let apart = (a.low - b.high).max(b.low - a.high).max_element() > within;
+            if !apart && !curves[i].view().is_empty() && !curves[k].view().is_empty() {
+                let part =
+                    job.part(0.5 + 0.5 * (k - i - 1) as f64 / count as f64, 0.5 + 0.5 * (k - i) as f64 / count as f64);
+                found.with_each_other([i, k], [&curves[i], &curves[k]], within, &part)?;
+            }
+        }
+    }
+    let Found { places, mut text, overlaps, undecided } = found;
+    let _ = writeln!(
+        text,
+        "{} places, {overlaps} parts in common or beside each other, {undecided} pairs of curves undecided",
+        places.closed.len()
+    );
+    Ok(vec![Output::Curves(places), Output::Text(text)])
+}
+
+impl Found {
+    fn with_itself(&mut self, number: usize, curve: &Curve, job: &Job<'_>) -> Result<()> {
+        let met = curve.view().self_intersections(job)?;
+        for meeting in &met.points {
+            self.places.add([curve.view().point(meeting.a)?].into_iter(), false)?;
+            self.note(format_args!("curve {number} with itself: {} + {}", meeting.a.segment, meeting.a.t));
+        }
+        self.overlaps += met.overlaps.len();
+        self.undecided += usize::from(met.undecided);
+        Ok(())
+    }
+
+    fn with_each_other(&mut self, [i, k]: [usize; 2], [a, b]: [&Curve; 2], within: f64, job: &Job<'_>) -> Result<()> {
+        let near = a.view().approaches(&b.view(), within, job)?;
+        for place in &near.places {
+            let middle = a.view().point(place.a)?.midpoint(b.view().point(place.b)?);
+            self.places.add([middle].into_iter(), false)?;
+            self.note(format_args!(
+                "curves {i} and {k}: {} + {} and {} + {}, {:.1e} apart",
+                place.a.segment, place.a.t, place.b.segment, place.b.t, place.distance
+            ));
+        }
+        self.overlaps += near.overlaps.len();
+        self.undecided += usize::from(near.undecided);
+        Ok(())
+    }
+
+    /// A line of the report, as long as it is short.
+    fn note(&mut self, line: std::fmt::Arguments<'_>) {
+        if self.places.closed.len() <= LISTED {
+            // Writing to a string cannot fail.
+            let _ = writeln!(self.text, "{line}");
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! The filter `net_analyse`.
+
+use super::Filter;
+use super::data::{Curves, Input, InputKind, Output, OutputKind};
+use super::extent::{Extent, put};
+use super::param::{Param, ParamKind, Values};
+use super::quads::CATEGORY;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::mesh::MeshView;
+use crate::net::analyse::analyse;
+use crate::net::convert::{GridNet, net_of_grid};
+use crate::net::{Coordinates, Net};
+use std::fmt::Write;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "net_analyse",
+    name: "Analyse a deformation",
+    script_name: "net_analyse",
+    category: CATEGORY,
+    help: "Compares a grid of quads before a deformation with the same mesh after it: edges that have become points or were torn apart, \
+           which come out as segments of the grid as it was, and quads that are folded over. If there are none the deformation is soft.",
+    reference: "A. A. Deryagin, Modelling of 3D objects and scenes by tetragonal regular networks, soft and hard deformations",
+    inputs: &[InputKind::Mesh, InputKind::Mesh],
+    min_inputs: 2,
+    max_inputs: 2,
+    outputs: &[OutputKind::Curves, OutputKind::Text],
+    replaces: false,
+    params: PARAMS,
+    suggest: Some(suggest),
+    run,
+};
+
+const PARAMS: &[Param] = &[
+    Param::new(
+        "tolerance",
+        "Tolerance",
+        "Edges no longer than this are points; suggested is a billionth of the size.",
+        ParamKind::Length,
+        [0.0, 1e15],
+        &[0.0],
+    ),
+    Param::new(
+        "listed",
+        "Faces listed",
+        "How many folded faces are named, at most.",
+        ParamKind::Int,
+        [0.0, 1e6],
+        &[20.0],
+    ),
+];
+
+fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
+    if let Some(extent) = Extent::of(inputs) {
+        put(PARAMS, values, "tolerance", &[extent.length(1e-9)]);
+    }
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let (before, after) = (inputs[0].mesh()?, inputs[1].mesh()?);
+    let grid = net_of_grid(before, None, &job.part(0.0, 0.4))?;
+    let moved = moved(&grid, before, after, &job.part(0.4, 0.5))?;
+    let found = analyse(&grid.net, &moved, values.number("tolerance"), &job.part(0.5, 1.0))?;
+    let mut edges = Curves::none();
+    let shape = grid.net.shape();
+    for link in found.contracted.iter().map(|contracted| contracted.link).chain(found.torn.iter().copied()) {
+        let ends = shape.ends(link).map(|node| before.positions().get(grid.vertex_of_node[node as usize]));
+        edges.add(ends.into_iter(), false)?;
+    }
+    let kind = if found.is_soft() { "soft" } else { "hard" };
+    let mut text = format!(
+        "a {kind} deformation: {} edges made points, {} torn, {} faces folded over\n\
+         lengths of edges times {}, areas of faces times {}\n",
+        found.contracted.len(),
+        found.torn.len(),
+        found.folded.len(),
+        range(&found.links),
+        range(&found.cells)
+    );
+    let most = values.number("listed") as usize;
+    if !found.folded.is_empty() && most > 0 {
+        text += "folded:";
+        for &cell in found.folded.iter().take(most) {
+            // Writing to a string cannot fail.
+            let _ = write!(text, " {}", grid.face_of_cell[cell as usize]);
+        }
+        text += if found.folded.len() > most { " ...\n" } else { "\n" };
+    }
+    Ok(vec![Output::Curves(edges), Output::Text(text)])
+}
+
+/// From the least number to the greatest.
+fn range(ratios: &[f64]) -> String {
+    let there = || ratios.iter().copied().filter(|ratio| !ratio.is_nan());
+    format!("{} to {}", there().fold(f64::INFINITY, f64::min), there().fold(f64::NEG_INFINITY, f64::max))
+}
+
+/// The net with the positions of the other mesh, which must have the same faces.
+fn moved(grid: &GridNet, before: &MeshView<'_>, after: &MeshView<'_>, job: &Job<'_>) -> Result<Net<'static>> {
+    job.step(0.0, "looking for the same faces")?;
+    let (a, b) = (before.faces(), after.faces());
+    let same = before.positions().len() == after.positions().len()
+        && a.half_edge_count() == b.half_edge_count()
+        && a.corners(0..a.half_edge_count()).eq(b.corners(0..b.half_edge_count()));
+    if !same {
+        return Err(Error::OptionOutOfRange { option: "inputs", value: 1.0 });
+    }
+    let shape = grid.net.shape();
+    let mut coordinates = Coordinates::zeroed(shape, after.positions().scalar())?;
+    for i in 0..shape.rows() {
+        job.step(0.1 + 0.9 * i as f64 / shape.rows() as f64, "positions to nodes")?;
+        for j in 0..shape.columns() {
+            let vertex = grid.vertex_of_node[shape.node(i, j) as usize];
+            coordinates.set(i, j, after.positions().get(vertex));
+        }
+    }
+    Ok(Net::new(coordinates, grid.net.topology().copied()?))
+}

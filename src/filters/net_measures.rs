@@ -1,0 +1,66 @@
+//! The filter `net_measures`.
+
+use super::Filter;
+use super::data::{Input, InputKind, Output, OutputKind};
+use super::param::{Param, ParamKind, Values};
+use super::quads::{self, CATEGORY};
+use crate::error::Result;
+use crate::job::Job;
+use crate::net::complex::{Cells, Complex};
+use crate::net::measure::{measure, moments, planarity};
+use glam::DVec3;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "net_measures",
+    name: "Measure a grid of quads",
+    script_name: "net_measures",
+    category: CATEGORY,
+    help: "Measures a grid of quads as a surface of bilinear patches: area and box, how plane its quads are, and what kind of surface it \
+           is; of a closed one the volume, the centre and the tensor of inertia, too.",
+    reference: "The divergence theorem on bilinear patches, with Gauss's points",
+    inputs: &[InputKind::Mesh],
+    min_inputs: 1,
+    max_inputs: 1,
+    outputs: &[OutputKind::Text],
+    replaces: false,
+    params: &[Param::new(
+        "planarity",
+        "Plane within",
+        "Quads whose corners are farther than this from a plane, relative to the longer diagonal, count as crooked.",
+        ParamKind::Real,
+        [0.0, 1.0],
+        &[0.01],
+    )],
+    suggest: None,
+    run,
+};
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let net = quads::net(inputs[0].mesh()?, &job.part(0.0, 0.4))?;
+    let measures = measure(&net, &job.part(0.4, 0.5))?;
+    let plane = planarity(&net, values.number("planarity"), &job.part(0.5, 0.6))?;
+    let complex = Complex::of(&net, Cells::All, &job.part(0.6, 0.8))?;
+    let show = |p: DVec3| format!("({} {} {})", p.x, p.y, p.z);
+    let sided = if complex.orientable { "two-sided" } else { "one-sided" };
+    let mut text = format!(
+        "{} rows, {} columns of vertices\n{sided}, Euler characteristic {}, {} boundary loops\narea {}, box {} to {}\n\
+         {} quads off their planes by more than the limit, mean {:.3e}, most {:.3e} (face {})\n",
+        net.shape().rows(),
+        net.shape().columns(),
+        complex.euler_characteristic(),
+        complex.boundary.len(),
+        measures.area,
+        show(measures.low),
+        show(measures.high),
+        plane.above,
+        plane.mean,
+        plane.worst.map_or(0.0, |worst| worst.0),
+        plane.worst.map_or(0, |worst| worst.1)
+    );
+    if complex.is_closed() && complex.orientable {
+        let body = moments(&net, &job.part(0.8, 1.0))?;
+        let [x, y, z] = [0, 1, 2].map(|k| show(body.inertia.col(k)));
+        text += &format!("volume {}, centre {}\ninertia {x} {y} {z}\n", body.volume, show(body.centroid));
+    }
+    Ok(vec![Output::Text(text)])
+}

@@ -1,0 +1,56 @@
+//! The filter `smooth_nearest`.
+
+use super::Filter;
+use super::data::{Curves, Input, InputKind, Output, OutputKind};
+use super::distances;
+use super::param::Values;
+use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use glam::DVec3;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "smooth_nearest",
+    name: "Nearest points on a smooth surface",
+    script_name: "smooth_nearest",
+    category: CATEGORY,
+    help: "Finds for each point of curves the nearest point of the smooth surface through the vertices of a grid of quads, with proof, \
+           draws the ways there as segments, and says how far the points are.",
+    reference: REFERENCE,
+    inputs: &[InputKind::Mesh, InputKind::Curves],
+    min_inputs: 2,
+    max_inputs: 2,
+    outputs: &[OutputKind::Curves, OutputKind::Text],
+    replaces: false,
+    params: &[SCHEME],
+    suggest: None,
+    run,
+};
+
+/// Points that are looked at between two chances to cancel, at most.
+const ROUND: usize = 1 << 12;
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let given = inputs[1].curves()?;
+    given.each()?;
+    let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.4))?;
+    let queries = alloc::collect(given.points.iter().map(|&point| DVec3::from(point)))?;
+    let (mut ways, mut all) = (Curves::none(), alloc::with_capacity(queries.len())?);
+    let mut unproven = 0;
+    let job = job.part(0.4, 1.0);
+    for (k, round) in queries.chunks(ROUND).enumerate() {
+        let end = |k: usize| (k * ROUND).min(queries.len()) as f64 / queries.len() as f64;
+        let found = surface.closest_all(round, f64::INFINITY, &job.part(end(k), end(k + 1)))?;
+        for (n, (&query, found)) in round.iter().zip(found).enumerate() {
+            let bad = Error::QueryNotFinite { query: (k * ROUND + n) as u32, value: query.element_sum() };
+            let found = found.ok_or(bad)?;
+            ways.add([query, found.point].into_iter(), false)?;
+            all.push(found.distance);
+            unproven += usize::from(!found.proven);
+        }
+    }
+    let mut text = distances::account("points", all.into_iter());
+    text += &format!("{unproven} without proof\n");
+    Ok(vec![Output::Curves(ways), Output::Text(text)])
+}

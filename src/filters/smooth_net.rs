@@ -1,0 +1,91 @@
+//! The filter `smooth_net`.
+
+use super::Filter;
+use super::curve::{self, BETWEEN};
+use super::data::{Input, InputKind, Output, OutputKind};
+use super::extent::{Extent, put};
+use super::param::{LENGTHS, Param, ParamKind, Values};
+use super::smooth::{self, CATEGORY, FINENESS};
+use crate::alloc;
+use crate::carcass::make::CurveNet;
+use crate::carcass::{Carcass, Sheet};
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::outline::Curve;
+
+pub(super) const FILTER: Filter = Filter {
+    id: "smooth_net",
+    name: "Smooth surface through a net of curves",
+    script_name: "smooth_net",
+    category: CATEGORY,
+    help: "Draws the smooth surface that contains all curves of a net: curves across, and in a second input curves along, each of which \
+           meets all of the first ones in their order. Curves across alone are spanned by a skin. It comes out as a mesh.",
+    reference: "W. J. Gordon, Spline-blended surface interpolation through curve networks, 1969",
+    inputs: &[InputKind::Curves, InputKind::Curves],
+    min_inputs: 1,
+    max_inputs: 2,
+    outputs: &[OutputKind::Mesh, OutputKind::Text],
+    replaces: false,
+    params: PARAMS,
+    suggest: Some(suggest),
+    run,
+};
+
+const PARAMS: &[Param] = &[
+    BETWEEN,
+    Param::flag(
+        "ring",
+        "Ring",
+        "The last curve across is followed by the first one; without curves along, else these tell.",
+    ),
+    Param::new(
+        "tolerance",
+        "Tolerance",
+        "How far apart curves may be where they meet; both are then moved to the middle.",
+        ParamKind::Length,
+        LENGTHS,
+        &[1e-6],
+    ),
+    FINENESS[0],
+    FINENESS[1],
+    FINENESS[2],
+];
+
+/// What points were rounded to may keep curves apart.
+fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
+    if let Some(extent) = Extent::of(inputs) {
+        put(PARAMS, values, "tolerance", &[extent.length(1e-4)]);
+    }
+}
+
+fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
+    let across = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.1))?;
+    let along = match inputs.get(1) {
+        Some(given) => curve::curves(given.curves()?, values, &job.part(0.1, 0.2))?,
+        None => Vec::new(),
+    };
+    let closed = [&across, &along].map(|curves| all_closed(curves));
+    let closed_across = closed[0].ok_or(Error::OptionOutOfRange { option: "inputs", value: 0.0 })?;
+    let closed_along = closed[1].ok_or(Error::OptionOutOfRange { option: "inputs", value: 1.0 })?;
+    let ring = if along.is_empty() { values.is_set("ring") } else { closed_along };
+    let rows = alloc::collect(across.iter().map(Curve::view))?;
+    let columns = alloc::collect(along.iter().map(Curve::view))?;
+    let net = CurveNet {
+        rows: &rows,
+        columns: &columns,
+        closed: [ring, closed_across],
+        tolerance: Some(values.number("tolerance")),
+    };
+    let sheet = Sheet::from_curves(&net, &job.part(0.2, 0.5))?;
+    let surface = Carcass::new(vec![sheet], None, &job.part(0.5, 0.6))?;
+    let (mesh, text) = smooth::meshed(&surface, values, &job.part(0.6, 1.0))?;
+    Ok(vec![Output::Mesh(mesh), Output::Text(text)])
+}
+
+/// Whether curves are closed; `None` if some are and some are not.
+fn all_closed(curves: &[Curve]) -> Option<bool> {
+    let closed = curves.iter().filter(|curve| curve.view().is_closed()).count();
+    // A point is a pole, closed or not.
+    let open = curves.iter().filter(|curve| !curve.view().is_closed() && !curve.view().is_empty()).count();
+    (closed == 0 || open == 0).then_some(closed > 0)
+}
