@@ -41,7 +41,14 @@ impl Axis {
 
     /// `lines`: at least [`Axis::least_lines`]; of a closed direction the last one is the first one again.
     pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
-        let mut axis = Axis { lines, closed, scheme, weights: Box::new([[[0.0; TAPS]; 4]; TAPS - 1]), lebesgue: 1.0, outside: 0.0 };
+        let mut axis = Axis {
+            lines,
+            closed,
+            scheme,
+            weights: Box::new([[[0.0; TAPS]; 4]; TAPS - 1]),
+            lebesgue: 1.0,
+            outside: 0.0,
+        };
         if closed {
             // All intervals are like those in the middle of a long row.
             let slopes = if lines > 5 { 5 } else { 3 };

@@ -9,8 +9,8 @@ mod cones;
 mod slab;
 
 pub(crate) use boxes::{Bounds, Group, Oriented};
-pub use cones::NormalCone;
 pub(crate) use cones::Cones;
+pub use cones::NormalCone;
 pub(crate) use slab::Slab;
 
 use super::cells::{BLOCK, Cells};

@@ -217,11 +217,13 @@ impl Carcass<'_> {
                     of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::Cubic(cells) => {
-                    let of = Sought { sheet: k, cells, index, cones, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    let of =
+                        Sought { sheet: k, cells, index, cones, frame, reach, sides: Sides::Apart, chord, unsigned };
                     of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::High(cells) => {
-                    let of = Sought { sheet: k, cells, index, cones, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    let of =
+                        Sought { sheet: k, cells, index, cones, frame, reach, sides: Sides::Apart, chord, unsigned };
                     of.find::<8, 14, 27>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
             }
@@ -347,7 +349,15 @@ impl<C> Sought<'_, C> {
         }
         if apart {
             let mut found = Found::default();
-            creases(&self.normals(), self.cones, &lattice, &kinds.crossed, self.unsigned, &mut found.unresolved, &next())?;
+            creases(
+                &self.normals(),
+                self.cones,
+                &lattice,
+                &kinds.crossed,
+                self.unsigned,
+                &mut found.unresolved,
+                &next(),
+            )?;
             curves.add(self.sheet, found, &lattice, true)?;
         }
         for &(number, sign) in &kinds.poles {
