@@ -1899,6 +1899,15 @@ typedef struct gusset_carcass_options {
      * A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
      */
     double tolerance;
+    /**
+     * 1: with the cones of normals that gusset_carcass_isophotes and gusset_carcass_nearest_angle descend, about 0.7 bytes a node; 0: the first
+     * such question builds them.
+     */
+    uint32_t cones;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
 } gusset_carcass_options;
 
 /**
@@ -2243,7 +2252,7 @@ typedef struct gusset_carcass_facts {
      */
     size_t node_count;
     /**
-     * Bytes of the index; the nodes are not counted.
+     * Bytes of the index without the cones of normals; the nodes are not counted.
      */
     size_t index_bytes;
     /**
@@ -2258,6 +2267,10 @@ typedef struct gusset_carcass_facts {
      * The greatest.
      */
     double high[3];
+    /**
+     * Bytes of the cones of normals; 0 as long as there are none: see gusset_carcass_options.
+     */
+    size_t cone_bytes;
 } gusset_carcass_facts;
 
 /**
@@ -6174,7 +6187,7 @@ gusset_status gusset_boundary_defects(const struct gusset_boundary *boundary,
  * defaults. carcass: receives the result, for gusset_carcass_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
  * its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
  * OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
- * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 8 bytes a node; threads. From any thread.
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 7 bytes a node, and 0.7 with cones; threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6570,8 +6583,8 @@ gusset_status gusset_carcass_contours(const struct gusset_context *context,
  * direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
  * / 2 if normals are unsigned. Otherwise as gusset_carcass_section. Where normals jump between cells (patches,
  * GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
- * Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. O(cells);
- * threads. From any thread. Source: Leus, task b.
+ * Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. About
+ * O(cells that are crossed), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -6588,8 +6601,8 @@ gusset_status gusset_carcass_isophotes(const struct gusset_context *context,
  *
  * direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
  * for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells);
- * threads. From any thread. Source: Leus, task b.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. About
+ * O(cells that come near to the angle), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
  */
 GUSSET_API
 GUSSET_MUST_USE

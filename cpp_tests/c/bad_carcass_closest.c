@@ -123,6 +123,12 @@ static void info(const gusset_carcass *carcass) {
     EXPECT(GUSSET_OK, gusset_carcass_info(carcass, &facts));
     CHECK(facts.sheet_count == 1 && facts.cell_count == 16 && facts.node_count == 25 && facts.index_bytes > 0);
     CHECK(facts.low[0] <= 0 && facts.high[1] >= 4 && facts.high[2] < 1e-3 && facts.tolerance > 0);
+    CHECK(facts.cone_bytes == 0);
+    /* As long as it was at first. */
+    facts.struct_size = 96, facts.cone_bytes = 7;
+    EXPECT(GUSSET_OK, gusset_carcass_info(carcass, &facts));
+    CHECK(facts.cell_count == 16 && facts.cone_bytes == 7);
+    facts.struct_size = sizeof facts;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_info(NULL, &facts));
     CHECK(facts.cell_count == 0);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_carcass_info(carcass, NULL));

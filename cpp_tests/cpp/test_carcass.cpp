@@ -404,6 +404,12 @@ TEST_CASE("several sheets, places, facts") {
     CHECK(facts.tolerance == 1e-10);
     CHECK(facts.low[0] <= -1.399);
     CHECK(facts.high[2] >= 0.999);
+    CHECK(facts.cone_bytes == 0);
+    const Carcass with_cones(sheets, 1e-10, gusset::Context(), gusset::NormalCones::now);
+    CHECK(with_cones.info().index_bytes == facts.index_bytes);
+    CHECK(with_cones.info().cone_bytes > 0);
+    CHECK(with_cones.silhouette({0, 0, 1}).size() == both.silhouette({0, 0, 1}).size());
+    CHECK(both.info().cone_bytes == with_cones.info().cone_bytes);
     CHECK(both.closest({0, 0, 2}).place.sheet == 1);
     CHECK(both.closest({1.5, 0, 0}).place.sheet == 0);
     // What was found stays when its surface is gone.

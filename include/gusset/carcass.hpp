@@ -43,6 +43,9 @@ private:
 /// Whether a normal and its opposite are the same.
 enum class NormalSide : uint32_t { one = 0, both = 1 };
 
+/// When the cones of normals are built: by the first question about angles, or with the carcass.
+enum class NormalCones : uint32_t { later = 0, now = 1 };
+
 /// How intersections are wanted; see gusset_intersect_options.
 struct IntersectOptions {
     /// The greatest distance from chords; 0: 1e-4 of the diagonal of the smaller surface's box; infinite: only where sides are crossed.
@@ -98,7 +101,8 @@ class Carcass {
 public:
     explicit Carcass(gusset_carcass *owned) : carcass_(owned) {}
     /// tolerance: a length, to which answers are proved; 0: 1e-9 of the diagonal of the surface's box.
-    explicit Carcass(Span<const Sheet> sheets, double tolerance = 0.0, const Context &context = Context()) {
+    explicit Carcass(Span<const Sheet> sheets, double tolerance = 0.0, const Context &context = Context(),
+                     NormalCones cones = NormalCones::later) {
         std::vector<const gusset_sheet *> handles;
         for (const Sheet &sheet : sheets) {
             handles.push_back(sheet.get());
@@ -106,6 +110,7 @@ public:
         gusset_carcass_options given{};
         given.struct_size = sizeof given;
         given.tolerance = tolerance;
+        given.cones = static_cast<uint32_t>(cones);
         gusset_carcass *created = nullptr;
         context.call([&](gusset_context *c) {
             return gusset_carcass_create(c, handles.data(), handles.size(), &given, &created);
@@ -113,8 +118,9 @@ public:
         carcass_.reset(created);
     }
     /// The index of one sheet.
-    explicit Carcass(const Sheet &sheet, double tolerance = 0.0, const Context &context = Context())
-        : Carcass(Span<const Sheet>(&sheet, 1), tolerance, context) {}
+    explicit Carcass(const Sheet &sheet, double tolerance = 0.0, const Context &context = Context(),
+                     NormalCones cones = NormalCones::later)
+        : Carcass(Span<const Sheet>(&sheet, 1), tolerance, context, cones) {}
 
     const gusset_carcass *get() const noexcept { return carcass_.get(); }
     /// How large it is, and its box.

@@ -30,6 +30,7 @@ pub(crate) struct Axis {
     /// By the place of the interval among the nodes that it depends on.
     weights: Box<[Weights; TAPS - 1]>,
     lebesgue: f64,
+    outside: f64,
 }
 
 impl Axis {
@@ -40,7 +41,14 @@ impl Axis {
 
     /// `lines`: at least [`Axis::least_lines`]; of a closed direction the last one is the first one again.
     pub(crate) fn new(lines: usize, closed: bool, scheme: Scheme) -> Self {
-        let mut axis = Axis { lines, closed, scheme, weights: Box::new([[[0.0; TAPS]; 4]; TAPS - 1]), lebesgue: 1.0 };
+        let mut axis = Axis {
+            lines,
+            closed,
+            scheme,
+            weights: Box::new([[[0.0; TAPS]; 4]; TAPS - 1]),
+            lebesgue: 1.0,
+            outside: 0.0,
+        };
         if closed {
             // All intervals are like those in the middle of a long row.
             let slopes = if lines > 5 { 5 } else { 3 };
@@ -51,7 +59,9 @@ impl Axis {
                 axis.weights[place] = weights(place, nodes, nodes.min(5), nodes.min(4), scheme);
             }
         }
-        axis.lebesgue = axis.weights.iter().map(lebesgue).fold(1.0, f64::max);
+        axis.lebesgue = axis.weights.iter().map(|of| most(of, |_| true)).fold(1.0, f64::max);
+        let others = |(place, of)| most(of, |node| node != place && node != place + 1);
+        axis.outside = axis.weights.iter().enumerate().map(others).fold(0.0, f64::max);
         axis
     }
 
@@ -132,15 +142,21 @@ impl Axis {
     pub(crate) fn lebesgue(&self) -> f64 {
         self.lebesgue
     }
+
+    /// The largest sum of the absolute values of those that it gives to others than the two at its ends.
+    pub(crate) fn outside(&self) -> f64 {
+        self.outside
+    }
 }
 
-/// The largest sum over nodes of |w_k(t)|, 0 <= t <= 1, rounded up: over the sixteenths of the interval, each piece bounded by its
+/// The largest sum over some nodes of |w_k(t)|, 0 <= t <= 1, rounded up: over the sixteenths of the interval, each piece bounded by its
 /// Bézier points.
-fn lebesgue(weights: &Weights) -> f64 {
+fn most(weights: &Weights, of: impl Fn(usize) -> bool) -> f64 {
     let mut worst = 0.0_f64;
     for piece in 0..16 {
         let (from, to) = (f64::from(piece) / 16.0, f64::from(piece + 1) / 16.0);
         let sum: f64 = (0..TAPS)
+            .filter(|&k| of(k))
             .map(|k| {
                 let points = [0, 1, 2, 3].map(|b| weights[b][k]);
                 let blossom = |s: f64, t: f64, r: f64| {

@@ -40,6 +40,9 @@ pub(crate) trait Cells<const N: usize>: Sync {
     /// For each block in rows of blocks, row after row, a box that contains S - B over all its cells: S the surface, B the bilinear patch
     /// through the cell's corners, at equal parameters.
     fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Bounds]);
+
+    /// For the same blocks, boxes that contain S_u and S_v over all their cells, but for rounding.
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Bounds; 2]]);
 }
 
 impl<const N: usize> Patch<N> {
@@ -69,6 +72,17 @@ impl<const N: usize> Patch<N> {
             row.iter().enumerate().for_each(|(b, &point)| bounds.add(point - from.lerp(to, at(b))));
         }
         bounds
+    }
+
+    /// Boxes of S_u and S_v: of their control vectors.
+    pub(crate) fn tangents(&self) -> [Bounds; 2] {
+        let (degree, p) = ((N - 1) as f64, &self.points);
+        let [mut u, mut v] = [Bounds::EMPTY; 2];
+        for (a, b) in (0..N - 1).flat_map(|a| (0..N).map(move |b| (a, b))) {
+            u.add(degree * (p[a + 1][b] - p[a][b]));
+            v.add(degree * (p[b][a + 1] - p[b][a]));
+        }
+        [u, v]
     }
 
     /// The corners, by u and v.

@@ -5,6 +5,7 @@ use super::cells::{BLOCK, Cells};
 use super::displacements::Displacements;
 use super::index::Bounds;
 use super::solve::Field;
+use super::tangents::Tangents;
 use super::{Patch, Scheme};
 use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
@@ -334,5 +335,9 @@ impl Cells<4> for Grid<'_> {
 
     fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Bounds]) {
         Displacements { nodes: &self.nodes, u: &self.u, v: &self.v }.of_blocks(block_rows, boxes);
+    }
+
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Bounds; 2]]) {
+        Tangents { nodes: &self.nodes, u: &self.u, v: &self.v }.of_blocks(block_rows, boxes);
     }
 }

@@ -27,14 +27,18 @@ mod normal;
 mod patch;
 mod patches;
 mod path;
+mod ranges;
 mod sheet;
 mod solve;
+mod sweep;
+mod tangents;
 
 pub use axis::Scheme;
 pub use closest::{Closest, Minima, Region};
 pub use curve::curve_through;
 pub use evaluate::{Curvatures, Local};
 pub use grid::{Grid, MAX_NODES, Nodes};
+pub use index::NormalCone;
 pub use mesh::{SurfaceMesh, SurfaceMeshOptions};
 pub use model::{Carcass, LARGEST_COORDINATE, Place, SMALLEST_COORDINATE};
 pub use normal::{Normal, NormalKind};

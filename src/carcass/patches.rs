@@ -139,4 +139,18 @@ impl<const N: usize> Cells<N> for Patches<N> {
             }
         }
     }
+
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Bounds; 2]]) {
+        let across = self.columns.div_ceil(BLOCK);
+        for (k, boxes) in boxes.iter_mut().enumerate() {
+            let (r, c) = (block_rows.start + k / across, k % across);
+            *boxes = [Bounds::EMPTY; 2];
+            for i in r * BLOCK..self.rows.min((r + 1) * BLOCK) {
+                for j in c * BLOCK..self.columns.min((c + 1) * BLOCK) {
+                    let [u, v] = self.get(i, j).tangents();
+                    *boxes = [boxes[0].joined(u), boxes[1].joined(v)];
+                }
+            }
+        }
+    }
 }

@@ -18,7 +18,7 @@ pub struct gusset_carcass_facts {
     pub cell_count: usize,
     /// How many corners of cells: of sheets from nodes, the nodes.
     pub node_count: usize,
-    /// Bytes of the index; the nodes are not counted.
+    /// Bytes of the index without the cones of normals; the nodes are not counted.
     pub index_bytes: usize,
     /// The length to which answers are proved.
     pub tolerance: f64,
@@ -26,6 +26,8 @@ pub struct gusset_carcass_facts {
     pub low: [f64; 3],
     /// The greatest.
     pub high: [f64; 3],
+    /// Bytes of the cones of normals; 0 as long as there are none: see gusset_carcass_options.
+    pub cone_bytes: usize,
 }
 
 /// What a sheet of a carcass is.
@@ -60,7 +62,7 @@ unsafe impl Versioned for gusset_carcass_sheet_facts {
 }
 const _: () = assert!(
     size_of::<usize>() != 8
-        || (size_of::<gusset_carcass_facts>() == 96 && size_of::<gusset_carcass_sheet_facts>() == 48)
+        || (size_of::<gusset_carcass_facts>() == 104 && size_of::<gusset_carcass_sheet_facts>() == 48)
 );
 
 /// What a carcass is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
@@ -84,6 +86,7 @@ pub unsafe extern "C" fn gusset_carcass_info(
             tolerance: carcass.tolerance(),
             low,
             high,
+            cone_bytes: carcass.cone_bytes(),
         });
         Ok(())
     })

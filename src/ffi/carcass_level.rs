@@ -181,8 +181,8 @@ pub unsafe extern "C" fn gusset_carcass_contours(
 /// direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
 /// / 2 if normals are unsigned. Otherwise as gusset_carcass_section. Where normals jump between cells (patches,
 /// GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
-/// Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. O(cells);
-/// threads. From any thread. Source: Leus, task b.
+/// Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. About
+/// O(cells that are crossed), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_isophotes(
@@ -205,8 +205,8 @@ pub unsafe extern "C" fn gusset_carcass_isophotes(
 ///
 /// direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
 /// for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
-/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. O(cells);
-/// threads. From any thread. Source: Leus, task b.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. About
+/// O(cells that come near to the angle), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_carcass_nearest_angle(

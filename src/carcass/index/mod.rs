@@ -2,12 +2,15 @@
 //! (2r, 2c), (2r, 2c + 1), (2r + 1, 2c), (2r + 1, 2c + 1) of the level below.
 //!
 //! It is built from the nodes alone, without building patches: a cell lies within its displacements from the hull of its corners
-//! (the theorem of hierarchies: a block may be dropped by any set that contains it).
+//! (the theorem of hierarchies: a block may be dropped by any set that contains it). So are the cones of normals, when they are wanted.
 
 mod boxes;
+mod cones;
 mod slab;
 
 pub(crate) use boxes::{Bounds, Group, Oriented};
+pub(crate) use cones::Cones;
+pub use cones::NormalCone;
 pub(crate) use slab::Slab;
 
 use super::cells::{BLOCK, Cells};
@@ -16,6 +19,7 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
+use std::sync::OnceLock;
 
 /// Levels that have boxes in any direction, from the lowest on.
 const ORIENTED_LEVELS: usize = 4;
@@ -34,6 +38,7 @@ pub(crate) struct Pyramid {
     levels: Vec<Level>,
     /// By block: how far the surface may be from the bilinear patches of its cells, and to which side.
     displacements: Vec<Displacement>,
+    cones: OnceLock<Cones>,
 }
 
 /// A box of vectors: low x, y, z and high x, y, z in 127ths of the greatest length of one.
@@ -133,7 +138,7 @@ impl Pyramid {
             let next = above(last, levels.len() < ORIENTED_LEVELS)?;
             levels.push(next);
         }
-        Ok(Pyramid { origin, levels, displacements })
+        Ok(Pyramid { origin, levels, displacements, cones: OnceLock::new() })
     }
 
     /// What coordinates of boxes are relative to.
@@ -164,7 +169,7 @@ impl Pyramid {
         Bounds { low: whole.low + self.origin, high: whole.high + self.origin }
     }
 
-    /// Bytes of memory.
+    /// Bytes of memory, without the cones.
     pub(crate) fn bytes(&self) -> usize {
         let level = |level: &Level| size_of_val(&level.groups[..]) + size_of_val(&level.oriented[..]);
         self.levels.iter().map(level).sum::<usize>() + size_of_val(&self.displacements[..])

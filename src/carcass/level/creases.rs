@@ -1,12 +1,14 @@
 //! Sides between cells along which normals jump past an angle: they belong to the isophote themselves, and no cell shows it.
 
-use super::Lattice;
 use super::seen::Normals;
+use super::{Lattice, facing};
 use crate::alloc;
-use crate::carcass::cells::Cells;
+use crate::carcass::cells::{BLOCK, Cells};
+use crate::carcass::index::Cones;
 use crate::error::Result;
 use crate::job::Job;
 use glam::DVec2;
+use std::f64::consts::PI;
 
 /// A side of a cell that a neighbour is behind.
 struct Side {
@@ -25,6 +27,7 @@ const SIDES: [Side; 2] = [
 /// Adds the middles of sides at whose ends the angle is less than one of `angles` in one cell and greater in the other.
 pub(super) fn creases<C: Cells<N>, const N: usize>(
     normals: &Normals<'_, C>,
+    cones: &Cones,
     lattice: &Lattice,
     angles: &[f64],
     unsigned: bool,
@@ -36,10 +39,23 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
         let [x, y, z] = normals.frame.map(|axis| axis.dot(normal));
         libm::atan2((x * x + y * y).sqrt(), if unsigned { z.abs() } else { z })
     };
+    // An angle is jumped past only where it is between those of a block and the blocks behind.
+    let may_jump = |r: usize, c: usize| {
+        let behind = |k: usize, d: usize| if k + 1 == lattice.blocks()[d] { 0 } else { k + 1 };
+        let around = [(r, c), (behind(r, 0), c), (r, behind(c, 1))];
+        let ranges = around.into_iter().filter_map(|(r, c)| Some(cones.get(0, r, c)?.angles(normals.frame[2])));
+        let whole = ranges.fold([PI, 0.0], |[low, high]: [f64; 2], [from, to]| [low.min(from), high.max(to)]);
+        facing::have(angles, unsigned, whole)
+    };
     let [rows, columns] = lattice.counts;
+    let mut jumps_in = Vec::new();
     for i in 0..rows {
         job.step(i as f64 / rows as f64, "creases")?;
-        for j in 0..columns {
+        if i % BLOCK == 0 {
+            jumps_in.clear();
+            jumps_in.extend((0..lattice.blocks()[1]).map(|c| may_jump(i / BLOCK, c)));
+        }
+        for j in (0..columns).filter(|j| jumps_in[j / BLOCK]) {
             for Side { after, own, others } in SIDES {
                 let (behind, end) = lattice.owner([i, j], after);
                 if end != [false; 2] {

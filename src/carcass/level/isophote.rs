@@ -5,14 +5,16 @@
 //! at single points. None of it suffers from cancellation, whatever the angle.
 
 use super::creases::creases;
+use super::facing;
 use super::normals::squares;
 use super::search::Found;
-use super::seen::{Corners, Normals, angles, frame};
+use super::seen::{Corners, Normals, frame};
 use super::source::{Sides, Source};
 use super::{Between, Gathered, Lattice, direction, lattice, paths};
 use crate::alloc;
 use crate::carcass::cells::Cells;
-use crate::carcass::index::Pyramid;
+use crate::carcass::index::{Cones, Pyramid};
+use crate::carcass::ranges::angles;
 use crate::carcass::solve::Field;
 use crate::carcass::{Carcass, NormalKind, Paths, Place, Sheet};
 use crate::error::{Error, Result};
@@ -181,7 +183,8 @@ impl Carcass<'_> {
     /// Every curve is found, as [`Carcass::section`] finds them, if the surface is regular. On sheets of patches and of the four-point
     /// scheme, whose normals jump between cells, curves run along the side between cells where the angle jumps past the one asked for; where
     /// that goes on for more than a cell they end, and the ends and the sides are listed as unresolved. At poles, where the normal is none,
-    /// a curve ends or passes; a pole that may have the angle itself is listed as unresolved. O(cells).
+    /// a curve ends or passes; a pole that may have the angle itself is listed as unresolved. The first such question builds the cones of
+    /// normals, O(cells); after that about O(cells that are crossed).
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, and for angles that do not rise or are out of range;
@@ -207,19 +210,22 @@ impl Carcass<'_> {
         let (mut curves, mut points) = (Gathered { threads: job.threads(), ..Gathered::default() }, Vec::new());
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
+            let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
             match sheet {
                 Sheet::Grid(grid) => {
                     let smooth = grid.axes().iter().all(|axis| axis.is_smooth());
                     let sides = if smooth { Sides::Alike } else { Sides::Apart };
-                    let of = Sought { sheet: k, cells: grid, index, frame, reach, sides, chord, unsigned };
+                    let of = Sought { sheet: k, cells: grid, index, cones, frame, reach, sides, chord, unsigned };
                     of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::Cubic(cells) => {
-                    let of = Sought { sheet: k, cells, index, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    let of =
+                        Sought { sheet: k, cells, index, cones, frame, reach, sides: Sides::Apart, chord, unsigned };
                     of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::High(cells) => {
-                    let of = Sought { sheet: k, cells, index, frame, reach, sides: Sides::Apart, chord, unsigned };
+                    let of =
+                        Sought { sheet: k, cells, index, cones, frame, reach, sides: Sides::Apart, chord, unsigned };
                     of.find::<8, 14, 27>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
                 }
             }
@@ -286,6 +292,7 @@ struct Sought<'a, C> {
     sheet: usize,
     cells: &'a C,
     index: &'a Pyramid,
+    cones: &'a Cones,
     frame: [DVec3; 3],
     reach: f64,
     sides: Sides,
@@ -296,6 +303,11 @@ struct Sought<'a, C> {
 impl<C> Sought<'_, C> {
     fn normals(&self) -> Normals<'_, C> {
         Normals { cells: self.cells, index: self.index, frame: self.frame, reach: self.reach, sides: self.sides }
+    }
+
+    /// The blocks that may have one of some angles, row after row.
+    fn blocks(&self, angles: &[f64]) -> Result<Vec<[u32; 2]>> {
+        facing::blocks(self.cones, self.frame[2], |range| facing::have(angles, self.unsigned, range))
     }
 
     fn find<const N: usize, const H: usize, const M: usize>(
@@ -309,8 +321,6 @@ impl<C> Sought<'_, C> {
     where
         C: Cells<N>,
     {
-        let [rows, across] = lattice.blocks();
-        let block = |k: usize| [(k / across) as u32, (k % across) as u32];
         let apart = self.sides == Sides::Apart;
         let Sought { cells, chord, .. } = *self;
         let passes =
@@ -320,10 +330,11 @@ impl<C> Sought<'_, C> {
             pass += 1;
             job.part(f64::from(pass - 1) / passes as f64, f64::from(pass) / passes as f64)
         };
+        let blocks = if kinds.silhouettes.is_empty() { Vec::new() } else { self.blocks(&[0.5 * PI])? };
         for &number in &kinds.silhouettes {
             let source = Silhouette::<C, N>(self.normals());
             let search = super::Search { cells, source: &source, lattice, chord };
-            let mut found = search.run::<N, H>(rows * across, block, &next())?;
+            let mut found = search.run::<N, H>(blocks.len(), |k| blocks[k], &next())?;
             found.arcs.iter_mut().for_each(|arc| arc.level = number);
             curves.add(self.sheet, found, &lattice, apart)?;
         }
@@ -331,7 +342,8 @@ impl<C> Sought<'_, C> {
             let (normals, unsigned) = (self.normals(), self.unsigned);
             let source = Isophotes::<C, N, H> { normals, angles: &kinds.others, radians: &kinds.radians, unsigned };
             let search = super::Search { cells, source: &source, lattice, chord };
-            let found = search.run::<N, M>(rows * across, block, &next())?;
+            let blocks = self.blocks(&kinds.radians)?;
+            let found = search.run::<N, M>(blocks.len(), |k| blocks[k], &next())?;
             curves.add(self.sheet, found, &lattice, apart)?;
             if let Some((_, strands)) = curves.sheets.last_mut() {
                 strands.strands.iter_mut().for_each(|strand| strand.level = kinds.numbers[strand.level as usize]);
@@ -339,7 +351,15 @@ impl<C> Sought<'_, C> {
         }
         if apart {
             let mut found = Found::default();
-            creases(&self.normals(), &lattice, &kinds.crossed, self.unsigned, &mut found.unresolved, &next())?;
+            creases(
+                &self.normals(),
+                self.cones,
+                &lattice,
+                &kinds.crossed,
+                self.unsigned,
+                &mut found.unresolved,
+                &next(),
+            )?;
             curves.add(self.sheet, found, &lattice, true)?;
         }
         for &(number, sign) in &kinds.poles {
@@ -362,14 +382,14 @@ impl<C> Sought<'_, C> {
         C: Cells<N>,
     {
         let normals = self.normals();
-        let [rows, across] = lattice.blocks();
-        let count = rows * across;
+        let blocks = self.blocks(&[if sign > 0.0 { 0.0 } else { PI }])?;
+        let count = blocks.len();
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             job.step(first as f64 / count as f64, "contours")?;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
                 let mut all = Vec::new();
                 for k in range {
-                    let (corners, cells) = normals.block(lattice, first + k);
+                    let (corners, cells) = normals.block(lattice, blocks[first + k]);
                     for cell in cells {
                         if let Some(roots) = normals.roots::<N, H>(&corners, cell, sign) {
                             alloc::push(&mut all, (cell.map(|k| k as u32), roots))?;

@@ -8,6 +8,7 @@
 mod cell;
 mod chain;
 mod creases;
+mod facing;
 mod frame;
 mod isophote;
 mod lattice;

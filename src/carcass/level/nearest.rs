@@ -1,16 +1,18 @@
 //! Task b) of the paper as a minimum: the place whose normal makes the angle with a direction that is nearest to a given one.
 //!
-//! By branch and bound over cells and parts of them. The paper bounds the angle over a region by curvature times diameter; here the bounds
-//! are those of the components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2 theta P (see
+//! By branch and bound over blocks, cells and parts of them. The paper bounds the angle over a region by curvature times diameter; here the
+//! bounds are cones of normals, then those of the components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2 theta P (see
 //! `isophote`), which tell on which side of theta all angles of a part are.
 
+use super::facing;
 use super::normals::{Hodographs, squares};
-use super::seen::{Normals, angles, frame};
+use super::seen::{Normals, frame};
 use super::source::Sides;
 use super::{Lattice, direction, lattice};
 use crate::alloc;
 use crate::carcass::cells::Cells;
-use crate::carcass::index::Pyramid;
+use crate::carcass::index::{Cones, Pyramid};
+use crate::carcass::ranges::angles;
 use crate::carcass::solve::Field;
 use crate::carcass::{Carcass, Place, Sheet, each_sheet};
 use crate::error::{Error, Result};
@@ -27,6 +29,8 @@ const PARTS: u32 = 4096;
 /// Blocks that are one thread's work, and such works between two reports of progress.
 const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
+/// Blocks of each level that are looked at for a first bound.
+const PROMISING: usize = 16;
 
 /// Where a normal's angle is nearest to a given one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -162,9 +166,33 @@ impl Asked {
 }
 
 impl<C> Sought<'_, C> {
+    /// Which blocks may hold something no worse than the best, and than what the most promising of them show.
+    fn blocks<const N: usize>(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>>
+    where
+        C: Cells<N>,
+    {
+        let direction = self.normals.frame[2];
+        let mut front = vec![[0; 2]];
+        for level in (0..cones.levels()).rev() {
+            let below = front.iter().flat_map(|&[r, c]| (0..4).map(move |k| [2 * r + k / 2, 2 * c + k % 2]));
+            let bound = |at: [usize; 2]| Some((self.goal.bound(cones.get(level, at[0], at[1])?.angles(direction)), at));
+            let mut bounds: Vec<(f64, [usize; 2])> = below.filter_map(bound).collect();
+            bounds.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            front = bounds.into_iter().take(PROMISING).map(|(_, at)| at).collect();
+        }
+        let mut shown = *best;
+        for [r, c] in front {
+            for cell in self.normals.block(lattice, [r as u32, c as u32]).1 {
+                self.cell::<N>(cell.map(|k| k as u32), &mut shown, &mut Vec::new())?;
+            }
+        }
+        facing::blocks(cones, direction, |range| self.goal.bound(range) <= shown.deviation)
+    }
+
     /// The best at the middles of cells, and the cells that may hold something better.
     fn candidates<const N: usize>(
         &self,
+        cones: &Cones,
         lattice: &Lattice,
         best: &mut Best,
         candidates: &mut Vec<Candidate>,
@@ -173,15 +201,19 @@ impl<C> Sought<'_, C> {
     where
         C: Cells<N>,
     {
-        let [rows, across] = lattice.blocks();
-        let count = rows * across;
+        let blocks = self.blocks(cones, lattice, best)?;
+        let count = blocks.len();
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             job.step(first as f64 / count as f64, "angles")?;
             let known = *best;
             let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
                 let (mut best, mut candidates) = (known, Vec::new());
-                for k in range {
-                    let (corners, cells) = self.normals.block(lattice, first + k);
+                for &[r, c] in &blocks[first..][range] {
+                    let cone = cones.get(0, r as usize, c as usize);
+                    if cone.is_some_and(|cone| self.goal.bound(cone.angles(self.normals.frame[2])) > best.deviation) {
+                        continue;
+                    }
+                    let (corners, cells) = self.normals.block(lattice, [r, c]);
                     for cell in cells {
                         if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
                             self.cell::<N>(cell.map(|k| k as u32), &mut best, &mut candidates)?;
@@ -266,7 +298,8 @@ impl<C> Sought<'_, C> {
 
 impl Carcass<'_> {
     /// The place whose normal's angle with a direction is nearest to `angle`, in radians from 0 to pi; to pi / 2 if `unsigned`, a normal and
-    /// its opposite then being the same. Proved to 1e-9, unless the bound says otherwise. `None` if there is no normal at all. O(cells).
+    /// its opposite then being the same. Proved to 1e-9, unless the bound says otherwise. `None` if there is no normal at all. The first such
+    /// question builds the cones of normals, O(cells); after that about O(cells that come near to the angle).
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, or an angle out of range; [`Error::OutOfMemory`],
@@ -289,10 +322,10 @@ impl Carcass<'_> {
         let asked = Asked { goal, frame, reach };
         for k in 0..self.len() {
             let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
-            let cells_of = lattice(sheet);
-            let number = k as u32;
+            let (cells_of, number) = (lattice(sheet), k as u32);
+            let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
             each_sheet!(sheet, cells => {
-                asked.of(number, cells, index).candidates(&cells_of, &mut best, &mut candidates, &part)
+                asked.of(number, cells, index).candidates(cones, &cells_of, &mut best, &mut candidates, &part)
             })?;
         }
         let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);

@@ -4,6 +4,7 @@
 //! Products are sums of products of the coefficients times their binomials (Farouki and Rajan 1988).
 
 use crate::carcass::Patch;
+use crate::carcass::ranges::cross;
 use crate::carcass::solve::Field;
 use glam::DVec3;
 
@@ -133,22 +134,6 @@ fn add_trimmed<const N: usize, const M: usize>(u: &Scaled<N>, v: &Scaled<N>, fac
             }
         }
     }
-}
-
-/// Ranges of the components of the cross product of vectors whose components are within ranges.
-pub(super) fn cross(u: [[f64; 2]; 3], v: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
-    [0, 1, 2].map(|k| {
-        let (k, l) = ((k + 1) % 3, (k + 2) % 3);
-        let (first, second) = (times(u[k], v[l]), times(u[l], v[k]));
-        [first[0] - second[1], first[1] - second[0]]
-    })
-}
-
-/// Intervals multiplied.
-fn times(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    let all = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
-    let (low, high) = (|x: f64, y: f64| if x < y { x } else { y }, |x: f64, y: f64| if x > y { x } else { y });
-    [low(low(all[0], all[1]), low(all[2], all[3])), high(high(all[0], all[1]), high(all[2], all[3]))]
 }
 
 /// The sum of the squares of fields, of twice their degree.

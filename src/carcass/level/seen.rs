@@ -1,10 +1,11 @@
 //! Normals of a sheet, seen along a direction: what is known of a cell's without much work.
 
 use super::Lattice;
-use super::normals::{Hodographs, cross};
+use super::normals::Hodographs;
 use super::source::Sides;
 use crate::carcass::cells::{BLOCK, Cells};
 use crate::carcass::index::Pyramid;
+use crate::carcass::ranges::cross;
 use crate::carcass::solve::{Roots, roots};
 use glam::{DVec2, DVec3};
 use std::ops::Range;
@@ -66,17 +67,16 @@ impl<C> Normals<'_, C> {
         Corners { at, start: [rows.start, columns.start], play }
     }
 
-    /// The corners of block k, and its cells, row after row.
+    /// The corners of a block, and its cells, row after row.
     pub(super) fn block<const N: usize>(
         &self,
         lattice: &Lattice,
-        k: usize,
+        block: [u32; 2],
     ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>)
     where
         C: Cells<N>,
     {
-        let [_, across] = lattice.blocks();
-        let [rows, columns] = lattice.block([(k / across) as u32, (k % across) as u32]);
+        let [rows, columns] = lattice.block(block);
         let corners = self.corners(&[rows.clone(), columns.clone()]);
         (corners, rows.flat_map(move |i| columns.clone().map(move |j| [i, j])))
     }
@@ -121,19 +121,6 @@ impl<C> Normals<'_, C> {
         let [u, v] = of.speeds();
         32.0 * f64::EPSILON * (self.reach * (u + v) + u * v)
     }
-}
-
-/// The least and the greatest angle between the third axis and vectors whose components are within ranges.
-pub(super) fn angles(ranges: &[[f64; 2]; 3], noise: f64) -> [f64; 2] {
-    let [first, second, along] = ranges.map(|[low, high]| [low - noise, high + noise]);
-    let least = |[low, high]: [f64; 2]| if low > 0.0 { low } else { (-high).max(0.0) };
-    let most = |[low, high]: [f64; 2]| high.max(-low);
-    let length = |x: f64, y: f64| (x * x + y * y).sqrt();
-    let (near, far) = (length(least(first), least(second)), length(most(first), most(second)));
-    // Away from the axis means a greater angle in front and a smaller one behind.
-    let low = libm::atan2(if along[1] > 0.0 { near } else { far }, along[1]);
-    let high = libm::atan2(if along[0] > 0.0 { far } else { near }, along[0]);
-    [low - 1e-12, high + 1e-12]
 }
 
 /// Two directions across one, and that one: right-handed.
