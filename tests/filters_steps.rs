@@ -61,7 +61,7 @@ fn gaps(filter: &Filter, given: &[Given]) -> Vec<(Duration, String)> {
     let _ = watch.step(1.0, "end");
     eprintln!("{}: {:.1?}{}", filter.id, begun.elapsed(), outputs.err().map_or(String::new(), |e| format!(", {e}")));
     let mut gaps = watch.gaps.into_inner();
-    gaps.sort_by(|a, b| b.0.cmp(&a.0));
+    gaps.sort_by_key(|gap| std::cmp::Reverse(gap.0));
     gaps
 }
 
