@@ -71,7 +71,10 @@ fn exhaustive_every_filter_hears_a_cancel() {
     let only = std::env::args().skip_while(|arg| arg != "--skip").nth(1);
     let mut slow = Vec::new();
     for filter in FILTERS.iter().filter(|filter| only.as_deref().is_none_or(|id| id == filter.id)) {
-        let mut all = vec![given(filter, 1_000_000)];
+        // A million faces; of polylines ten thousand points, which few hosts have in one: what is done to a single curve is
+        // done without asking.
+        let size = if filter.inputs.first() == Some(&InputKind::Curves) { 10_000 } else { 1_000_000 };
+        let mut all = vec![given(filter, size)];
         if let (1, [InputKind::Mesh], [Given::Mesh(soup), ..]) = (filter.max_inputs, filter.inputs, &all[0][..])
             && !["Nets", "Smooth surfaces"].contains(&filter.category)
         {
