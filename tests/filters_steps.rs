@@ -61,7 +61,7 @@ fn gaps(filter: &Filter, given: &[Given]) -> Vec<(Duration, String)> {
     let _ = watch.step(1.0, "end");
     eprintln!("{}: {:.1?}{}", filter.id, begun.elapsed(), outputs.err().map_or(String::new(), |e| format!(", {e}")));
     let mut gaps = watch.gaps.into_inner();
-    gaps.sort_by(|a, b| b.0.cmp(&a.0));
+    gaps.sort_by_key(|gap| std::cmp::Reverse(gap.0));
     gaps
 }
 
@@ -71,7 +71,10 @@ fn exhaustive_every_filter_hears_a_cancel() {
     let only = std::env::args().skip_while(|arg| arg != "--skip").nth(1);
     let mut slow = Vec::new();
     for filter in FILTERS.iter().filter(|filter| only.as_deref().is_none_or(|id| id == filter.id)) {
-        let mut all = vec![given(filter, 1_000_000)];
+        // A million faces; of polylines ten thousand points, which few hosts have in one: what is done to a single curve is
+        // done without asking.
+        let size = if filter.inputs.first() == Some(&InputKind::Curves) { 10_000 } else { 1_000_000 };
+        let mut all = vec![given(filter, size)];
         if let (1, [InputKind::Mesh], [Given::Mesh(soup), ..]) = (filter.max_inputs, filter.inputs, &all[0][..])
             && !["Nets", "Smooth surfaces"].contains(&filter.category)
         {

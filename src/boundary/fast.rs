@@ -28,6 +28,7 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::{MeshView, NONE, Visitor};
 use crate::par;
+use crate::sort::sort;
 use std::sync::{Mutex, PoisonError};
 
 /// Faces that one thread looks at at a time.
@@ -44,6 +45,11 @@ struct Candidate {
     up: bool,
     half_edge: u32,
 }
+
+const WALKING: &str = "walking along the boundary";
+
+/// Half-edges of the border between two progress reports.
+const STEP: usize = 1 << 15;
 
 /// The closed walks of border half-edges, each from its smallest half-edge on, in the order of those; or `None` if something
 /// along the boundary is odd. Two passes over the corners; extra memory 4 bytes a vertex for each thread, of which at most 8
@@ -65,12 +71,14 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
         alloc::reserve(&mut candidates, part.len())?;
         candidates.extend(part);
     }
-    job.step(0.9, "walking along the boundary")?;
+    let job = job.part(0.9, 1.0);
+    job.step(0.0, WALKING)?;
     let Some(border) = border(candidates)? else {
         return Ok(None);
     };
+    job.step(0.2, WALKING)?;
     match successors(&border)? {
-        Some(next) if sums.are_of(&border, &next) => walks(mesh, &border, next).map(Some),
+        Some(next) if sums.are_of(&border, &next) => walks(mesh, &border, next, &job.part(0.4, 1.0)).map(Some),
         _ => Ok(None),
     }
 }
@@ -236,11 +244,20 @@ fn successors(border: &[(u32, u32, u32)]) -> Result<Option<Vec<usize>>> {
 }
 
 /// Follows the border.
-fn walks(mesh: &MeshView<'_>, border: &[(u32, u32, u32)], mut next: Vec<usize>) -> Result<Vec<Vec<Dart>>> {
+fn walks(
+    mesh: &MeshView<'_>,
+    border: &[(u32, u32, u32)],
+    mut next: Vec<usize>,
+    job: &Job<'_>,
+) -> Result<Vec<Vec<Dart>>> {
+    job.step(0.0, WALKING)?;
     let mut order = alloc::collect((0..border.len()).map(|i| (border[i].2, i)))?;
-    order.sort_unstable();
+    sort(&mut order, Ord::cmp, &job.part(0.0, 0.5), WALKING)?;
     let mut walks: Vec<Vec<Dart>> = Vec::new();
-    for (_, first) in order {
+    for (k, (_, first)) in order.into_iter().enumerate() {
+        if k % STEP == 0 {
+            job.step(0.5 + 0.5 * k as f64 / border.len() as f64, WALKING)?;
+        }
         let mut walk = Vec::new();
         let mut i = first;
         while next[i] != NONE as usize {

@@ -2,16 +2,23 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::{Across, MeshView, Sets, Topology};
+
+/// Half-edges between two progress reports.
+const STEP: u32 = 1 << 18;
 
 /// The vertices whose faces form more than one fan, ascending. Faces are neighbours in a fan if they share an edge that has
 /// two faces.
-pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology) -> Result<Vec<u32>> {
+pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<Vec<u32>> {
     let faces = mesh.faces();
     let count = faces.half_edge_count();
     // A corner is named by the half-edge that leaves it. Corners are joined across every edge with two faces, at both ends.
     let mut corners = Sets::new(count)?;
     for h in 0..count as u32 {
+        if h % STEP == 0 {
+            job.step(0.7 * f64::from(h) / count as f64, "checking fans")?;
+        }
         if topology.is_ignored(h) {
             continue;
         }
@@ -28,6 +35,7 @@ pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology) -> Result<Vec<u
             }
         }
     }
+    job.step(0.7, "checking fans")?;
     let mut fans = alloc::filled(0u32, mesh.positions().len())?;
     for h in (0..count as u32).filter(|&h| !topology.is_ignored(h)) {
         if corners.root(h) == h {

@@ -56,6 +56,9 @@ pub struct Check {
     pub unused_vertices: Vec<u32>,
 }
 
+/// Faces between two progress reports.
+const STEP: usize = 1 << 16;
+
 /// Checks a mesh. O(H log d) for H half-edges and vertices of degree d; linear extra memory, about 40 bytes a half-edge.
 ///
 /// # Errors
@@ -66,13 +69,12 @@ pub fn check(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Check> {
         Check { vertices: mesh.positions().len() as u32, faces: mesh.faces().len() as u32, ..Check::default() };
     found.enter_defects(&topology)?;
     found.boundary_walks = boundary_loops(mesh, &boundary::Options::default(), &job.part(0.3, 0.7))?.walk_count();
-    job.step(0.7, "checking fans")?;
-    found.bow_ties = bow_ties(mesh, &topology)?;
+    found.bow_ties = bow_ties(mesh, &topology, &job.part(0.7, 0.8))?;
     found.enter_non_manifold_vertices(mesh)?;
-    job.step(0.8, "checking faces")?;
-    found.duplicate_faces = duplicate_faces(mesh, &found.degenerate_faces)?;
+    found.duplicate_faces = duplicate_faces(mesh, &found.degenerate_faces, &job.part(0.8, 0.85))?;
+    job.step(0.85, "checking faces")?;
     found.enter_edges(mesh, &topology)?;
-    found.enter_pieces(mesh, &topology)?;
+    found.enter_pieces(mesh, &topology, &job.part(0.85, 0.9))?;
     job.step(0.9, "checking areas")?;
     found.enter_unused_vertices(mesh)?;
     found.enter_zero_areas(mesh)?;
@@ -136,13 +138,16 @@ impl Check {
     }
 
     /// Counts the pieces, and finds out whether each can be oriented.
-    fn enter_pieces(&mut self, mesh: &MeshView<'_>, topology: &Topology) -> Result<()> {
+    fn enter_pieces(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
         let faces = mesh.faces();
         let mut pieces = Sets::new(faces.len())?;
         // The double cover: face f as it is (2 f) and turned over (2 f + 1).
         let mut covers = Sets::new(2 * faces.len())?;
         let mut singular = Vec::new();
         for f in 0..faces.len() {
+            if f % STEP == 0 {
+                job.step(f as f64 / faces.len() as f64, "checking pieces")?;
+            }
             for h in faces.range(f) {
                 if topology.is_ignored(h as u32) {
                     continue;
@@ -164,6 +169,7 @@ impl Check {
         for pair in singular.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
             pieces.join(pair[0].1, pair[1].1);
         }
+        job.step(1.0, "checking pieces")?;
         self.components = pieces.count() as u32;
         self.orientable = (0..faces.len() as u32).all(|f| covers.root(2 * f) != covers.root(2 * f + 1));
         Ok(())

@@ -2,13 +2,16 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::MeshView;
+use crate::sort::sort;
 use std::cmp::Ordering;
 
 /// The faces with the same cycle of vertices, from whatever corner and in whatever direction, as a face with a smaller
 /// number; ascending. Faces that repeat a vertex, given in `degenerate`, are left out. O(F log F) comparisons, nearly all of
 /// which end at the first vertex.
-pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32]) -> Result<Vec<u32>> {
+pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32], job: &Job<'_>) -> Result<Vec<u32>> {
+    job.step(0.0, "checking faces")?;
     // Faces in the order of their cycles; of equal ones the smaller number first.
     let mut order = alloc::collect((0..mesh.faces().len()).map(|f| f as u32))?;
     order.retain(|f| degenerate.binary_search(f).is_err());
@@ -18,7 +21,7 @@ pub(super) fn duplicate_faces(mesh: &MeshView<'_>, degenerate: &[u32]) -> Result
         let (f, g) = (f as usize, g as usize);
         starts[f].cycle(mesh, f).cmp(starts[g].cycle(mesh, g))
     };
-    order.sort_unstable_by(|f, g| compare(f, g).then(f.cmp(g)));
+    sort(&mut order, |f, g| compare(f, g).then(f.cmp(g)), &job.part(0.2, 0.9), "checking faces")?;
     let mut found = Vec::new();
     for pair in order.windows(2) {
         if compare(&pair[0], &pair[1]) == Ordering::Equal {

@@ -177,8 +177,8 @@ impl Plan {
             whole.face_offsets.push(whole.face_corners.len() as u32);
         }
         job.step(0.1, "putting the pieces together")?;
-        let part = part_alone(&whole, mesh.faces().len())?;
-        let quality = Quality::of(&whole, &part, &job.part(0.2, 1.0))?;
+        let part = part_alone(&whole, mesh.faces().len(), &job.part(0.1, 0.3))?;
+        let quality = Quality::of(&whole, &part, &job.part(0.3, 1.0))?;
         Ok(Filled { mesh: whole, holes: self.holes, rims: self.rims, quality })
     }
 }

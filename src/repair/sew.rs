@@ -19,10 +19,13 @@ use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::{Across, MeshView, NONE, Topology, half_edges};
+use crate::sort::sort;
 use std::iter;
 
 /// Pairs between two progress reports.
 const STEP: usize = 1 << 14;
+
+const STAGE: &str = "sewing edges";
 
 /// The half-edge's face is the only one at its edge.
 pub(super) fn is_free(topology: &Topology, h: u32) -> bool {
@@ -48,14 +51,16 @@ pub(super) fn sew(
     collapse: bool,
     job: &Job<'_>,
 ) -> Result<Vec<u32>> {
-    let pairs = pairs(mesh, topology, clusters)?;
+    let pairs = pairs(mesh, topology, clusters, &job.part(0.0, 0.3))?;
+    let job = job.part(0.3, 1.0);
     let corners = Corners::of(mesh)?;
+    job.step(0.0, STAGE)?;
     let degree = alloc::collect((0..clusters.len()).map(|v| corners.at(v as u32).len() as u32))?;
     let identity = || alloc::collect((0..clusters.len()).map(|v| v as u32));
     let mut sets = Sewing { mesh, topology, corners, collapse, label: identity()?, next: identity()?, degree };
     for (i, &[g, h]) in pairs.iter().enumerate() {
         if i % STEP == 0 {
-            job.step(i as f64 / pairs.len() as f64, "sewing edges")?;
+            job.step(i as f64 / pairs.len() as f64, STAGE)?;
         }
         let ([u, v], [a, b]) = (sets.ends(g), sets.ends(h));
         let [a, b] = if clusters[u as usize] == clusters[a as usize] { [a, b] } else { [b, a] };
@@ -70,7 +75,8 @@ pub(super) fn sew(
 
 /// The pairs of free edges that lie on one another and on no third, by their smaller half-edges. An edge whose ends lie
 /// together is in none: its neighbours decide.
-fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32]) -> Result<Vec<[u32; 2]>> {
+fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32], job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+    job.step(0.0, STAGE)?;
     let mut free = Vec::new();
     for (h, ends) in free_edges(mesh, topology) {
         let at = ends.map(|v| clusters[v as usize]);
@@ -78,14 +84,15 @@ fn pairs(mesh: &MeshView<'_>, topology: &Topology, clusters: &[u32]) -> Result<V
             alloc::push(&mut free, (unordered(at), h))?;
         }
     }
-    free.sort_unstable();
+    sort(&mut free, Ord::cmp, &job.part(0.0, 0.6), STAGE)?;
     let mut pairs = Vec::new();
     for together in free.chunk_by(|a, b| a.0 == b.0) {
         if let [(_, g), (_, h)] = *together {
             alloc::push(&mut pairs, [g, h])?;
         }
     }
-    pairs.sort_unstable();
+    sort(&mut pairs, Ord::cmp, &job.part(0.6, 1.0), STAGE)?;
+    job.step(1.0, STAGE)?;
     Ok(pairs)
 }
 

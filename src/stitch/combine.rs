@@ -6,7 +6,9 @@
 use super::strip::Strip;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh, MeshView, concat};
+use crate::sort::sort;
 use std::ops::Range;
 
 /// Old indices to new ones.
@@ -76,15 +78,22 @@ pub(super) fn strip_alone(whole: &Mesh, strip: Strip, names: &[u32]) -> Result<M
 }
 
 /// The faces of a mesh from `first` on as a mesh of their own, with the vertices that they use in ascending order.
-pub(crate) fn part_alone(whole: &Mesh, first: usize) -> Result<Mesh> {
+pub(crate) fn part_alone(whole: &Mesh, first: usize, job: &Job<'_>) -> Result<Mesh> {
+    const STAGE: &str = "putting the pieces together";
     let start = whole.face_offsets[first];
     let corners = &whole.face_corners[start as usize..];
     let mut names = alloc::copied(corners)?;
-    names.sort_unstable();
+    sort(&mut names, Ord::cmp, &job.part(0.0, 0.5), STAGE)?;
     names.dedup();
+    // Corner by corner looked up: the host is heard between parts of them.
+    let mut face_corners = alloc::with_capacity(corners.len())?;
+    for part in corners.chunks(1 << 16) {
+        job.step(0.5 + 0.5 * face_corners.len() as f64 / corners.len() as f64, STAGE)?;
+        face_corners.extend(part.iter().map(|v| names.partition_point(|name| name < v) as u32));
+    }
     Ok(Mesh {
         positions: whole.positions.select(&names)?,
         face_offsets: alloc::collect(whole.face_offsets[first..].iter().map(|offset| offset - start))?,
-        face_corners: alloc::collect(corners.iter().map(|v| names.partition_point(|name| name < v) as u32))?,
+        face_corners,
     })
 }

@@ -3,6 +3,7 @@
 use super::facing::{self, Arc, Planes, facing_in_unit, round_off, squareness};
 use super::rim::Rim;
 use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::mesh::Scalar;
 
 /// How much of the loops is joined.
@@ -30,10 +31,14 @@ pub(super) fn arcs(
     extent: Extent,
     options: &facing::Options,
     scalar: Scalar,
+    job: &Job<'_>,
 ) -> Result<Option<[Arc; 2]>> {
     let tolerance = options.tolerance.unwrap_or(2.0 * round_off(scalar));
     let planes = Planes::of(&a.points, &b.points, options.centres);
-    let found = || facing_in_unit(&a.points, &b.points, planes, tolerance, options.run).map(|found| Some(found.taken));
+    let found = || {
+        let found = facing_in_unit(&a.points, &b.points, planes, tolerance, options.run, job)?;
+        Ok(Some(found.taken))
+    };
     match extent {
         Extent::WholeLoops => Ok(None),
         Extent::OpenArcs => found(),

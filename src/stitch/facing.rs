@@ -16,9 +16,15 @@ use crate::alloc;
 use crate::error::{Error, Result, Side};
 use crate::geom::kd_tree::KdTree;
 use crate::geom::scale::common_unit;
+use crate::job::Job;
 use crate::mesh::Scalar;
 use glam::DVec3;
 use std::ops::Range;
+
+/// Points between two progress reports.
+const STEP: usize = 1 << 13;
+
+const STAGE: &str = "looking for facing arcs";
 
 /// Two planes, each through a loop's centre and perpendicular to the line of the centres: equations 5 to 7.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,6 +131,15 @@ pub struct Facing {
 /// that is negative or not finite; [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the
 /// centres are no farther apart than that; [`Error::OutOfMemory`].
 pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options) -> Result<Facing> {
+    facing_heard(a, b, options, &Job::default())
+}
+
+/// As [`facing`], for long loops: the host can cancel.
+///
+/// # Errors
+/// Also [`Error::Cancelled`].
+pub(crate) fn facing_heard(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Result<Facing> {
+    job.step(0.0, STAGE)?;
     for (side, points) in [(Side::A, a), (Side::B, b)] {
         if points.is_empty() {
             return Err(Error::LoopTooShort { side, count: 0 });
@@ -138,7 +153,7 @@ pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options) -> Result<Facing> {
     let (small_a, small_b) = (small(a)?, small(b)?);
     let limit = options.tolerance.map_or(2.0 * round_off(Scalar::F64), |t| t / unit);
     let planes = Planes::of(&small_a, &small_b, options.centres);
-    let mut found = facing_in_unit(&small_a, &small_b, planes, limit, options.run)?;
+    let mut found = facing_in_unit(&small_a, &small_b, planes, limit, options.run, &job.part(0.1, 1.0))?;
     found.planes.centres = found.planes.centres.map(|c| c * unit);
     found.planes.normals = found.planes.normals.map(|n| n * unit);
     found.distances.iter_mut().flatten().for_each(|d| *d *= unit);
@@ -177,7 +192,14 @@ pub(super) fn check_tolerance(tolerance: Option<f64>) -> Result<()> {
 }
 
 /// Algorithm 2 on points whose coordinates are at most 2.
-pub(super) fn facing_in_unit(a: &[DVec3], b: &[DVec3], planes: Planes, tolerance: f64, run: Run) -> Result<Facing> {
+pub(super) fn facing_in_unit(
+    a: &[DVec3],
+    b: &[DVec3],
+    planes: Planes,
+    tolerance: f64,
+    run: Run,
+    job: &Job<'_>,
+) -> Result<Facing> {
     if planes.normals[0].length() <= tolerance {
         return Err(Error::PlanesUndecided { side: Side::A });
     }
@@ -193,7 +215,7 @@ pub(super) fn facing_in_unit(a: &[DVec3], b: &[DVec3], planes: Planes, tolerance
     }
     let taken = match run {
         Run::Longest => [longest(&runs[0]), longest(&runs[1])],
-        Run::Closest => closest(a, b, &runs)?,
+        Run::Closest => closest(a, b, &runs, job)?,
     };
     Ok(Facing { planes, distances, runs, taken })
 }
@@ -221,17 +243,21 @@ fn longest(runs: &[Arc]) -> Arc {
 }
 
 /// The runs that contain the closest pair of facing vertices.
-fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2]) -> Result<[Arc; 2]> {
+fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Result<[Arc; 2]> {
     let total = runs[1].iter().map(|run| run.count).sum();
     let (mut points, mut owner) = (alloc::with_capacity(total)?, alloc::with_capacity(total)?);
     for (k, run) in runs[1].iter().enumerate() {
         points.extend(run.places(b.len()).map(|j| b[j]));
         owner.extend((0..run.count).map(|_| k));
     }
-    let tree = KdTree::new(&points)?;
-    let mut best = (f64::INFINITY, [0, 0]);
+    let tree = KdTree::heard(&points, &job.part(0.0, 0.5), STAGE)?;
+    let (mut best, mut done) = ((f64::INFINITY, [0, 0]), 0);
     for (k, run) in runs[0].iter().enumerate() {
         for i in run.places(a.len()) {
+            if done % STEP == 0 {
+                job.step(0.5 + 0.5 * done as f64 / a.len() as f64, STAGE)?;
+            }
+            done += 1;
             if let Some((distance, j)) = tree.nearest(a[i], best.0, |_| true)
                 && distance < best.0
             {

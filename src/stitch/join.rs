@@ -38,8 +38,8 @@ use crate::mesh::{MeshView, Sets, concat};
 /// [`Error::NoStrip`], [`Error::OptionOutOfRange`], [`Error::MixedScalars`], [`Error::TooLarge`], [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result<Stitch> {
-    let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.4))?;
-    cut_arcs(request, options, &mut a, &mut b, unit)?;
+    let Rims { mut a, mut b, unit } = choose_rims(request, &job.part(0.0, 0.35))?;
+    cut_arcs(request, options, [&mut a, &mut b], unit, &job.part(0.35, 0.4))?;
     let bridges = match request.b {
         Some(_) => Bridges::none(),
         None => {
@@ -113,13 +113,13 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
 }
 
 /// Cuts the rims down to the arcs that the options say.
-fn cut_arcs(request: &Request<'_>, options: &Options, a: &mut Rim, b: &mut Rim, unit: f64) -> Result<()> {
+fn cut_arcs(request: &Request<'_>, options: &Options, [a, b]: [&mut Rim; 2], unit: f64, job: &Job<'_>) -> Result<()> {
     check_tolerance(options.tolerance)?;
     let how =
         facing::Options { run: options.run, tolerance: options.tolerance.map(|t| t / unit), centres: options.centres };
     // Round-off is that of the coarser numbers.
     let scalar = request.b.unwrap_or(request.a).positions().scalar().min(request.a.positions().scalar());
-    if let Some([arc_a, arc_b]) = arcs(a, b, options.extent, &how, scalar)? {
+    if let Some([arc_a, arc_b]) = arcs(a, b, options.extent, &how, scalar, job)? {
         a.cut(arc_a)?;
         b.cut(arc_b)?;
     }

@@ -7,6 +7,9 @@ use crate::job::Job;
 use crate::mesh::{Defect, Mesh};
 use std::f64::consts::FRAC_PI_3;
 
+/// Faces between two progress reports.
+const STEP: usize = 1 << 16;
+
 /// Measures of the strip, and of the whole result's connectivity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quality {
@@ -42,10 +45,10 @@ impl Quality {
             non_manifold_edges: 0,
             orientation_conflicts: 0,
         };
-        quality.measure_strip(strip)?;
+        quality.measure_strip(strip, &job.part(0.0, 0.1))?;
 
         let boundary =
-            boundary_loops(&whole.view(&job.part(0.0, 0.3))?, &boundary::Options::default(), &job.part(0.3, 1.0))?;
+            boundary_loops(&whole.view(&job.part(0.1, 0.3))?, &boundary::Options::default(), &job.part(0.3, 1.0))?;
         quality.loops_left = boundary.len() as u32;
         for defect in boundary.defects() {
             match defect {
@@ -57,11 +60,15 @@ impl Quality {
         Ok(quality)
     }
 
-    fn measure_strip(&mut self, strip: &Mesh) -> Result<()> {
+    fn measure_strip(&mut self, strip: &Mesh, job: &Job<'_>) -> Result<()> {
+        job.step(0.0, "measuring new faces")?;
         let points = crate::alloc::collect((0..strip.positions.len()).map(|v| strip.positions.get(v as u32)))?;
         let unit = common_unit(&points);
         let (mut longest, mut double_area): (f64, f64) = (0.0, 0.0);
-        for w in strip.face_offsets.windows(2) {
+        for (f, w) in strip.face_offsets.windows(2).enumerate() {
+            if f % STEP == 0 {
+                job.step(f as f64 / strip.face_offsets.len() as f64, "measuring new faces")?;
+            }
             let face = &strip.face_corners[w[0] as usize..w[1] as usize];
             let p = |k: usize| points[face[k % face.len()] as usize] / unit;
             longest = (0..face.len()).map(|k| p(k).distance(p(k + 1))).fold(longest, f64::max);

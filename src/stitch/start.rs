@@ -25,8 +25,10 @@ pub enum Start {
     Closest,
 }
 
-/// Vertices between two progress reports.
-const STEP: usize = 1 << 10;
+/// Vertices between two progress reports: where all are about equally far, each takes long.
+const STEP: usize = 1 << 7;
+
+const STAGE: &str = "looking for the closest pair";
 
 /// Samples of each rim for the rotation.
 const SAMPLES: usize = 1 << 10;
@@ -34,11 +36,12 @@ const SAMPLES: usize = 1 << 10;
 /// The places (i, j) of the closest vertices of the two rims that are not joined by an edge already; of equally close
 /// pairs the smallest i, then j. `None` if every pair is joined. O((N + M) log M).
 pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -> Result<Option<(usize, usize)>> {
-    let tree = KdTree::new(&b.points)?;
+    let tree = KdTree::heard(&b.points, &job.part(0.0, 0.1), STAGE)?;
+    let job = job.part(0.1, 1.0);
     let mut best = (f64::INFINITY, None);
     for (i, (&p, &u)) in a.points.iter().zip(&a.vertices).enumerate() {
         if i % STEP == 0 {
-            job.step(i as f64 / a.points.len() as f64, "looking for the closest pair")?;
+            job.step(i as f64 / a.points.len() as f64, STAGE)?;
         }
         let found = tree.nearest(p, best.0, |j| !bridges.has(u, b.vertices[j as usize]));
         if let Some((distance, j)) = found

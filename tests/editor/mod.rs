@@ -16,11 +16,14 @@ pub enum Given {
 
 /// As a filter takes them.
 pub fn inputs(given: &[Given]) -> Vec<Input<'_>> {
-    let input = |given| match given {
-        &Given::Mesh(ref soup) => Input::Mesh(soup.view()),
-        Given::Curves(curves) => Input::Curves(curves),
-    };
-    given.iter().map(input).collect()
+    let mut inputs = Vec::new();
+    for given in given {
+        inputs.push(match given {
+            Given::Mesh(soup) => Input::Mesh(soup.view()),
+            Given::Curves(curves) => Input::Curves(curves),
+        });
+    }
+    inputs
 }
 
 /// What a filter gives for meshes.
@@ -134,7 +137,7 @@ pub fn sphere(rows: u32, columns: u32) -> Soup {
 
 /// Two caps that face each other askew, of about `faces` faces together.
 pub fn pieces(faces: u32) -> [Soup; 2] {
-    let rings = ((faces as f64 / 8.0).sqrt() as u32).max(3);
+    let rings = ((f64::from(faces) / 8.0).sqrt() as u32).max(3);
     let mut second = cap(3 * rings, rings + 1, 0.3, -1.0);
     second.points.iter_mut().for_each(|p| p[0] += 0.6);
     [cap(4 * rings, rings, 0.2, 1.0), second]
@@ -192,8 +195,8 @@ pub fn given(filter: &Filter, size: u32) -> Vec<Given> {
             let profile = wave(0.0).iter().map(|p| [2.0 + p[1], 0.0, p[0]]).collect();
             vec![curves(&[(profile, false)])]
         }
-        ("loft", ..) => vec![curves(&rings((size as f64).sqrt() as u32 / 3 + 4))],
-        ("smooth_net", ..) => vec![curves(&rings((size as f64).sqrt() as u32 / 3 + 4))],
+        ("loft", ..) => vec![curves(&rings(f64::from(size).sqrt() as u32 / 3 + 4))],
+        ("smooth_net", ..) => vec![curves(&rings(f64::from(size).sqrt() as u32 / 3 + 4))],
         (_, [InputKind::Mesh, InputKind::Mesh, ..], _) => vec![mesh(1.0, 0.0), mesh(1.1, 0.3)],
         (_, [InputKind::Mesh, InputKind::Curves], _) => vec![mesh(1.0, 0.0), curves(&[(wave(0.1), false)])],
         (_, [InputKind::Curves, InputKind::Curves], _) => vec![curves(&[(wave(0.5), false)]), curves(&both)],

@@ -104,9 +104,10 @@ fn kept(
     queue
         .try_reserve(3 * count)
         .map_err(|_| Error::OutOfMemory { bytes: (3 * count * size_of::<Candidate>()) as u64 })?;
-    let costs = par::chunks(job.threads(), count - 2, 64, |lines| {
+    let costs = par::heard_chunks(&job.part(0.0, 0.5), "decimate", count - 2, 16, |lines| {
         lines.map(|k| cost(Gap { from: k, to: k + 2 })).collect::<Vec<_>>()
-    });
+    })?;
+    let job = job.part(0.5, 1.0);
     queue.extend(
         costs.into_iter().flatten().enumerate().map(|(k, cost)| candidate(cost, Gap { from: k, to: k + 2 }, k + 1)),
     );
@@ -128,7 +129,7 @@ fn kept(
                 queue.push(candidate(cost(gap), gap, neighbour));
             }
         }
-        if left % 256 == 0 {
+        if left % 16 == 0 {
             job.step(1.0 - left as f64 / count as f64, "decimate")?;
         }
     }

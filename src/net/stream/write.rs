@@ -11,6 +11,8 @@ use crate::job::Job;
 use crate::net::{Net, Planes, each};
 use crate::par;
 
+const LOOKING: &str = "looking at the net";
+
 /// How a net is to be stored.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StreamOptions {
@@ -75,17 +77,19 @@ fn encode_planes<T: Bits>(
         structure_size: 0,
         checksum: 0,
     };
-    job.step(0.0, "looking at the net")?;
+    job.step(0.0, LOOKING)?;
     if info.mode == Mode::Raw {
         let blocks = in_parallel(&info, job, |info, block| raw::encode(info, planes, block))?;
         return assemble(net, info, blocks);
     }
     let all = Duplicates::of(net.topology())?;
+    job.step(0.05, LOOKING)?;
+    let rest = job.part(0.1, 1.0);
     let blocks = match info.mode {
         Mode::Quantised { bits } => {
             let levels = quantise::grid(planes, bits, options.per_axis)?;
             (info.folded, info.origin, info.step) = (true, levels.origin, levels.step);
-            compress(&mut info, planes, &all, levels, job)?
+            compress(&mut info, planes, &all, levels, &rest)?
         }
         _ => {
             info.folded = all.are_exact(planes);
@@ -93,7 +97,7 @@ fn encode_planes<T: Bits>(
             let duplicates = if info.folded { &all } else { &none };
             let levels = Exact { missing: first_gap(planes) };
             info.missing = levels.missing.map(|number| number.level() as u64);
-            compress(&mut info, planes, duplicates, levels, job)?
+            compress(&mut info, planes, duplicates, levels, &rest)?
         }
     };
     assemble(net, info, blocks)
@@ -106,8 +110,9 @@ fn compress<T: Bits, L: Levels<T> + Copy>(
     levels: L,
     job: &Job<'_>,
 ) -> Result<Vec<Vec<u8>>> {
+    job.step(0.0, LOOKING)?;
     info.order = Blocks { info, planes, duplicates, levels }.best_order()? as u8;
-    in_parallel(info, job, |info, block| Blocks { info, planes, duplicates, levels }.encode(block))
+    in_parallel(info, &job.part(0.1, 1.0), |info, block| Blocks { info, planes, duplicates, levels }.encode(block))
 }
 
 /// The numbers of the first node that has one that is no number; NaN if there is none.
@@ -118,23 +123,13 @@ fn first_gap<T: Bits>(planes: &Planes<'_, T>) -> [T; 3] {
     gap.map_or([T::MISSING; 3], |(i, j)| planes.row(i).map(|row| row[j]))
 }
 
-/// All blocks, some at a time so that the host can cancel.
+/// All blocks; the host is heard between them.
 fn in_parallel(
     info: &StreamInfo,
     job: &Job<'_>,
     encode: impl Fn(&StreamInfo, usize) -> Result<Vec<u8>> + Sync,
 ) -> Result<Vec<Vec<u8>>> {
-    let count = info.block_count();
-    let mut blocks = alloc::with_capacity(count)?;
-    let some = 4 * par::at_most(count, job.threads());
-    while blocks.len() < count {
-        job.step(blocks.len() as f64 / count as f64, "coding")?;
-        let end = count.min(blocks.len() + some);
-        for block in par::map(job.threads(), blocks.len()..end, |block| encode(info, block)) {
-            blocks.push(block?);
-        }
-    }
-    Ok(blocks)
+    par::heard(job, "coding", 0..info.block_count(), |block| encode(info, block))?.into_iter().collect()
 }
 
 /// Header, structure, table, blocks.
