@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/install-packages.sh "$@"
 
-# The release for Rust 1.95; it takes older ones too, and wants 1.93 to be built.
+# The release that goes with Rust 1.95.
 cargo_c=0.10.24
 work=$PWD/build/cargo-c
 stage=$work/stage/usr/local

@@ -8,8 +8,10 @@ fail() { echo "FAILED: $*" >&2; exit 1; }
 
 version=$(sed -n 's/^#define GUSSET_VERSION_STRING "\(.*\)"/\1/p' "$prefix/include/gusset.h")
 soname=libgusset.so.${version%.*}
-[ "$(readlink libgusset.so)" = "$soname" ] || fail "libgusset.so does not lead to $soname"
-[ "$(readlink "$soname")" = "libgusset.so.$version" ] || fail "$soname does not lead to libgusset.so.$version"
+for link in libgusset.so "$soname"; do
+  [ "$link" -ef "libgusset.so.$version" ] && [[ $(readlink "$link") == libgusset.so.* ]] ||
+    fail "$link does not lead to libgusset.so.$version"
+done
 
 dynamic=$(readelf -dW "libgusset.so.$version")
 grep -qF "soname: [$soname]" <<<"$dynamic" || fail "the SONAME is not $soname: $dynamic"
