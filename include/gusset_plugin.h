@@ -430,7 +430,7 @@ typedef struct gusset_plugin_curves {
      */
     size_t struct_size;
     /**
-     * x, y, z at the start of every stride, of the type that scalar names. Outputs are packed 64-bit floats.
+     * x, y, z at the start of every stride, of the type that scalar names. Finite. Outputs are packed 64-bit floats.
      */
     const void *points;
     /**

@@ -537,5 +537,22 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+impl Error {
+    /// Which of two pieces it is about, if it is about one of two.
+    pub fn side(&self) -> Option<Side> {
+        match *self {
+            Error::PointNotFinite { side, .. }
+            | Error::NoLoop { side }
+            | Error::LoopTooShort { side, .. }
+            | Error::LoopRepeatsVertex { side, .. }
+            | Error::LoopEdgeNotFree { side, .. }
+            | Error::PlanesUndecided { side }
+            | Error::LoopNotOriented { side, .. } => Some(side),
+            Error::MixedScalars | Error::OrientationConflict { .. } | Error::NetsOpposed => Some(Side::B),
+            _ => None,
+        }
+    }
+}
+
 /// The result type of the library.
 pub type Result<T> = std::result::Result<T, Error>;

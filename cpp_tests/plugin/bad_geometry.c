@@ -26,7 +26,7 @@ static void expect(const gusset_filter *filter, const gusset_input *inputs, uint
 
 #define EXPECT(status, element, index) expect(filter, made->inputs, made->count, k, status, element, index, __LINE__)
 
-enum { VERTEX = 1, FACE = 2, CORNER = 3, OFFSET = 4 };
+enum { VERTEX = 1, FACE = 2, CORNER = 3, OFFSET = 4, POINT = 7 };
 
 static void check_mesh(const gusset_filter *filter, shapes *made, uint32_t k) {
     gusset_plugin_mesh *mesh = &made->views[k].mesh;
@@ -160,7 +160,7 @@ static void check_curves(const gusset_filter *filter, shapes *made, uint32_t k) 
     const double wrong[] = {NAN, INFINITY, -INFINITY};
     for (int w = 0; w < 3; ++w) {
         points[4] = wrong[w];
-        EXPECT(1006, 0, 0);
+        EXPECT(1006, POINT, 1);
     }
     points[4] = kept;
 }

@@ -126,6 +126,14 @@ class Program(unittest.TestCase):
         write_obj(self.at("lost.obj"), SOUP, [[0, 1, 2], [0, 1, 99]])
         self.expect(REFUSED, "run", "weld", "lost.obj", says="input 1, corner number 5 from 0")
         self.expect(REFUSED, "run", "assemble", "grid.obj", "lost.obj", says="input 2, corner number 5 from 0")
+        # Which of two pieces has no rim, the library knows; whose face is in no grid, it does not say.
+        self.expect(DONE, "run", "net_shape", "-o", "closed.obj")
+        self.expect(REFUSED, "run", "stitch", "grid.obj", "closed.obj", says="input 2)")
+        self.expect(REFUSED, "run", "stitch", "closed.obj", "grid.obj", says="input 1)")
+        write_obj(self.at("soup.obj"), SOUP, SOUP_FACES)
+        self.expect(REFUSED, "run", "smooth_surface", "soup.obj", says="input 1, face number")
+        done = self.expect(REFUSED, "run", "smooth_distance", "grid.obj", "soup.obj", says="face number")
+        self.assertNotIn(", input", done.stderr)
         self.expect(REFUSED, "describe", "weld", "lost.obj", says="refuses these inputs")
 
     def test_commands_that_are_wrong(self):

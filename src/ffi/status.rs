@@ -298,17 +298,7 @@ impl From<Error> for Failure {
             Error::OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Error::Cancelled => none(GUSSET_ERROR_CANCELLED),
         };
-        let input = match error {
-            Error::MixedScalars | Error::OrientationConflict { .. } | Error::NetsOpposed => 1,
-            Error::NoLoop { side: Side::B }
-            | Error::LoopTooShort { side: Side::B, .. }
-            | Error::LoopRepeatsVertex { side: Side::B, .. }
-            | Error::LoopEdgeNotFree { side: Side::B, .. }
-            | Error::PlanesUndecided { side: Side::B }
-            | Error::PointNotFinite { side: Side::B, .. }
-            | Error::LoopNotOriented { side: Side::B, .. } => 1,
-            _ => 0,
-        };
+        let input = u32::from(error.side() == Some(Side::B));
         Failure { status, message: error.to_string().into(), element, index, value, input }
     }
 }

@@ -96,7 +96,7 @@ const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_plugin_mesh>()
 pub struct gusset_plugin_curves {
     /// sizeof(gusset_plugin_curves), set by the host.
     pub struct_size: usize,
-    /// x, y, z at the start of every stride, of the type that scalar names. Outputs are packed 64-bit floats.
+    /// x, y, z at the start of every stride, of the type that scalar names. Finite. Outputs are packed 64-bit floats.
     pub points: *const c_void,
     /// Bytes from one point to the next; 0 if they are packed.
     pub point_stride: usize,

@@ -121,7 +121,11 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
         if p % (1 << 16) == 0 {
             job.step(p as f64 / view.point_count as f64, "reading curves")?;
         }
-        found.points.push(points.get(p as u32).to_array());
+        let point = points.get(p as u32).to_array();
+        if let Some(&value) = point.iter().find(|coordinate| !coordinate.is_finite()) {
+            return Err(Error::OutlineNotFinite { point: p as u32, value }.into());
+        }
+        found.points.push(point);
     }
     if view.curve_count > 0 {
         let offsets = input::bytes(view.offsets, view.curve_count + 1, 4, "offsets")?;

@@ -4,7 +4,7 @@ use super::descriptor::{GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_NONE, gusset_filter, g
 use super::inputs::{self, Host};
 use super::outputs::gusset_outputs;
 use super::table;
-use crate::error::Error;
+use crate::error::{Error, Side};
 use crate::ffi::input;
 use crate::ffi::status::{Failure, gusset_status};
 use crate::filters::Filter;
@@ -117,8 +117,13 @@ fn answer(filter: &Filter, given: &[Input<'_>], values: &[f64], job: &Job<'_>) -
             Error::OptionOutOfRange { option, .. } => filter.params.iter().position(|param| param.id == option),
             _ => None,
         };
-        let fault = Fault { param: param.map_or(GUSSET_PLUGIN_NONE, |place| place as u32), ..Fault::from(error) };
-        // What is made of nothing has no input at fault.
-        if given.is_empty() { Fault { input: GUSSET_PLUGIN_NONE, ..fault } } else { fault }
+        let (side, fault) = (error.side(), Fault::from(error));
+        // An element may be one of any input, unless there is one only, or the error says of which of two it is.
+        let input = match (given.len(), side) {
+            (1, _) if fault.input != GUSSET_PLUGIN_NONE => 0,
+            (2, Some(side)) => u32::from(side == Side::B),
+            _ => GUSSET_PLUGIN_NONE,
+        };
+        Fault { input, param: param.map_or(GUSSET_PLUGIN_NONE, |place| place as u32), ..fault }
     })
 }
