@@ -61,9 +61,9 @@ fn check(name: &str, sheet: Sheet<'_>, samples: usize) -> (usize, f64) {
 #[test]
 fn normals_are_in_their_cones() {
     for shape in SHAPES.iter().chain([&WIGLEY]) {
-        let shape = Shape { cells: shape.cells.map(|count| 2 * count + 1), ..*shape };
+        let shape = Shape { cells: shape.cells.map(|count| 4 * count + 1), ..*shape };
         let blocks = shape.cells.map(|count| count.div_ceil(BLOCK)).iter().product::<usize>();
-        let (telling, _) = check(shape.name, Sheet::Grid(grid(&shape)), 6);
+        let (telling, _) = check(shape.name, Sheet::Grid(grid(&shape)), 4);
         assert!(3 * telling > blocks, "{}: {telling} of {blocks} cones tell something", shape.name);
         let other = Grid::new(grid(&shape).nodes().clone(), shape.closed, Scheme::FourPoint).unwrap();
         check(&format!("{}, four points", shape.name), Sheet::Grid(other), 6);
