@@ -134,7 +134,7 @@ mod tests {
                 let patch: Patch<4> = Grid::patch(&grid, i, j);
                 let bounds = &boxes[i / BLOCK * columns + j / BLOCK];
                 for k in 0..121 {
-                    let jet = patch.jet((k / 11) as f64 / 10.0, (k % 11) as f64 / 10.0);
+                    let jet = patch.jet(f64::from(k / 11) / 10.0, f64::from(k % 11) / 10.0);
                     for (tangent, bounds) in [jet.u, jet.v].into_iter().zip(bounds) {
                         let size = bounds.high - bounds.low;
                         let within = (tangent - bounds.low).min(bounds.high - tangent) / size;
