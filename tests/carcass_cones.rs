@@ -25,7 +25,7 @@ fn with_cones(sheet: Sheet<'_>) -> Carcass<'_> {
 
 /// The cones that contain a cell, of the block first.
 fn above(carcass: &Carcass<'_>, [i, j]: [usize; 2]) -> Vec<NormalCone> {
-    (0..32).map_while(|level| carcass.normal_cone(0, level, [i, j].map(|k| k / BLOCK >> level))).collect()
+    (0..32).map_while(|level| carcass.normal_cone(0, level, [i, j].map(|k| (k / BLOCK) >> level))).collect()
 }
 
 /// Samples the normals of all cells, limits at poles among them; returns how many cones of blocks tell something, and by how much the normals
