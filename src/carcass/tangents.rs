@@ -96,3 +96,57 @@ impl Tangents<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::carcass::cells::Cells;
+    use crate::carcass::{Grid, Patch, Scheme};
+    use glam::DVec3;
+
+    /// Nodes without any order: whatever the weights, tangents are in the boxes; and near their sides somewhere, or the boxes were too large.
+    #[test]
+    fn tangents_are_in_their_boxes() {
+        let mut state = 7_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        let mut nearest = f64::INFINITY;
+        for round in 0..400 {
+            let cells = [[9, 6], [5, 5], [2, 9], [13, 4], [3, 3]][round % 5];
+            let closed = [round / 5 % 2 == 1, round / 10 % 2 == 1].map(|closed| closed && cells.iter().all(|&n| n > 2));
+            let scheme = if round / 20 % 2 == 0 { Scheme::SixTap } else { Scheme::FourPoint };
+            let [h, w] = cells;
+            let mut data = vec![0.0; 3 * (h + 1) * (w + 1)];
+            for (i, j) in (0..=h).flat_map(|i| (0..=w).map(move |j| (i, j))) {
+                let (a, b) = (if closed[0] { i % h } else { i }, if closed[1] { j % w } else { j });
+                for k in 0..3 {
+                    let again = data[3 * (a * (w + 1) + b) + k];
+                    data[3 * (i * (w + 1) + j) + k] = if (a, b) == (i, j) { random() } else { again };
+                }
+            }
+            let grid = Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap();
+            let [rows, columns] = cells.map(|count| count.div_ceil(BLOCK));
+            let mut boxes = vec![[Bounds::EMPTY; 2]; rows * columns];
+            grid.tangents(0..rows, &mut boxes);
+            for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
+                let patch: Patch<4> = Grid::patch(&grid, i, j);
+                let bounds = &boxes[i / BLOCK * columns + j / BLOCK];
+                for k in 0..121 {
+                    let jet = patch.jet(f64::from(k / 11) / 10.0, f64::from(k % 11) / 10.0);
+                    for (tangent, bounds) in [jet.u, jet.v].into_iter().zip(bounds) {
+                        let size = bounds.high - bounds.low;
+                        let within = (tangent - bounds.low).min(bounds.high - tangent) / size;
+                        nearest = nearest.min(within.min_element());
+                        assert!(
+                            within.cmpge(DVec3::splat(-1e-13)).all(),
+                            "{cells:?} {closed:?} {scheme:?}, cell {i} {j}: {within}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(nearest < 0.05, "{nearest}");
+    }
+}

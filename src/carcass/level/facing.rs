@@ -92,7 +92,7 @@ mod tests {
                 nodes[from[0] * (w + 1) + from[1]]
             };
         }
-        let data: Vec<f64> = nodes.iter().flat_map(|node| node.to_array()).collect();
+        let data: Vec<f64> = nodes.iter().flat_map(DVec3::to_array).collect();
         Sheet::Grid(Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap())
     }
 
