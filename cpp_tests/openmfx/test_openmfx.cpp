@@ -1,6 +1,6 @@
 // The library with the feature `openmfx`, opened by a host that knows nothing of it but the standard, and the
 // descriptor to compare with.
-#include "host.hpp"
+#include "shapes.hpp"
 
 #include <doctest/doctest.h>
 #include <gusset_plugin.h>
@@ -61,68 +61,6 @@ struct Cooked : Session {
 };
 
 const std::string MAIN = "OfxMeshMainInput";
-
-/// Points that faces use - edges + faces, and free edges.
-struct Census {
-    int euler, free_edges;
-};
-
-Census census(const MeshData &mesh) {
-    std::map<std::pair<int, int>, int> edges;
-    std::set<int> used;
-    std::size_t start = 0;
-    for (const int size : mesh.sizes) {
-        for (int k = 0; k < size; ++k) {
-            const int a = mesh.corners[start + static_cast<std::size_t>(k)],
-                      b = mesh.corners[start + static_cast<std::size_t>((k + 1) % size)];
-            used.insert(a);
-            ++edges[std::minmax(a, b)];
-        }
-        start += static_cast<std::size_t>(size);
-    }
-    const auto free = std::count_if(edges.begin(), edges.end(), [](const auto &edge) { return edge.second == 1; });
-    return {static_cast<int>(used.size()) - static_cast<int>(edges.size()) + static_cast<int>(mesh.sizes.size()),
-            static_cast<int>(free)};
-}
-
-/// A tube of quads round the z axis, open at both ends.
-MeshData tube(int sides, float low, float high) {
-    MeshData mesh;
-    for (const float z : {low, high}) {
-        for (int side = 0; side < sides; ++side) {
-            const double turn = 2 * 3.14159265358979 * side / sides;
-            mesh.points.insert(mesh.points.end(),
-                               {static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn)), z});
-        }
-    }
-    for (int side = 0; side < sides; ++side) {
-        const int next = (side + 1) % sides;
-        mesh.corners.insert(mesh.corners.end(), {side, next, sides + next, sides + side});
-        mesh.sizes.push_back(4);
-    }
-    return mesh;
-}
-
-/// A cube whose faces have four points of their own each.
-MeshData loose_cube() {
-    MeshData mesh;
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const float side : {-1.0f, 1.0f}) {
-            for (int k = 0; k < 4; ++k) {
-                std::array<float, 3> point{};
-                // Counter-clockwise from outside on both sides.
-                const float u = (k == 1 || k == 2) ? 1.0f : -1.0f, v = k >= 2 ? 1.0f : -1.0f;
-                point[static_cast<std::size_t>(axis)] = side;
-                point[static_cast<std::size_t>((axis + 1) % 3)] = side > 0 ? u : v;
-                point[static_cast<std::size_t>((axis + 2) % 3)] = side > 0 ? v : u;
-                mesh.corners.push_back(mesh.point_count());
-                mesh.points.insert(mesh.points.end(), point.begin(), point.end());
-            }
-            mesh.sizes.push_back(4);
-        }
-    }
-    return mesh;
-}
 
 double greatest(const MeshData &mesh, std::size_t axis) {
     double found = -1e30;
@@ -346,25 +284,91 @@ TEST_CASE("parameters of every type") {
     CHECK(census(session.output).free_edges == 0);
     CHECK(greatest(session.output, 0) == doctest::Approx(4.25));
 
-    // 30 degrees are no corner of a circle of 24 points where corners begin at 20 degrees, and one everywhere below 15.
-    const auto misses = [](double degrees) {
+    // A circle of 24 points turns by 15 degrees at each: all are corners where corners begin at 10, none where at 20.
+    const auto points = [](double degrees) {
         Cooked outline("outline");
-        MeshData ring;
-        for (int k = 0; k < 24; ++k) {
-            const double turn = 2 * 3.14159265358979 * k / 24;
-            ring.points.insert(ring.points.end(),
-                               {static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn)), 0});
-            ring.corners.insert(ring.corners.end(), {k, (k + 1) % 24});
-        }
-        ring.constant_size = 2;
-        outline.connect(MAIN, ring);
+        MeshData circle = ring(24);
+        circle.constant_size = 2;
+        outline.connect(MAIN, circle);
         outline.instance.set("corner_angle", {degrees});
         REQUIRE_MESSAGE(outline.cook() == OK, outline.error());
         return outline.output.points.size() / 3;
     };
-    // With a corner at every point, all pieces are straight.
-    CHECK(misses(10) == 24);
-    CHECK(misses(20) > 24);
+    // Between corners, pieces are straight.
+    CHECK(points(10) == 24);
+    CHECK(points(20) > 24);
+}
+
+TEST_CASE("every effect gives something, or says why not; what only tells something passes its input on") {
+    for (std::uint32_t k = 0; k < tables().filter_count; ++k) {
+        const gusset_filter &filter = *tables().filter(k);
+        CAPTURE(filter.id);
+        Cooked session(filter.id);
+        for (std::uint32_t input = 0; input < filter.min_inputs; ++input) {
+            const bool curves = filter.input_kinds[std::min(input, filter.input_kind_count - 1)] == GUSSET_KIND_CURVES;
+            const float low = static_cast<float>(3 * input);
+            session.connect(input == 0 ? MAIN : "Input" + std::to_string(input + 1),
+                            curves ? ring(24) : tube(24, low, low + 1));
+        }
+        const Status status = session.cook();
+        CHECK((status == OK || (status == FAILED && !session.error().empty())));
+        const std::uint32_t *end = filter.output_kinds + filter.output_count;
+        const bool tells = std::all_of(filter.output_kinds, end, [](auto kind) { return kind == GUSSET_KIND_TEXT; });
+        if (status == OK && tells && filter.min_inputs > 0) {
+            CHECK(session.output.points == session.instance.input(MAIN).data.points);
+            CHECK(session.output.corners == session.instance.input(MAIN).data.corners);
+            CHECK(!session.instance.messages["OfxMessageLog"].empty());
+        }
+    }
+}
+
+TEST_CASE("parameters left alone suit the inputs, unless that is switched off") {
+    const MeshData mesh = tube(24, 0, 1);
+    for (std::uint32_t k = 0; k < tables().filter_count; ++k) {
+        const gusset_filter &filter = *tables().filter(k);
+        CAPTURE(filter.id);
+        Cooked session(filter.id);
+        const auto &params = session.instance.params.list;
+        if (params.empty() || params.back()->name != "suit_inputs" || filter.min_inputs != 1 ||
+            filter.input_kinds[0] != GUSSET_KIND_MESH) {
+            continue;
+        }
+        session.connect(MAIN, mesh);
+        const Status status = session.cook();
+        const MeshData suited = session.output;
+        std::vector<std::uint32_t> offsets;
+        for (std::uint32_t f = 0; f <= mesh.sizes.size(); ++f) {
+            offsets.push_back(4 * f);
+        }
+        const gusset_plugin_mesh view = {sizeof view,
+                                         mesh.points.data(),
+                                         0,
+                                         48,
+                                         offsets.data(),
+                                         mesh.corners.data(),
+                                         mesh.sizes.size(),
+                                         GUSSET_PLUGIN_F32,
+                                         0,
+                                         0,
+                                         0};
+        const gusset_input input = {sizeof input, &view, GUSSET_KIND_MESH, 0};
+        std::vector<double> values(filter.value_count);
+        REQUIRE(filter.suggest(&filter, &input, 1, values.data()) == GUSSET_PLUGIN_DONE);
+        for (std::uint32_t p = 0; p < filter.param_count; ++p) {
+            const gusset_param_info &info = *filter.param(&filter, p);
+            const double *first = values.data() + info.first_value;
+            const double unit = info.kind == GUSSET_PARAM_ANGLE ? 180 / 3.14159265358979323846 : 1;
+            session.instance.set(info.id, std::vector<double>(first, first + std::min(info.arity, 3u)));
+            session.instance.param(info.id).values[0] *= unit;
+            if (info.kind == GUSSET_PARAM_PLANE) {
+                session.instance.set(std::string(info.id) + "_offset", {first[3]});
+            }
+        }
+        session.instance.set("suit_inputs", {0});
+        CHECK(session.cook() == status);
+        CHECK(session.output.points == suited.points);
+        CHECK(session.output.corners == suited.corners);
+    }
 }
 
 TEST_CASE("bad meshes are refused with a sentence") {
