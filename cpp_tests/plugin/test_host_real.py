@@ -1,4 +1,4 @@
-"""gusset-host on real meshes and curves: test_host_real.py PROGRAM PLUGIN FOLDER DATA; the variable GUSSET_DATA goes before DATA.
+"""gusset-host on real meshes and curves: test_host_real.py PROGRAM PLUGIN FOLDER DATA; GUSSET_DATA goes before DATA.
 
 Any filter is tried on what its inputs may be until it takes it; some are held to what is known of the files.
 """
@@ -58,12 +58,13 @@ class Real(unittest.TestCase):
 
     def candidates(self, kinds, needed):
         """Combinations of files that suit the kinds; pieces that belong together first."""
-        meshes = [self.data / name for name in ("meshes/lion.off", "meshes/hole_capsule.off", "meshes/human_proxy741.obj")]
+        meshes = [self.data / f"meshes/{name}" for name in ("lion.off", "hole_capsule.off", "human_proxy741.obj")]
+        suited = {"mesh": [*meshes, self.hill], "curves": self.outlines}
         together = [[self.data / f"pairs/bunny_cut/{name}.off" for name in ("head", "body")],
                     [self.data / f"pairs/combustor/{name}.stl" for name in ("walls", "inlet", "outlet")]]
         whole = [pair[:len(kinds)] for pair in together if kinds == ["mesh"] * len(kinds) and len(kinds) > 1]
         for count in range(len(kinds), needed - 1, -1):
-            whole += itertools.product(*({"mesh": [*meshes, self.hill], "curves": self.outlines}[k] for k in kinds[:count]))
+            whole += itertools.product(*(suited[kind] for kind in kinds[:count]))
         return whole
 
     def check_output(self, path, kind):
