@@ -35,7 +35,8 @@ static void place(uint32_t form, double u, double v, double below, double *at) {
     }
 }
 
-/* A sheet of n x n quads; a tube, whose columns are closed; a sphere, whose first and last rows are fans of triangles. */
+/* A sheet of n x n quads; a tube, whose columns are closed; a sphere, whose first and last rows are fans of triangles.
+ */
 static void make_mesh(shapes *made, uint32_t k, uint32_t form, uint32_t n) {
     const int round = form != 0, poles = form == 2;
     const uint32_t columns = round ? n : n + 1, rows = n + 1;
