@@ -30,19 +30,29 @@ QString use_id(std::uint32_t input) { return QString("use_input_%1").arg(input +
 /// Whether the layer can be an input of this kind.
 bool fits(const CMeshO &layer, std::uint32_t kind) { return kind == GUSSET_KIND_CURVES ? layer.en > 0 : layer.fn > 0; }
 
-/// The current layer, and then the others that fit, visible ones first.
+/// For each input a layer that fits: the current one where it does, then visible ones, then others. Fewer if there are
+/// none.
 std::vector<const MeshModel *> candidates(const gusset_filter &filter, const MeshDocument &document) {
-    std::vector<const MeshModel *> found;
+    std::vector<const MeshModel *> layers, found;
     if (document.mm() != nullptr) {
-        found.push_back(document.mm());
+        layers.push_back(document.mm());
     }
     for (const bool visible : {true, false}) {
         for (const MeshModel &layer : document.meshIterator()) {
-            if (&layer != document.mm() && layer.isVisible() == visible &&
-                fits(layer.cm, input_kind(filter, found.size()))) {
-                found.push_back(&layer);
+            if (&layer != document.mm() && layer.isVisible() == visible && filter.max_inputs > 1) {
+                layers.push_back(&layer);
             }
         }
+    }
+    while (found.size() < filter.max_inputs) {
+        const auto layer = std::find_if(layers.begin(), layers.end(), [&](const MeshModel *one) {
+            return fits(one->cm, input_kind(filter, found.size()));
+        });
+        if (layer == layers.end()) {
+            break;
+        }
+        found.push_back(*layer);
+        layers.erase(layer);
     }
     return found;
 }
@@ -107,7 +117,9 @@ FilterPlugin::FilterArity GussetFilters::filterArity(const QAction *action) cons
 
 int GussetFilters::getPreConditions(const QAction *action) const {
     const gusset_filter &of = filter(action);
-    return of.min_inputs > 0 && input_kind(of, 0) == GUSSET_KIND_MESH ? MeshModel::MM_FACENUMBER : MeshModel::MM_NONE;
+    // It is the current layer that is looked at: where layers are chosen, a run says what is missing.
+    const bool faces = of.min_inputs == 1 && of.max_inputs == 1 && input_kind(of, 0) == GUSSET_KIND_MESH;
+    return faces ? MeshModel::MM_FACENUMBER : MeshModel::MM_NONE;
 }
 
 int GussetFilters::postCondition(const QAction *action) const {
@@ -128,19 +140,18 @@ RichParameterList GussetFilters::initParameterList(const QAction *action, const 
 
 RichParameterList GussetFilters::initParameterList(const QAction *action, const MeshDocument &document) {
     const gusset_filter &of = filter(action);
-    std::vector<const MeshModel *> layers =
-        of.max_inputs > 0 ? candidates(of, document) : std::vector<const MeshModel *>();
-    layers.resize(std::min<std::size_t>(layers.size(), of.max_inputs));
+    const std::vector<const MeshModel *> layers = candidates(of, document);
+    const MeshModel *usual = layers.empty() ? document.mm() : layers.back();
     RichParameterList list;
-    for (std::uint32_t k = 0; named(of) && k < of.max_inputs && !layers.empty(); ++k) {
+    for (std::uint32_t k = 0; named(of) && k < of.max_inputs && usual != nullptr; ++k) {
         const QString label = QString("Layer %1").arg(k + 1);
         if (k >= of.min_inputs) {
             list.addParam(RichBool(use_id(k), k < layers.size(), "With " + label.toLower(),
                                    "Whether this layer is an input too."));
         }
-        list.addParam(RichMesh(layer_id(k),
-                               static_cast<unsigned>(layers[std::min<std::size_t>(k, layers.size() - 1)]->id()),
-                               &document, label, QString("Input %1 of the filter.").arg(k + 1)));
+        const MeshModel *layer = k < layers.size() ? layers[k] : usual;
+        list.addParam(RichMesh(layer_id(k), static_cast<unsigned>(layer->id()), &document, label,
+                               QString("Input %1 of the filter.").arg(k + 1)));
     }
     Inputs inputs;
     for (const MeshModel *layer : layers) {
@@ -210,7 +221,11 @@ std::map<std::string, QVariant> GussetFilters::applyFilter(const QAction *action
             MeshModel *layer = nullptr;
             if (k == 0 && (of.flags & GUSSET_FILTER_REPLACES) != 0) {
                 layer = layers[0];
-                replace(*layer, outputs.mesh(k), inputs.faces(0));
+                if (outputs.kind(k) == GUSSET_KIND_MESH) {
+                    replace(*layer, outputs.mesh(k), inputs.faces(0));
+                } else {
+                    replace(*layer, outputs.curves(k));
+                }
             } else {
                 layer = document.addNewMesh(QString(), text(of.name));
                 layer->cm.Tr = layers.empty() ? Matrix44m::Identity() : layers[0]->cm.Tr;

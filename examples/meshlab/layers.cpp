@@ -53,6 +53,16 @@ void build(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &fac
     layer.updateBoxAndNormals();
 }
 
+/// Takes everything out of a layer, and with it what is known of its elements, but for the attributes named.
+void empty(MeshModel &layer, int keep) {
+    const int always = MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_VERTFLAG |
+                       MeshModel::MM_FACEVERT | MeshModel::MM_FACENORMAL | MeshModel::MM_FACEFLAG |
+                       MeshModel::MM_TRANSFMATRIX | MeshModel::MM_CAMERA;
+    layer.clearDataMask(layer.dataMask() & ~(keep | always));
+    layer.cm.Clear();
+    layer.cm.sfn = layer.cm.svn = 0;
+}
+
 /// What a vertex keeps as long as it stays where it is.
 struct Keepsake {
     vcg::Color4b colour;
@@ -126,13 +136,7 @@ void replace(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &b
     for (const CVertexO &vertex : cm.vert) {
         kept.emplace(place(vertex), Keepsake{vertex.cC(), vertex.cQ()});
     }
-    const int vertices_keep = MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY;
-    const int always = MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_VERTFLAG |
-                       MeshModel::MM_FACEVERT | MeshModel::MM_FACENORMAL | MeshModel::MM_FACEFLAG |
-                       MeshModel::MM_TRANSFMATRIX | MeshModel::MM_CAMERA;
-    layer.clearDataMask(layer.dataMask() & ~(vertices_keep | always));
-    cm.Clear();
-    cm.sfn = cm.svn = 0;
+    empty(layer, MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY);
     build(layer, mesh, faces);
     for (CVertexO &vertex : cm.vert) {
         if (const auto found = kept.find(place(vertex)); found != kept.end()) {
@@ -140,6 +144,11 @@ void replace(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &b
             vertex.Q() = found->second.quality;
         }
     }
+}
+
+void replace(MeshModel &layer, const gusset_plugin_curves &curves) {
+    empty(layer, 0);
+    fill(layer, curves);
 }
 
 void fill(MeshModel &layer, const gusset_plugin_mesh &mesh) { build(layer, mesh, faces_of(mesh)); }

@@ -43,6 +43,9 @@ private:
 /// others, colour and quality stay with the vertices that stay where they are, and other attributes are dropped.
 void replace(MeshModel &layer, const gusset_plugin_mesh &mesh, const Polygons &before);
 
+/// Puts polylines in the place of all that the layer has.
+void replace(MeshModel &layer, const gusset_plugin_curves &curves);
+
 /// Puts a mesh into a new layer.
 void fill(MeshModel &layer, const gusset_plugin_mesh &mesh);
 
