@@ -63,7 +63,7 @@ fn tilted(points: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
 fn measures_of_circles_and_squares() {
     let square = vec![[0.0; 3], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
     let curves = polylines(&[(square, true), (tilted(circle(24, 2.0, [0.0; 3])), true), (Vec::new(), false)]);
-    let outputs = run_on_curves("curve_measures", &[curves.clone()], &[]).unwrap();
+    let outputs = run_on_curves("curve_measures", std::slice::from_ref(&curves), &[]).unwrap();
     let report = text(&outputs[0]);
     let first = report.lines().next().unwrap();
     assert!(first.contains("closed, length 8, area 4, seen along (0 0 1), box (0 0 0) to (2 2 0)"), "{first}");
@@ -81,7 +81,7 @@ fn measures_of_circles_and_squares() {
 fn resampled_curves_have_points_as_asked() {
     let straight =
         polylines(&[(vec![[0.0; 3], [1.0, 0.0, 0.0], [4.0, 0.0, 0.0]], false), (circle(90, 1.0, [0.0; 3]), true)]);
-    let by_number = run_on_curves("curve_resample", &[straight.clone()], &[0.0, 0.0, 9.0]).unwrap();
+    let by_number = run_on_curves("curve_resample", std::slice::from_ref(&straight), &[0.0, 0.0, 9.0]).unwrap();
     let found = lines(&by_number[0]);
     assert_eq!((found.offsets.as_slice(), found.closed.as_slice()), (&[0, 9, 18][..], &[false, true][..]));
     assert!(curve(found, 0).iter().enumerate().all(|(k, p)| (p[0] - 0.5 * k as f64).abs() < 1e-9));
@@ -92,7 +92,7 @@ fn resampled_curves_have_points_as_asked() {
         })
         .collect();
     assert!(sides.iter().all(|side| (side - sides[0]).abs() < 1e-3), "{sides:?}");
-    let by_step = run_on_curves("curve_resample", &[straight.clone()], &[0.0, 1.0, 2.0, 1.5]).unwrap();
+    let by_step = run_on_curves("curve_resample", std::slice::from_ref(&straight), &[0.0, 1.0, 2.0, 1.5]).unwrap();
     let xs: Vec<f64> = curve(lines(&by_step[0]), 0).iter().map(|p| p[0]).collect();
     assert!(xs.iter().zip([0.0, 1.5, 3.0, 4.0]).all(|(x, y)| (x - y).abs() < 1e-9) && xs.len() == 4, "{xs:?}");
     // Few points on a smooth circle, none farther off than asked for.
@@ -113,7 +113,8 @@ fn offsets_of_circles_are_circles() {
         let lay = |points: Vec<[f64; 3]>| if plane { tilted(points) } else { points };
         let curves = polylines(&[(lay(circle(64, 2.0, [0.0; 3])), true)]);
         let named: &[(&str, &[f64])] = &[("between", &[2.0]), ("distance", &[0.5]), ("chord_error", &[1e-5])];
-        let outputs = run_on_curves("curve_offset", &[curves.clone()], &set("curve_offset", &curves, named)).unwrap();
+        let outputs =
+            run_on_curves("curve_offset", std::slice::from_ref(&curves), &set("curve_offset", &curves, named)).unwrap();
         let centre = if plane { [1.0, 2.0, 3.0] } else { [0.0; 3] };
         let off = |p: &[f64; 3]| radius(&[0, 1, 2].map(|k| p[k] - centre[k]));
         let points = curve(lines(&outputs[0]), 0);
@@ -130,7 +131,7 @@ fn offsets_of_circles_are_circles() {
     let curves = polylines(&[(vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.5], [0.0, 1.0, 0.0]], true)]);
     let refused = run_on_curves(
         "curve_offset",
-        &[curves.clone()],
+        std::slice::from_ref(&curves),
         &set("curve_offset", &curves, &[("plane", &[0.0, 0.0, 1.0, 0.0])]),
     );
     assert_eq!(refused, Err(Error::CurveNotPlane { point: 2 }));
@@ -152,7 +153,7 @@ fn curves_meet_where_formulas_say() {
         (eight.collect(), true),
         (vec![[0.0, 0.6, 0.25], [0.0, 0.6, 5.0]], false),
     ]);
-    let outputs = run_on_curves("curve_meet", &[curves.clone()], &[2.0, 0.0]).unwrap();
+    let outputs = run_on_curves("curve_meet", std::slice::from_ref(&curves), &[2.0, 0.0]).unwrap();
     let places = lines(&outputs[0]);
     let mut points = places.points.clone();
     points.sort_by(|p, q| p[0].total_cmp(&q[0]));
@@ -190,7 +191,7 @@ fn svg_paths_are_the_curves() {
         (vec![[0.0; 3], [2.0, 0.0, 0.0], [2.0, 1.5, 0.0]], true),
         (vec![[0.0; 3], [1.0, 1.0, 0.0]], false),
     ]);
-    let outputs = run_on_curves("curve_svg", &[square.clone()], &[]).unwrap();
+    let outputs = run_on_curves("curve_svg", std::slice::from_ref(&square), &[]).unwrap();
     assert_eq!(text(&outputs[0]), "M 0 0 L 2 0 L 2 1.5 L 0 0 Z\nM 0 0 L 1 1\n");
     let down = set("curve_svg", &square, &[("downwards", &[1.0])]);
     assert_eq!(
@@ -200,8 +201,12 @@ fn svg_paths_are_the_curves() {
     // Read by another library: the area of a smooth circle.
     let round = polylines(&[(tilted(circle(40, 3.0, [0.0; 3])), true)]);
     for (between, letter) in [(1.0, 'Q'), (2.0, 'C')] {
-        let path = run_on_curves("curve_svg", &[round.clone()], &set("curve_svg", &round, &[("between", &[between])]))
-            .unwrap();
+        let path = run_on_curves(
+            "curve_svg",
+            std::slice::from_ref(&round),
+            &set("curve_svg", &round, &[("between", &[between])]),
+        )
+        .unwrap();
         let path = text(&path[0]);
         assert!(path.contains(letter), "{path}");
         let area = kurbo::Shape::area(&kurbo::BezPath::from_svg(path).unwrap()).abs();
@@ -214,7 +219,7 @@ fn a_turned_line_is_a_cone_and_a_turned_circle_a_torus() {
     let line = polylines(&[(vec![[0.0; 3], [3.0, 0.0, 4.0]], false)]);
     let named: &[(&str, &[f64])] = &[("columns", &[500.0]), ("point", &[0.0; 3]), ("direction", &[0.0, 0.0, 1.0])];
     let (points, faces) = {
-        let outputs = run_on_curves("net_lathe", &[line.clone()], &set("net_lathe", &line, named)).unwrap();
+        let outputs = run_on_curves("net_lathe", std::slice::from_ref(&line), &set("net_lathe", &line, named)).unwrap();
         let (points, faces) = mesh(&outputs[0]);
         (points, faces.into_iter().map(<[u32]>::to_vec).collect::<Vec<_>>())
     };
@@ -224,7 +229,7 @@ fn a_turned_line_is_a_cone_and_a_turned_circle_a_torus() {
     let ring = polylines(&[(circle(100, 1.0, [8.0, 0.0, 2.0]).iter().map(|p| [p[0], 0.0, p[1]]).collect(), true)]);
     let named: &[(&str, &[f64])] =
         &[("columns", &[300.0]), ("point", &[5.0, 0.0, 7.0]), ("direction", &[0.0, 0.0, 2.0])];
-    let outputs = run_on_curves("net_lathe", &[ring.clone()], &set("net_lathe", &ring, named)).unwrap();
+    let outputs = run_on_curves("net_lathe", std::slice::from_ref(&ring), &set("net_lathe", &ring, named)).unwrap();
     let (points, faces) = mesh(&outputs[0]);
     assert_eq!(common::euler(faces.iter().copied()), 0);
     assert!(common::edge_counts(faces.iter().copied()).values().all(|&count| count == (1, 1)));
@@ -237,7 +242,7 @@ fn a_turned_line_is_a_cone_and_a_turned_circle_a_torus() {
     let half = (0..21).map(|k| (PI * f64::from(k) / 20.0).sin_cos()).map(|(sin, cos)| [sin, 0.0, cos]).collect();
     let half = polylines(&[(half, false)]);
     let named: &[(&str, &[f64])] = &[("rows", &[31.0]), ("between", &[2.0]), ("columns", &[40.0])];
-    let outputs = run_on_curves("net_lathe", &[half.clone()], &set("net_lathe", &half, named)).unwrap();
+    let outputs = run_on_curves("net_lathe", std::slice::from_ref(&half), &set("net_lathe", &half, named)).unwrap();
     let (points, faces) = mesh(&outputs[0]);
     assert_eq!((points.len(), common::euler(faces.iter().copied())), (29 * 40 + 2, 2));
     assert!(points.iter().all(|p| (radius(p) - 1.0).abs() < 1e-3));

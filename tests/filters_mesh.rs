@@ -79,7 +79,7 @@ fn check_names_what_is_wrong() {
     soup.face(&[5, 6, 12]);
     soup.face(&[0, 1, 5, 4]);
     soup.face(&[2, 3, 14]);
-    let faulty = run_on("check", &[soup.clone()], &[]).unwrap();
+    let faulty = run_on("check", std::slice::from_ref(&soup), &[]).unwrap();
     let faulty = text(&faulty[0]);
     for line in
         ["faces that are there already: 7\n", "faces without area: 8\n", "vertices without faces: 13\n", "not manifold"]
@@ -102,7 +102,7 @@ fn check_names_what_is_wrong() {
 fn facing_arcs_are_on_the_side_of_the_other_loop() {
     // Two circles side by side in a plane: of each the half that looks at the other, without the two points abreast.
     let loops = polylines(&[(circle(40, 1.0, [0.0; 3]), true), (circle(24, 1.0, [5.0, 0.0, 0.0]), true)]);
-    let outputs = run_on_curves("facing_arcs", &[loops.clone()], &[]).unwrap();
+    let outputs = run_on_curves("facing_arcs", std::slice::from_ref(&loops), &[]).unwrap();
     let arcs = lines(&outputs[0]);
     assert_eq!(arcs.closed, [false, false]);
     assert_eq!([curve(arcs, 0).len(), curve(arcs, 1).len()], [19, 11], "{}", text(&outputs[1]));
@@ -110,7 +110,7 @@ fn facing_arcs_are_on_the_side_of_the_other_loop() {
     // From end to end, across the first point of the list.
     let ys: Vec<f64> = curve(arcs, 0).iter().map(|p| p[1]).collect();
     assert!(ys.windows(2).all(|pair| pair[0] < pair[1]), "{ys:?}");
-    let outputs = run_on_curves("facing_arcs", &[loops.clone()], &[0.0, 1.0, 0.0, 0.0, 0.9]).unwrap();
+    let outputs = run_on_curves("facing_arcs", std::slice::from_ref(&loops), &[0.0, 1.0, 0.0, 0.0, 0.9]).unwrap();
     assert!(curve(lines(&outputs[0]), 0).iter().all(|p| p[0] > 0.9));
     let missing = run_on_curves("facing_arcs", &[loops], &[0.0, 2.0]);
     assert_eq!(missing, Err(Error::OptionOutOfRange { option: "curve_b", value: 2.0 }));
@@ -123,7 +123,7 @@ fn facing_arcs_are_on_the_side_of_the_other_loop() {
 #[test]
 fn strips_span_two_curves() {
     let rings = polylines(&[(circle(16, 1.0, [0.0; 3]), true), (circle(12, 1.0, [0.0, 0.0, 2.0]), true)]);
-    let outputs = run_on_curves("strip", &[rings.clone()], &[]).unwrap();
+    let outputs = run_on_curves("strip", std::slice::from_ref(&rings), &[]).unwrap();
     let (points, faces) = mesh(&outputs[0]);
     assert_eq!((points.len(), faces.len()), (28, 28));
     assert_eq!(common::euler(faces.iter().copied()), 0);
@@ -155,7 +155,8 @@ fn what_is_joined_or_deformed_keeps_its_faces() {
     let given = [Input::Mesh(soup.view())];
     let faces: Vec<&[u32]> = soup.faces().collect();
     // A twist by an angle for each unit of height, round the z axis.
-    let twisted = run_on("deform", &[soup.clone()], &values("deform", &given, &[("amount", &[0.7])])).unwrap();
+    let twisted =
+        run_on("deform", std::slice::from_ref(&soup), &values("deform", &given, &[("amount", &[0.7])])).unwrap();
     let (points, twisted_faces) = mesh(&twisted[0]);
     assert_eq!(twisted_faces, faces);
     for (p, q) in soup.points.iter().zip(&points) {
@@ -163,7 +164,7 @@ fn what_is_joined_or_deformed_keeps_its_faces() {
         let expected = [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1], p[2]];
         assert!((0..3).all(|k| (expected[k] - q[k]).abs() < 1e-12), "{q:?} {expected:?}");
     }
-    let same = run_on("deform", &[soup.clone()], &values("deform", &given, &[("amount", &[0.0])])).unwrap();
+    let same = run_on("deform", std::slice::from_ref(&soup), &values("deform", &given, &[("amount", &[0.0])])).unwrap();
     assert_eq!(mesh(&same[0]).0, soup.points);
 }
 
@@ -178,7 +179,7 @@ fn projections_land_on_the_plane_along_their_lines() {
     for (along, way) in cases {
         let set: &[(&str, &[f64])] =
             &[("plane", plane), ("along", &[along]), ("direction", &[1.0, 0.0, 1.0]), ("eye", &[10.0, 20.0, 30.0])];
-        let outputs = run_on("project", &[soup.clone()], &values("project", &given, set)).unwrap();
+        let outputs = run_on("project", std::slice::from_ref(&soup), &values("project", &given, set)).unwrap();
         let (points, _) = mesh(&outputs[0]);
         for (p, q) in soup.points.iter().zip(&points) {
             let moved = [0, 1, 2].map(|k| q[k] - p[k]);
@@ -189,13 +190,14 @@ fn projections_land_on_the_plane_along_their_lines() {
     }
     for (along, option, set) in [(1.0, "direction", [3.0, -2.0, 0.0]), (2.0, "eye", [7.0, 0.0, 0.0])] {
         let set: &[(&str, &[f64])] = &[("plane", plane), ("along", &[along]), (option, &set)];
-        match run_on("project", &[soup.clone()], &values("project", &given, set)) {
+        match run_on("project", std::slice::from_ref(&soup), &values("project", &given, set)) {
             Err(Error::OptionOutOfRange { option: found, .. }) => assert_eq!(found, option),
             other => panic!("{option}: {:?}", other.err()),
         }
     }
     // Suggested: the plane under the mesh, so that half the way halves heights above it.
-    let half = run_on("project", &[soup.clone()], &values("project", &given, &[("strength", &[0.5])])).unwrap();
+    let half =
+        run_on("project", std::slice::from_ref(&soup), &values("project", &given, &[("strength", &[0.5])])).unwrap();
     let low = soup.points.iter().map(|p| p[2]).fold(f64::MAX, f64::min);
     for (p, q) in soup.points.iter().zip(mesh(&half[0]).0) {
         assert!((q[2] - (p[2] + low) / 2.0).abs() < 1e-12 && p[0] == q[0]);

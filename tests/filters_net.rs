@@ -91,7 +91,7 @@ fn thinned_out_grids_stay_near() {
     let tube = run("net_shape", &[], &[("shape", &[3.0])]).unwrap();
     let (points, faces) = mesh(&tube[0]);
     let tube = Soup::new(points, &faces);
-    let outputs = run("net_decimate", &[tube.clone()], &[("tolerance", &[0.02])]).unwrap();
+    let outputs = run("net_decimate", std::slice::from_ref(&tube), &[("tolerance", &[0.02])]).unwrap();
     let (points, faces) = mesh(&outputs[0]);
     assert_eq!(common::euler(faces.iter().copied()), 0);
     // A chord of a circle of radius 1 is off by at most half the tolerance: 1 - cos(x / 2) <= 0.01 for x <= 0.283.
@@ -150,7 +150,7 @@ fn measures_of_spheres_tori_and_saddles() {
     // One crooked quad of two: its corner is lifted by 1 over a diagonal of 3^(1/2).
     let mut two = sheet(2, 1);
     two.points[0][2] = 1.0;
-    let report = run("net_measures", &[two.clone()], &[("planarity", &[0.1])]).unwrap();
+    let report = run("net_measures", std::slice::from_ref(&two), &[("planarity", &[0.1])]).unwrap();
     let report = text(&report[0]);
     assert!(report.contains("1 quads off") && !report.contains("volume"), "{report}");
     // Its corners are |(b - a) + (d - c)| / 4 along the normal from the plane between the diagonals.

@@ -9,6 +9,30 @@
 static gusset_context *context;
 static double nodes[ROWS][COLUMNS][3], heights[ROWS][COLUMNS];
 
+/* Cones of normals from the start, or not: also as the options were when they had none. */
+static void cones(const gusset_sheet *sheet) {
+    gusset_carcass_options options;
+    gusset_carcass_facts facts;
+    gusset_carcass *made = NULL;
+    memset(&options, 0, sizeof options), memset(&facts, 0, sizeof facts);
+    options.struct_size = sizeof options, facts.struct_size = sizeof facts;
+    options.cones = 2;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_carcass_create(context, &sheet, 1, &options, &made));
+    options.cones = 1, options.reserved = 1;
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_carcass_create(context, &sheet, 1, &options, &made));
+    CHECK(made == NULL);
+    options.reserved = 0;
+    EXPECT(GUSSET_OK, gusset_carcass_create(context, &sheet, 1, &options, &made));
+    EXPECT(GUSSET_OK, gusset_carcass_info(made, &facts));
+    CHECK(facts.cone_bytes > 0);
+    gusset_carcass_destroy(made);
+    options.struct_size = 16;
+    EXPECT(GUSSET_OK, gusset_carcass_create(context, &sheet, 1, &options, &made));
+    EXPECT(GUSSET_OK, gusset_carcass_info(made, &facts));
+    CHECK(facts.cone_bytes == 0);
+    gusset_carcass_destroy(made);
+}
+
 /* A torus of radii 1 and 0.4; the last lines repeat the first to the bit. */
 static gusset_carcass *torus(void) {
     const double tau = 6.283185307179586;
@@ -32,6 +56,7 @@ static gusset_carcass *torus(void) {
     given.scalar = GUSSET_F64;
     given.closed_u = given.closed_v = 1;
     EXPECT(GUSSET_OK, gusset_sheet_from_nodes(context, &given, &sheet));
+    cones(sheet);
     EXPECT(GUSSET_OK, gusset_carcass_create(context, (const gusset_sheet *const *)&sheet, 1, NULL, &made));
     gusset_sheet_destroy(sheet);
     return made;

@@ -6,9 +6,10 @@
 
 static const gusset_plugin *plugin;
 
-/* One of a filter's inputs is wrong; the others are good. Index and element are what the account names; element 0: nothing. */
-static void expect(const gusset_filter *filter, const gusset_input *inputs, uint32_t count, uint32_t which, int32_t status,
-                   uint32_t element, uint64_t index, int line) {
+/* One of a filter's inputs is wrong; the others are good. Index and element are what the account names; element 0:
+ * nothing. */
+static void expect(const gusset_filter *filter, const gusset_input *inputs, uint32_t count, uint32_t which,
+                   int32_t status, uint32_t element, uint64_t index, int line) {
     gusset_outputs *outputs = NULL;
     gusset_failure failure = {0};
     const int32_t got = filter->run(filter, NULL, inputs, count, NULL, 0, &outputs);
@@ -16,8 +17,8 @@ static void expect(const gusset_filter *filter, const gusset_input *inputs, uint
     CHECK_OF(filter->id, outputs != NULL && plugin->output_failure(outputs, &failure) == GUSSET_PLUGIN_DONE);
     if (got != status || failure.input != which || failure.param != GUSSET_PLUGIN_NONE || failure.message[0] == '\0' ||
         (element != 0 && (failure.element != element || failure.index != index))) {
-        printf("%s:%d: %s: input %u: %s (status %d, not %d; input %u; element %u, index %llu, not %u, %llu)\n", __FILE__, line,
-               filter->id, which, failure.message, got, status, failure.input, failure.element,
+        printf("%s:%d: %s: input %u: %s (status %d, not %d; input %u; element %u, index %llu, not %u, %llu)\n",
+               __FILE__, line, filter->id, which, failure.message, got, status, failure.input, failure.element,
                (unsigned long long)failure.index, element, (unsigned long long)index);
         ++failures;
     }

@@ -1,5 +1,5 @@
-// How long after a request to stop a run returns, for each filter on large shapes. Prints a table, and fails above a tenth of a
-// second. No test of `make test`, which has none that look at clocks.
+// How long after a request to stop a run returns, for each filter on large shapes. Prints a table, and fails above a
+// tenth of a second. No test of `make test`, which has none that look at clocks.
 #include "shapes.h"
 
 #include <CLI/CLI.hpp>
@@ -39,9 +39,11 @@ private:
     }
 };
 
-/// Other programs at work lengthen the one, threads of our own the other. A machine of our own, on which neither is so, would
-/// need no more than the lesser.
-Milliseconds between(const Instant &from, const Instant &to) { return std::min(to.wall - from.wall, to.work - from.work); }
+/// Other programs at work lengthen the one, threads of our own the other. A machine of our own, on which neither is so,
+/// would need no more than the lesser.
+Milliseconds between(const Instant &from, const Instant &to) {
+    return std::min(to.wall - from.wall, to.work - from.work);
+}
 
 /// A run that stops when it is asked to, and the longest time that it did not ask.
 struct Run {
@@ -178,8 +180,8 @@ bool measure(const gusset_plugin &plugin, const gusset_filter &filter, uint32_t 
     }
     std::sort(late.begin(), late.end());
     const double median = late.empty() ? 0 : late[late.size() / 2], worst = late.empty() ? 0 : late.back();
-    std::printf("%-20s %s%8.0f %8.1f %8.1f %5zu %10.1f  after \"%s\"\n", filter.id, cut ? ">" : " ", time.count(), median, worst,
-                late.size(), whole.silence.count(), whole.silent_after.c_str());
+    std::printf("%-20s %s%8.0f %8.1f %8.1f %5zu %10.1f  after \"%s\"\n", filter.id, cut ? ">" : " ", time.count(),
+                median, worst, late.size(), whole.silence.count(), whole.silent_after.c_str());
     std::fflush(stdout);
     return worst <= limit;
 }
@@ -199,14 +201,15 @@ int main(int argc, char **argv) {
     CLI11_PARSE(app, argc, argv);
 
     void *open = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-    const auto entry = open != nullptr ? reinterpret_cast<gusset_plugin_entry_fn>(dlsym(open, "gusset_plugin_entry")) : nullptr;
+    const auto entry =
+        open != nullptr ? reinterpret_cast<gusset_plugin_entry_fn>(dlsym(open, "gusset_plugin_entry")) : nullptr;
     const gusset_plugin *plugin = entry != nullptr ? entry(GUSSET_PLUGIN_ABI) : nullptr;
     if (plugin == nullptr) {
         std::fprintf(stderr, "%s is no plugin of ABI %d\n", library.c_str(), GUSSET_PLUGIN_ABI);
         return 2;
     }
-    std::printf("%u x %u faces or points, times in ms\n%-20s %9s %8s %8s %5s %10s\n", size, size, "filter", "run", "median",
-                "worst", "of", "silence");
+    std::printf("%u x %u faces or points, times in ms\n%-20s %9s %8s %8s %5s %10s\n", size, size, "filter", "run",
+                "median", "worst", "of", "silence");
     bool good = true;
     for (uint32_t i = 0; i < plugin->filter_count; ++i) {
         const gusset_filter &filter = *plugin->filter(i);

@@ -54,7 +54,8 @@ int main(int argc, char **argv) {
     gusset_outputs *refused = NULL;
     CHECK(works[0].plugin->filter(0)->run(theirs, NULL, NULL, 0, NULL, 0, &refused) != GUSSET_PLUGIN_DONE);
     works[0].plugin->output_free(refused);
-    CHECK(works[0].plugin->filter_count == works[1].plugin->filter_count && works[0].plugin->filter_count <= MOST_FILTERS);
+    CHECK(works[0].plugin->filter_count == works[1].plugin->filter_count &&
+          works[0].plugin->filter_count <= MOST_FILTERS);
     if (failures != 0) {
         return 1;
     }

@@ -18,8 +18,8 @@ class Host:
         return subprocess.run(self.command(*arguments), cwd=self.folder, capture_output=True, text=True, timeout=300)
 
     def filters(self):
-        """For each id the kinds of its inputs, how many of them it needs, and the kinds of its outputs; three of those inputs that
-        may be any number."""
+        """For each id the kinds of its inputs, how many of them it needs, and the kinds of its outputs; three of those
+        inputs that may be any number."""
         found = {}
         for line in self("list").stdout.splitlines():
             name, inputs, outputs, _ = [part.strip() for part in line.split("  ") if part.strip()]

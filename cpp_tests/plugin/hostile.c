@@ -22,7 +22,8 @@ typedef struct attempt {
 static gusset_failure failed(const char *what, const attempt *of, const gusset_filter *self) {
     gusset_outputs *outputs = NULL;
     gusset_failure failure = {0};
-    const int32_t status = of->filter->run(self, of->host, of->inputs, of->input_count, of->values, of->value_count, &outputs);
+    const int32_t status =
+        of->filter->run(self, of->host, of->inputs, of->input_count, of->values, of->value_count, &outputs);
     failure.struct_size = sizeof failure;
     CHECK_OF(what, status != GUSSET_PLUGIN_DONE && outputs != NULL);
     CHECK_OF(what, plugin->output_failure(outputs, &failure) == GUSSET_PLUGIN_DONE && failure.status == status);
@@ -35,7 +36,7 @@ static gusset_failure failed(const char *what, const attempt *of, const gusset_f
 
 #define EXPECT(of, expected, input_, attempt_)                                                                         \
     do {                                                                                                               \
-        const gusset_failure got_ = failed(#attempt_, &(attempt_), (attempt_).filter);                                  \
+        const gusset_failure got_ = failed(#attempt_, &(attempt_), (attempt_).filter);                                 \
         if (got_.status != (expected) || got_.input != (input_)) {                                                     \
             printf("%s:%d: %s: status %d and input %d, not %s and %d\n", __FILE__, __LINE__, (of), got_.status,        \
                    (int)got_.input, #expected, (int)(input_));                                                         \
@@ -89,7 +90,8 @@ static void check_pointers(const gusset_filter *filter, const shapes *made) {
     gusset_outputs **odd = (gusset_outputs **)(void *)((char *)room + 1);
     CHECK_OF(filter->id, filter->run(filter, NULL, made->inputs, made->count, NULL, 0, odd) == MISALIGNED);
     CHECK_OF(filter->id, filter->suggest(NULL, made->inputs, made->count, (double *)room) == IS_NULL);
-    CHECK_OF(filter->id, filter->value_count == 0 || filter->suggest(filter, made->inputs, made->count, NULL) == IS_NULL);
+    CHECK_OF(filter->id,
+             filter->value_count == 0 || filter->suggest(filter, made->inputs, made->count, NULL) == IS_NULL);
 
     bad.value_count = 1;
     EXPECT(filter->id, filter->value_count == 0 ? OUT_OF_RANGE : IS_NULL, GUSSET_PLUGIN_NONE, bad);
@@ -117,9 +119,11 @@ static void check_values(const gusset_filter *filter, const shapes *made) {
     CHECK_OF(filter->id, filter->suggest(filter, made->inputs, made->count, values) == GUSSET_PLUGIN_DONE);
     for (uint32_t i = 0; i < filter->param_count; ++i) {
         const gusset_param_info *param = filter->param(filter, i);
-        const int whole = param->kind == GUSSET_PARAM_BOOL || param->kind == GUSSET_PARAM_INT || param->kind == GUSSET_PARAM_CHOICE;
-        const double wrong[] = {nextafter(param->min, -INFINITY), nextafter(param->max, INFINITY), NAN, INFINITY, -INFINITY,
-                                whole ? param->min + 0.5 : NAN};
+        const int whole =
+            param->kind == GUSSET_PARAM_BOOL || param->kind == GUSSET_PARAM_INT || param->kind == GUSSET_PARAM_CHOICE;
+        const double wrong[] = {
+            nextafter(param->min, -INFINITY), nextafter(param->max, INFINITY), NAN, INFINITY, -INFINITY,
+            whole ? param->min + 0.5 : NAN};
         for (uint32_t k = 0; k < param->arity; ++k) {
             double *value = values + param->first_value + k;
             const double kept = *value;
@@ -128,7 +132,8 @@ static void check_values(const gusset_filter *filter, const shapes *made) {
                 *value = wrong[w];
                 const gusset_failure failure = failed(param->id, &bad, filter);
                 CHECK_OF(param->id, failure.status == GUSSET_PLUGIN_OUT_OF_RANGE && failure.param == i);
-                CHECK_OF(param->id, failure.input == GUSSET_PLUGIN_NONE && memcmp(&failure.value, value, sizeof *value) == 0);
+                CHECK_OF(param->id,
+                         failure.input == GUSSET_PLUGIN_NONE && memcmp(&failure.value, value, sizeof *value) == 0);
             }
             *value = kept;
         }

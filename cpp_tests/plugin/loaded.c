@@ -27,13 +27,14 @@ gusset_plugin_entry_fn entry_of(void *library) {
     return entry;
 }
 
-gusset_outputs *run_on_shapes(const gusset_plugin *plugin, const gusset_filter *filter, const gusset_host *host, uint32_t size,
-                              shapes *made) {
+gusset_outputs *run_on_shapes(const gusset_plugin *plugin, const gusset_filter *filter, const gusset_host *host,
+                              uint32_t size, shapes *made) {
     for (uint32_t number = 0; number < TRIES; ++number) {
         gusset_outputs *outputs = NULL;
         double *values = malloc((filter->value_count + 1) * sizeof *values);
         shapes_make(made, filter, number, size);
-        int32_t status = values == NULL ? GUSSET_PLUGIN_OUT_OF_MEMORY : filter->suggest(filter, made->inputs, made->count, values);
+        int32_t status =
+            values == NULL ? GUSSET_PLUGIN_OUT_OF_MEMORY : filter->suggest(filter, made->inputs, made->count, values);
         if (status == GUSSET_PLUGIN_DONE) {
             status = filter->run(filter, host, made->inputs, made->count, values, filter->value_count, &outputs);
         }
@@ -69,8 +70,8 @@ static int same_curves(const gusset_plugin_curves *a, const gusset_plugin_curves
            same_bytes(a->closed, b->closed, a->curve_count);
 }
 
-static int same_output(const gusset_plugin *a, const gusset_outputs *of_a, const gusset_plugin *b, const gusset_outputs *of_b,
-                       uint32_t index) {
+static int same_output(const gusset_plugin *a, const gusset_outputs *of_a, const gusset_plugin *b,
+                       const gusset_outputs *of_b, uint32_t index) {
     gusset_plugin_mesh meshes[2] = {{0}, {0}};
     gusset_plugin_curves curves[2] = {{0}, {0}};
     meshes[0].struct_size = meshes[1].struct_size = sizeof meshes[0];
@@ -92,7 +93,8 @@ static int same_output(const gusset_plugin *a, const gusset_outputs *of_a, const
     }
 }
 
-int same_outputs(const gusset_plugin *a, const gusset_outputs *of_a, const gusset_plugin *b, const gusset_outputs *of_b) {
+int same_outputs(const gusset_plugin *a, const gusset_outputs *of_a, const gusset_plugin *b,
+                 const gusset_outputs *of_b) {
     if (of_a == NULL || of_b == NULL || a->output_count(of_a) != b->output_count(of_b)) {
         return 0;
     }

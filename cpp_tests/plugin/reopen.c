@@ -16,7 +16,8 @@ static int is_loaded(void) {
     return library != NULL && dlclose(library) == 0;
 }
 
-/* One life of the library: two threads of its own come and go, and something of the caller's thread is kept for its end. */
+/* One life of the library: two threads of its own come and go, and something of the caller's thread is kept for its
+ * end. */
 static void open_run_close(void) {
     void *library = open_library(path);
     const gusset_plugin *plugin = entry_of(library)(GUSSET_PLUGIN_ABI);

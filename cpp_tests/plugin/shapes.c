@@ -35,7 +35,8 @@ static void place(uint32_t form, double u, double v, double below, double *at) {
     }
 }
 
-/* A sheet of n x n quads; a tube, whose columns are closed; a sphere, whose first and last rows are fans of triangles. */
+/* A sheet of n x n quads; a tube, whose columns are closed; a sphere, whose first and last rows are fans of triangles.
+ */
 static void make_mesh(shapes *made, uint32_t k, uint32_t form, uint32_t n) {
     const int round = form != 0, poles = form == 2;
     const uint32_t columns = round ? n : n + 1, rows = n + 1;
@@ -87,30 +88,32 @@ static void make_mesh(shapes *made, uint32_t k, uint32_t form, uint32_t n) {
     made->inputs[k].view = mesh;
 }
 
-/* n rings of n points each, one above the other, with three waves. */
-static void make_curves(shapes *made, uint32_t k, int closed, uint32_t n) {
-    double *points = room(3 * (size_t)n * n, sizeof *points);
-    uint32_t *offsets = room((size_t)n + 1, sizeof *offsets);
-    uint8_t *flags = room(n, 1);
-    for (uint32_t c = 0; c < n; ++c) {
-        for (uint32_t p = 0; p < n; ++p) {
-            double *at = points + 3 * ((size_t)c * n + p);
-            const double angle = turn * p / n, radius = 1 + 0.1 * sin(3 * angle);
-            at[0] = radius * cos(angle);
+/* Rings with three waves, of about n x n points in all. */
+static void make_curves(shapes *made, uint32_t k, uint32_t number, uint32_t n) {
+    const int flat = number == 2 || number == 3, closed = number == 0 || number == 2;
+    const uint32_t count = number == 3 ? 1 : flat ? 2 : n, each = n * n / count;
+    double *points = room(3 * (size_t)count * each, sizeof *points);
+    uint32_t *offsets = room((size_t)count + 1, sizeof *offsets);
+    uint8_t *flags = room(count, 1);
+    for (uint32_t c = 0; c < count; ++c) {
+        for (uint32_t p = 0; p < each; ++p) {
+            double *at = points + 3 * ((size_t)c * each + p);
+            const double angle = turn * p / each, radius = 1 + 0.1 * sin(3 * angle);
+            at[0] = radius * cos(angle) + (flat ? 3.0 * c : 0);
             at[1] = radius * sin(angle);
-            at[2] = 0.25 * c + 3.0 * k;
+            at[2] = flat ? 0 : 0.25 * c + 3.0 * k;
         }
-        offsets[c + 1] = (c + 1) * n;
+        offsets[c + 1] = (c + 1) * each;
         flags[c] = (uint8_t)closed;
     }
     gusset_plugin_curves *curves = &made->views[k].curves;
     memset(curves, 0, sizeof *curves);
     curves->struct_size = sizeof *curves;
     curves->points = points;
-    curves->point_count = (size_t)n * n;
+    curves->point_count = (size_t)count * each;
     curves->offsets = offsets;
     curves->closed = flags;
-    curves->curve_count = n;
+    curves->curve_count = count;
     curves->scalar = GUSSET_PLUGIN_F64;
     made->memory[k][0] = points;
     made->memory[k][1] = offsets;
@@ -120,7 +123,7 @@ static void make_curves(shapes *made, uint32_t k, int closed, uint32_t n) {
 
 void shapes_make(shapes *made, const gusset_filter *filter, uint32_t number, uint32_t size) {
     memset(made, 0, sizeof *made);
-    const uint32_t wanted = number == 3 ? 1 : 2;
+    const uint32_t wanted = number < 3 ? 2 : 1;
     made->count = filter->max_inputs < wanted ? filter->max_inputs : wanted;
     if (made->count < filter->min_inputs) {
         made->count = filter->min_inputs;
@@ -134,7 +137,7 @@ void shapes_make(shapes *made, const gusset_filter *filter, uint32_t number, uin
         made->inputs[k].struct_size = sizeof made->inputs[k];
         made->inputs[k].kind = filter->input_kinds[k < last ? k : last];
         if (made->inputs[k].kind == GUSSET_KIND_CURVES) {
-            make_curves(made, k, number % 2 == 0, size);
+            make_curves(made, k, number, size);
         } else {
             make_mesh(made, k, number % 3, size);
         }

@@ -46,7 +46,8 @@ static int is_whole(uint32_t kind) {
 /* Whether a parameter of the filter takes these values. */
 static int accepts(const gusset_param_info *param, const double *values) {
     for (uint32_t k = 0; k < param->arity; ++k) {
-        if (!(values[k] >= param->min && values[k] <= param->max) || (is_whole(param->kind) && floor(values[k]) != values[k])) {
+        if (!(values[k] >= param->min && values[k] <= param->max) ||
+            (is_whole(param->kind) && floor(values[k]) != values[k])) {
             return 0;
         }
     }
@@ -103,11 +104,13 @@ static void check_kinds(const gusset_filter *filter) {
     CHECK_OF(filter->id, filter->min_inputs <= filter->max_inputs);
     CHECK_OF(filter->id, (filter->input_kind_count == 0) == (filter->max_inputs == 0));
     for (uint32_t i = 0; i < filter->input_kind_count; ++i) {
-        CHECK_OF(filter->id, filter->input_kinds[i] == GUSSET_KIND_MESH || filter->input_kinds[i] == GUSSET_KIND_CURVES);
+        CHECK_OF(filter->id,
+                 filter->input_kinds[i] == GUSSET_KIND_MESH || filter->input_kinds[i] == GUSSET_KIND_CURVES);
     }
     CHECK_OF(filter->id, filter->output_count > 0);
     for (uint32_t i = 0; i < filter->output_count; ++i) {
-        CHECK_OF(filter->id, filter->output_kinds[i] >= GUSSET_KIND_MESH && filter->output_kinds[i] <= GUSSET_KIND_TEXT);
+        CHECK_OF(filter->id,
+                 filter->output_kinds[i] >= GUSSET_KIND_MESH && filter->output_kinds[i] <= GUSSET_KIND_TEXT);
     }
     CHECK_OF(filter->id, (filter->flags & ~(uint32_t)GUSSET_FILTER_REPLACES) == 0);
     if (filter->flags & GUSSET_FILTER_REPLACES) {
@@ -133,7 +136,8 @@ static void check_suggest(const gusset_filter *filter) {
     CHECK_OF(filter->id, filter->suggest(filter, NULL, UINT32_MAX, values) != GUSSET_PLUGIN_DONE);
     for (uint32_t i = 0; i < filter->param_count; ++i) {
         const gusset_param_info *param = filter->param(filter, i);
-        CHECK_OF(param->id, memcmp(values + param->first_value, param->default_values, param->arity * sizeof(double)) == 0);
+        CHECK_OF(param->id,
+                 memcmp(values + param->first_value, param->default_values, param->arity * sizeof(double)) == 0);
     }
 }
 
@@ -167,7 +171,8 @@ int main(int argc, char **argv) {
         }
         CHECK_OF(filter->id, filter->struct_size >= sizeof *filter && filter->reserved == 0);
         CHECK_OF(filter->id, is_name(filter->id) && is_name(filter->script_name));
-        CHECK_OF(filter->id, filled(filter->name) && filled(filter->category) && filled(filter->help) && filled(filter->reference));
+        CHECK_OF(filter->id,
+                 filled(filter->name) && filled(filter->category) && filled(filter->help) && filled(filter->reference));
         CHECK_OF(filter->id, plugin->find(filter->id) == filter && plugin->filter(i) == filter);
         for (uint32_t j = 0; j < i; ++j) {
             const gusset_filter *other = plugin->filter(j);

@@ -11,10 +11,10 @@ from host_files import grid, read_obj, read_off, write_obj, write_off
 
 DONE, USAGE, FILE, PLUGIN, REFUSED, CANCELLED = range(6)
 
-# Three faces at an edge, two of them turned against each other, a pentagon, a bow tie and a vertex that no face uses; coordinates
-# that need all their digits.
-SOUP = [(0, 0, 0), (1, 0, 0), (1 / 3, 1, 0), (0.1, -1.0000000000000002, 2e-17), (0.5, 0.5, 1), (9, 9, 9), (2, 0, 0), (2, 1, 0),
-        (3, 1.1, 0), (3, -1, 0), (4, 4, 4), (5, 5, 4)]
+# Three faces at an edge, two of them turned against each other, a pentagon, a bow tie and a vertex that no face uses;
+# coordinates that need all their digits.
+SOUP = [(0, 0, 0), (1, 0, 0), (1 / 3, 1, 0), (0.1, -1.0000000000000002, 2e-17), (0.5, 0.5, 1), (9, 9, 9), (2, 0, 0),
+        (2, 1, 0), (3, 1.1, 0), (3, -1, 0), (4, 4, 4), (5, 5, 4)]
 SOUP_FACES = [[0, 1, 2], [0, 1, 3], [1, 0, 4], [1, 6, 7, 8, 9], [2, 10, 11]]
 
 
@@ -89,7 +89,7 @@ class Program(unittest.TestCase):
     def test_curves_are_lines(self):
         self.expect(DONE, "run", "boundary_loops", "grid.obj", "-o", "rim.obj", says="1 boundary loops, 38 edges")
         vertices, faces, [line] = read_obj(self.at("rim.obj"))
-        given = {vertex[:2] for vertex in read_obj(self.at("grid.obj"))[0] if vertex[0] in (0, 11) or vertex[1] in (0, 8)}
+        given = {(x, y) for x, y, _ in read_obj(self.at("grid.obj"))[0] if x in (0, 11) or y in (0, 8)}
         self.assertEqual({vertex[:2] for vertex in vertices}, given)
         self.assertEqual((faces, len(line), line[0], len(set(line))), ([], 39, line[-1], 38))
         ring = [(math.cos(0.1 * math.tau * k), math.sin(0.1 * math.tau * k), 0) for k in range(10)]
@@ -111,7 +111,8 @@ class Program(unittest.TestCase):
         self.assertEqual(torus, shape("-p", "shape=torus", "-p", "triangles=TRUE", "--threads", "3"))
         self.assertNotEqual(torus, shape("-p", "shape=Torus"))
         self.assertEqual({len(face) for face in read_off(self.at("shape.off"))[1]}, {4})
-        for direction, status in (("0,1,0", DONE), ("0,1", USAGE), ("0,1,0,", USAGE), ("x,1,0", USAGE), ("0,0,0", REFUSED)):
+        directions = {"0,1,0": DONE, "0,1": USAGE, "0,1,0,": USAGE, "x,1,0": USAGE, "0,0,0": REFUSED}
+        for direction, status in directions.items():
             self.expect(status, "run", "smooth_sections", "grid.obj", "-p", f"direction={direction}",
                         says="" if status == DONE else "direction")
         for wrong in ("tolerance", "=1", "tolerance=", "tolerance=wide", "tolerance=1,2", "vertices=some", "nothing=1"):
@@ -178,7 +179,8 @@ class Program(unittest.TestCase):
     LONG = ("net_shape", "-p", "shape=Sphere", "-p", "rows=3001", "-p", "columns=3001")
 
     def test_cancel_after_a_while(self):
-        done = self.expect(CANCELLED, "run", *self.LONG, "--cancel-after", "0", "-o", "never.off", says="ms after the request")
+        done = self.expect(CANCELLED, "run", *self.LONG, "--cancel-after", "0", "-o", "never.off",
+                           says="ms after the request")
         self.assertFalse(self.at("never.off").exists())
         self.assertEqual(done.stdout, "")
         # A run that is done first is done.

@@ -1,10 +1,11 @@
-"""gusset-host on real meshes and curves: test_host_real.py PROGRAM PLUGIN FOLDER DATA; the variable GUSSET_DATA goes before DATA.
+"""gusset-host on real meshes and curves: test_host_real.py PROGRAM PLUGIN FOLDER DATA; GUSSET_DATA goes before DATA.
 
 Any filter is tried on what its inputs may be until it takes it; some are held to what is known of the files.
 """
 
 import csv
 import itertools
+import json
 import os
 import pathlib
 import re
@@ -26,7 +27,17 @@ class Real(unittest.TestCase):
         heights = [list(map(float, row)) for row in cls.table("grids/volcano_maunga_whau_61x87.csv")]
         cls.hill = cls.host.folder / "volcano.obj"
         write_obj(cls.hill, *grid(len(heights), len(heights[0]), lambda i, j: 0.1 * heights[i][j]))
-        cls.outlines = [cls.outline(name) for name in ("country_France_0", "foot_outline_0", "bottle_corona")]
+        levels = json.loads((cls.data / "carcass/foot_levels_y.json").read_text())["stations"]
+        levels = [level["points"] for level in levels]
+        rows = [[(j, i, 0.1 * height) for j, height in enumerate(row)] for i, row in enumerate(heights)]
+        # Alone, two that face each other, two and more one above the other, and open ones.
+        cls.outlines = [
+            cls.curves("france", [cls.outline("country_France_0")]),
+            cls.curves("italy", [cls.outline("country_Italy_0"), cls.outline("country_Italy_1")]),
+            cls.curves("sole", levels[:2]),
+            cls.curves("foot", levels),
+            cls.curves("slopes", rows[::10], closed=False),
+        ]
 
     @classmethod
     def table(cls, name):
@@ -35,20 +46,25 @@ class Real(unittest.TestCase):
     @classmethod
     def outline(cls, name):
         points = [(float(x), float(y), 0) for x, y, *_ in cls.table(f"outlines/{name}.csv")[1:]]
-        if points[0] == points[-1]:
-            points.pop()
+        return points[:-1] if points[0] == points[-1] else points
+
+    @classmethod
+    def curves(cls, name, curves, closed=True):
+        starts = [0, *itertools.accumulate(map(len, curves))]
+        lines = [[*range(start, end)] + [start] * closed for start, end in itertools.pairwise(starts)]
         path = cls.host.folder / f"{name}.obj"
-        write_obj(path, points, lines=[[*range(len(points)), 0]])
+        write_obj(path, itertools.chain(*curves), lines=lines)
         return path
 
     def candidates(self, kinds, needed):
         """Combinations of files that suit the kinds; pieces that belong together first."""
-        meshes = [self.data / name for name in ("meshes/lion.off", "meshes/hole_capsule.off", "meshes/human_proxy741.obj")]
+        meshes = [self.data / f"meshes/{name}" for name in ("lion.off", "hole_capsule.off", "human_proxy741.obj")]
+        suited = {"mesh": [*meshes, self.hill], "curves": self.outlines}
         together = [[self.data / f"pairs/bunny_cut/{name}.off" for name in ("head", "body")],
                     [self.data / f"pairs/combustor/{name}.stl" for name in ("walls", "inlet", "outlet")]]
         whole = [pair[:len(kinds)] for pair in together if kinds == ["mesh"] * len(kinds) and len(kinds) > 1]
         for count in range(len(kinds), needed - 1, -1):
-            whole += itertools.product(*({"mesh": [*meshes, self.hill], "curves": self.outlines}[k] for k in kinds[:count]))
+            whole += itertools.product(*(suited[kind] for kind in kinds[:count]))
         return whole
 
     def check_output(self, path, kind):

@@ -111,7 +111,8 @@ void describe(std::ostream &out, const gusset_filter &filter, const std::vector<
     wrapped(out, "  ", filter.help);
     out << "\n  category   " << filter.category << "\n  script     " << filter.script_name << "\n  inputs     "
         << inputs_of(filter) << "\n  outputs    " << outputs_of(filter)
-        << ((filter.flags & GUSSET_FILTER_REPLACES) != 0 ? "; the first takes the place of the first input" : "") << '\n';
+        << ((filter.flags & GUSSET_FILTER_REPLACES) != 0 ? "; the first takes the place of the first input" : "")
+        << '\n';
     wrapped(out, "  reference  ", filter.reference);
     for (const auto *param : params(filter)) {
         out << "\n  -p " << param->id << '=' << print_value(*param, param->default_values) << '\n'

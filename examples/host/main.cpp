@@ -10,7 +10,9 @@
 #include <iostream>
 
 namespace {
-constexpr const char *footer = R"(Meshes are .obj, .off, .ply or .stl files, curves are the lines (l) of .obj files; a line that ends where it begins is closed.
+constexpr const char *footer =
+    R"(Meshes are .obj, .off, .ply or .stl files, curves are the lines (l) of .obj files; a line
+that ends where it begins is closed.
 
 Exit status:
   0  done
@@ -25,7 +27,8 @@ int command(int argc, char **argv) {
     app.footer(footer);
     app.require_subcommand(1);
     std::string library = "libgusset.so";
-    app.add_option("--plugin", library, "The plugin, looked for as the system looks for libraries")->capture_default_str();
+    app.add_option("--plugin", library, "The plugin, looked for as the system looks for libraries")
+        ->capture_default_str();
 
     RunRequest request;
     app.add_subcommand("list", "Shows all filters: id, inputs -> outputs, category and name");
@@ -40,7 +43,9 @@ int command(int argc, char **argv) {
     // One argument each time: what follows may be an input.
     running->add_option("-p,--param", request.params, "name=value: a choice by label or number, a vector as x,y,z")
         ->allow_extra_args(false);
-    running->add_option("-o,--output", request.outputs, "The file of the first mesh or curves that come out; again for the next")
+    running
+        ->add_option("-o,--output", request.outputs,
+                     "The file of the first mesh or curves that come out; again for the next")
         ->allow_extra_args(false);
     running->add_option("--threads", request.threads, "0: as many as the machine has")->capture_default_str();
     running->add_flag("--progress", request.progress, "Shows progress, which it does by itself in a terminal");
@@ -63,7 +68,8 @@ int command(int argc, char **argv) {
             suggested = suggest(filter, Inputs(filter, request.inputs));
         }
         if (suggested.status != GUSSET_PLUGIN_DONE) {
-            throw Failure(Exit::refused, request.filter + " refuses these inputs (status " + std::to_string(suggested.status) + ")");
+            throw Failure(Exit::refused,
+                          request.filter + " refuses these inputs (status " + std::to_string(suggested.status) + ")");
         }
         describe(std::cout, filter, suggested.values);
     } else {

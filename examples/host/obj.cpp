@@ -30,8 +30,8 @@ Obj read_obj(const std::string &path) {
     std::vector<tinyobj::material_t> materials;
     std::string warnings, error;
     // Without a reader of materials; and faces stay polygons.
-    const bool read = file && tinyobj::LoadObj(&obj.attributes, &obj.shapes, &materials, &warnings, &error, &file, nullptr,
-                                               false, false);
+    const bool read = file && tinyobj::LoadObj(&obj.attributes, &obj.shapes, &materials, &warnings, &error, &file,
+                                               nullptr, false, false);
     if (!read) {
         throw Failure(Exit::file, path + ": " + (error.empty() ? "cannot be read" : error.substr(0, error.find('\n'))));
     }

@@ -46,7 +46,8 @@ Failure refusal(const Plugin &plugin, const gusset_filter &filter, const gusset_
         text += ", input " + std::to_string(failure.input + 1);
     }
     if (failure.element != 0) {
-        text += std::string(", ") + element_name(failure.element) + " number " + std::to_string(failure.index) + " from 0";
+        text +=
+            std::string(", ") + element_name(failure.element) + " number " + std::to_string(failure.index) + " from 0";
     }
     return {exit, text + ')'};
 }
@@ -124,8 +125,8 @@ std::vector<std::string> files_of_outputs(const gusset_filter &filter, const std
         files[i] = given[next++];
     }
     if (next < given.size()) {
-        throw Failure(Exit::usage, std::string(filter.id) + " has " + std::to_string(next) + " outputs for files, and " +
-                                       std::to_string(given.size()) + " are named");
+        throw Failure(Exit::usage, std::string(filter.id) + " has " + std::to_string(next) +
+                                       " outputs for files, and " + std::to_string(given.size()) + " are named");
     }
     return files;
 }
@@ -170,7 +171,8 @@ void run(const Plugin &plugin, const RunRequest &request) {
 
     if (status == GUSSET_PLUGIN_CANCELLED) {
         const auto late = steering.since_request(returned);
-        throw Failure(Exit::cancelled, "cancelled" + (late ? ", " + print_number(*late) + " ms after the request" : ""));
+        throw Failure(Exit::cancelled,
+                      "cancelled" + (late ? ", " + print_number(*late) + " ms after the request" : ""));
     }
     if (status != GUSSET_PLUGIN_DONE) {
         throw refusal(plugin, filter, outputs.get(), status);

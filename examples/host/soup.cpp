@@ -51,7 +51,8 @@ void write_soup(const std::string &path, const std::string &extension, const Mes
     for (std::size_t f = 0; f + 1 < mesh.offsets.size(); ++f) {
         faces.emplace_back(mesh.corners.begin() + mesh.offsets[f], mesh.corners.begin() + mesh.offsets[f + 1]);
     }
-    if (extension == ".stl" && std::any_of(faces.begin(), faces.end(), [](const auto &face) { return face.size() != 3; })) {
+    if (extension == ".stl" &&
+        std::any_of(faces.begin(), faces.end(), [](const auto &face) { return face.size() != 3; })) {
         throw Failure(Exit::file, path + ": STL files hold triangles, and this mesh has other faces");
     }
     const auto digits = CGAL::parameters::stream_precision(17);

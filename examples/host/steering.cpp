@@ -15,7 +15,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touc
 extern "C" void interrupted(int) { stop = true; }
 
 void on_interrupt(void (*handler)(int), int flags) {
-    struct sigaction action {};
+    struct sigaction action{};
     action.sa_handler = handler;
     action.sa_flags = flags;
     sigaction(SIGINT, &action, nullptr);
@@ -94,7 +94,8 @@ void Steering::show(double fraction, const std::string &stage) {
         return;
     }
     if (terminal) {
-        std::cerr << '\r' << line << std::string(line.size() < shown.size() ? shown.size() - line.size() : 0, ' ') << std::flush;
+        std::cerr << '\r' << line << std::string(line.size() < shown.size() ? shown.size() - line.size() : 0, ' ')
+                  << std::flush;
     } else {
         std::cerr << line << '\n';
     }

@@ -44,7 +44,10 @@ std::string form(const gusset_param_info &param) {
     case GUSSET_PARAM_CHOICE: {
         std::string all;
         for (uint32_t c = 0; c < param.choice_count; ++c) {
-            all += std::string(c == 0 ? "" : c + 1 == param.choice_count ? " or " : ", ") + '"' + param.choices[c].label + '"';
+            all += std::string(c == 0                        ? ""
+                               : c + 1 == param.choice_count ? " or "
+                                                             : ", ") +
+                   '"' + param.choices[c].label + '"';
         }
         return all;
     }
@@ -71,12 +74,14 @@ void parse(const gusset_param_info &param, const std::string &text, double *valu
         values[k] = value.value_or(0);
     }
     if (!good) {
-        throw Failure(Exit::usage, std::string("parameter ") + param.id + " takes " + form(param) + ", not \"" + text + '"');
+        throw Failure(Exit::usage,
+                      std::string("parameter ") + param.id + " takes " + form(param) + ", not \"" + text + '"');
     }
 }
 } // namespace
 
-std::vector<double> parse_values(const gusset_filter &filter, std::vector<double> suggested, const std::vector<std::string> &given) {
+std::vector<double> parse_values(const gusset_filter &filter, std::vector<double> suggested,
+                                 const std::vector<std::string> &given) {
     const auto all = params(filter);
     std::set<std::string> seen;
     for (const std::string &one : given) {
@@ -87,8 +92,8 @@ std::vector<double> parse_values(const gusset_filter &filter, std::vector<double
         const std::string name = one.substr(0, equals);
         const auto found = std::find_if(all.begin(), all.end(), [&](const auto *param) { return name == param->id; });
         if (found == all.end()) {
-            throw Failure(Exit::usage, std::string(filter.id) + " has no parameter " + name + "; 'gusset-host describe " +
-                                           filter.id + "' shows what it has");
+            throw Failure(Exit::usage, std::string(filter.id) + " has no parameter " + name +
+                                           "; 'gusset-host describe " + filter.id + "' shows what it has");
         }
         if (!seen.insert(name).second) {
             throw Failure(Exit::usage, "parameter " + name + " is given twice");
