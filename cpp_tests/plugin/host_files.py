@@ -24,7 +24,8 @@ class Host:
         for line in self("list").stdout.splitlines():
             name, inputs, outputs, _ = [part.strip() for part in line.split("  ") if part.strip()]
             kinds = [] if inputs == "-" else inputs.rstrip(".").split(", ")
-            needed = sum(not kind.startswith("[") for kind in kinds)
+            # What comes after a bracket may be left out.
+            needed = sum(kind != "-" and kind != "" for kind in inputs.split("[")[0].rstrip(".").split(", "))
             kinds = [kind.strip("[]") for kind in kinds]
             if inputs.endswith("..."):
                 kinds += kinds[-1:] * (3 - len(kinds))
