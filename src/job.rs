@@ -50,7 +50,9 @@ impl<'a> Job<'a> {
 
     /// Reports progress; [`Error::Cancelled`] if the host wants to stop.
     pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
-        let whole = self.from + (self.to - self.from) * fraction.clamp(0.0, 1.0);
+        // Of nothing to do, the part that is done may be no number.
+        let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
+        let whole = self.from + (self.to - self.from) * fraction;
         match self.progress.step(whole, stage) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => Err(Error::Cancelled),
@@ -89,7 +91,8 @@ mod tests {
         let recorder = Recorder(RefCell::default());
         let job = Job::new(1, &recorder).part(0.5, 1.0).part(0.0, 0.5);
         assert_eq!(job.step(0.0, "a"), Ok(()));
+        assert_eq!(job.step(f64::NAN, "a"), Ok(()));
         assert_eq!(job.step(2.0, "b"), Err(Error::Cancelled));
-        assert_eq!(*recorder.0.borrow(), [0.5, 0.75]);
+        assert_eq!(*recorder.0.borrow(), [0.5, 0.5, 0.75]);
     }
 }

@@ -5,7 +5,7 @@ mod surfaces;
 
 use glam::{DMat3, DVec3};
 use gusset::carcass::meet::Options;
-use gusset::carcass::{Carcass, Paths, Place, Scheme};
+use gusset::carcass::{Carcass, Patches, Paths, Place, Scheme, Sheet};
 use gusset::job::Progress;
 use gusset::{Error, Job};
 use meeting::{
@@ -322,6 +322,35 @@ fn times() {
                 best[1],
                 summary(&found)
             );
+        }
+    }
+}
+
+/// A wave of the fifth degree along whose chord both ends and the middle lie: what a cubic through the ends does not show.
+#[test]
+fn waves_between_points_are_seen() {
+    for c in [0.05, 0.25, 1.0, 4.0] {
+        // x^2 (1 - x)^2 (1 - 2x), by its coefficients.
+        let wave = [0.0, 0.0, 0.1, -0.1, 0.0, 0.0].map(|x: f64| c * x);
+        let point = |a: usize, b: usize| DVec3::new(a as f64 / 5.0, b as f64, b as f64 - 0.5 - wave[a]);
+        let points: Vec<DVec3> = (0..12).map(|k| point(k / 2, k % 2)).collect();
+        let bent = Sheet::High(Patches::new(&points, [5, 1], 1, 1).unwrap());
+        let corners = [[-1.0, -1.0], [-1.0, 2.0], [2.0, -1.0], [2.0, 2.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+        let plane = Sheet::Cubic(Patches::new(&corners, [1, 1], 1, 1).unwrap());
+        let [a, b] = [bent, plane].map(|sheet| Carcass::new(vec![sheet], None, &Job::default()).unwrap());
+        let chord = 1e-3;
+        let paths = a.meet(&b, &Options { chord: Some(chord), ..Options::default() }, &Job::default()).unwrap();
+        assert_eq!(paths.len(), 1);
+        for k in 0..=1000 {
+            let x = f64::from(k) / 1000.0;
+            let at = DVec3::new(x, 0.5 + c * (x * (1.0 - x)).powi(2) * (1.0 - 2.0 * x), 0.0);
+            let near = paths.points.windows(2).map(|ends| {
+                let along = ends[1] - ends[0];
+                let t = ((at - ends[0]).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                at.distance(ends[0] + t * along)
+            });
+            let near = near.fold(f64::INFINITY, f64::min);
+            assert!(near <= 1.01 * chord, "{c}, {x}: {near}");
         }
     }
 }

@@ -23,8 +23,9 @@ pub(crate) fn angles(ranges: &[[f64; 2]; 3], noise: f64) -> [f64; 2] {
     let most = |[low, high]: [f64; 2]| high.max(-low);
     let length = |x: f64, y: f64| (x * x + y * y).sqrt();
     let (near, far) = (length(least(first), least(second)), length(most(first), most(second)));
-    // Away from the axis means a greater angle in front and a smaller one behind.
+    // Away from the axis means a greater angle in front and a smaller one behind. At 0, where the range of a pole's normals may end, all
+    // but the zero vector are at right angles.
     let low = libm::atan2(if along[1] > 0.0 { near } else { far }, along[1]);
-    let high = libm::atan2(if along[0] > 0.0 { far } else { near }, along[0]);
+    let high = libm::atan2(if along[0] >= 0.0 { far } else { near }, along[0]);
     [low - 1e-12, high + 1e-12]
 }

@@ -89,12 +89,16 @@ impl gusset_report {
 struct Host<'a> {
     context: &'a gusset_context,
     settings: Settings,
+    /// The greatest part that was reported.
+    done: Cell<f64>,
     /// The callback asked to stop: this call is over, whatever it does next.
     stopped: Cell<bool>,
 }
 
 impl Progress for Host<'_> {
     fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()> {
+        let fraction = fraction.max(self.done.get());
+        self.done.set(fraction);
         self.context.fraction.store(fraction.to_bits(), Ordering::Relaxed);
         if let Some(callback) = self.settings.progress
             && !self.stopped.get()
@@ -145,7 +149,7 @@ impl gusset_context {
             Err(failure) => return failure.status,
         };
         context.fraction.store(0, Ordering::Relaxed);
-        let host = Host { context, settings: state.settings, stopped: Cell::new(false) };
+        let host = Host { context, settings: state.settings, done: Cell::new(0.0), stopped: Cell::new(false) };
         let job = Job::new(host.settings.threads as usize, &host);
         // Caught here as well as in guard(), so that the report says so.
         let body = std::panic::AssertUnwindSafe(|| {

@@ -43,7 +43,7 @@ const PARAMS: &[Param] = &[
         "Number",
         "The number of points of each curve, if it is to be given; both ends of an open curve are among them.",
         ParamKind::Int,
-        [2.0, 1e8],
+        [2.0, 1e6],
         &[100.0],
     ),
     Param::new(

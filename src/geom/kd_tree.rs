@@ -50,7 +50,7 @@ impl<'a> KdTree<'a> {
         };
         let mut done = 0;
         let mut hear = |count: usize| {
-            job.step(done as f64 / points.len() as f64, stage)?;
+            job.step(done as f64 / points.len().max(1) as f64, stage)?;
             done += count;
             Ok(())
         };

@@ -57,7 +57,7 @@ pub(super) fn settle(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Optio
     let mut settled = Settled { intersections: None, back_offs: 0 };
     if looks {
         let look = |round: u32| {
-            let done = |rounds: u32| 0.4 + 0.6 * f64::from(rounds) / f64::from(ROUNDS + 1);
+            let done = |rounds: u32| 0.4 + 0.6 * f64::from(rounds) / f64::from(ROUNDS + 2);
             job.part(done(round), done(round + 1))
         };
         let old = scene.near(&straight)?;

@@ -245,12 +245,14 @@ impl Oriented {
         [middle - reach, middle + reach]
     }
 
-    /// The centre and the half edges.
+    /// The centre and the half edges of a parallelepiped that contains the box.
     #[inline(always)]
     pub(crate) fn edges(&self) -> (DVec3, [DVec3; 3]) {
         let [first, second] = self.axes.map(|axis| DVec3::from_array(axis.map(f64::from)));
-        // The inverse of what is orthonormal to 1e-7 is its transpose, to 1e-6.
-        let [x, y, z] = self.half.map(|half| f64::from(half) * (1.0 + 1e-6));
+        // The box is where products with the axes are small. The inverse of what is orthonormal to 1e-7 is its transpose, to 1e-6: of the
+        // longest edge, however short another one is.
+        let half = DVec3::from_array(self.half.map(f64::from));
+        let [x, y, z] = (half + 1e-6 * half.length()).to_array();
         (self.centre(), [x * first, y * second, z * first.cross(second)])
     }
 
@@ -265,6 +267,31 @@ impl Oriented {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// However thin it is: points that the box is made round are within the edges that stand for it.
+    #[test]
+    fn edges_hold_the_box() {
+        let mut state = 1_u64;
+        let mut random = move || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        for k in 0..3000 {
+            let mut direction = || DVec3::new(random(), random(), random()).normalize();
+            let (u, v) = (direction(), direction());
+            let w = u.cross(v).normalize();
+            let sizes = [1.0, [1e-2, 1e-3, 1e-5][k % 3], [1e-3, 1e-6, 0.0][k / 3 % 3]];
+            let (x, y, z) = (sizes[0] * u, sizes[1] * w.cross(u), sizes[2] * w);
+            let signs = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(|bit| 2.0 * bit as f64 - 1.0);
+            let points: Vec<DVec3> = (0..8).map(signs).map(|[a, b, c]| a * x + b * y + c * z).collect();
+            let exactly = Bounds { low: DVec3::ZERO, high: DVec3::ZERO };
+            let (centre, half) = Oriented::round(&points, u, v, exactly).edges();
+            let inside = DMat3::from_cols(half[0], half[1], half[2]).inverse();
+            for &point in &points {
+                assert!((inside * (point - centre)).abs().max_element() <= 1.0 + 1e-12, "{k}: {sizes:?}");
+            }
+        }
+    }
 
     /// Whatever the directions, zero and nearly parallel ones too, the axes are at right angles, and the box is round the points.
     #[test]

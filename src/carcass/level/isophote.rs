@@ -60,6 +60,10 @@ impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C
         (of.normal(2), self.0.noise(&of))
     }
 
+    fn level_count(&self) -> usize {
+        1
+    }
+
     fn levels(&self, _: &(Field<M>, f64)) -> Range<usize> {
         0..1
     }
@@ -120,6 +124,10 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
         let [u, v] = of.speeds();
         let noise = 4.0 * u * v * self.normals.noise(&of);
         Squares { along: squares(&[along]), across: squares(&[first, second]), noise }
+    }
+
+    fn level_count(&self) -> usize {
+        self.angles.len().max(1)
     }
 
     fn levels(&self, _: &Squares<M>) -> Range<usize> {

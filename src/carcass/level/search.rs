@@ -17,7 +17,9 @@ use glam::DVec2;
 
 /// Blocks that are one thread's work.
 const CHUNK: usize = 16;
-/// Chunks between two reports of progress.
+/// Blocks times levels that are no more than a moment's work.
+const MANY: usize = 1024;
+/// Chunks whose arcs are put together at once.
 const CHUNKS: usize = 256;
 
 /// An arc of a level's zero set over a cell.
@@ -127,9 +129,11 @@ impl<C, S> Search<'_, C, S> {
     {
         let mut found = Found::default();
         for first in (0..count).step_by(CHUNK * CHUNKS) {
-            job.step(first as f64 / count as f64, "contours")?;
             let blocks = (count - first).min(CHUNK * CHUNKS);
-            let parts = par::chunks(job.threads(), blocks, CHUNK, |range| {
+            let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
+            // Of many levels a block is long work.
+            let chunk = (MANY / self.source.level_count()).clamp(1, CHUNK);
+            let parts = par::heard_chunks(&part, "contours", blocks, chunk, |range| {
                 let mut part = Found::default();
                 let (mut scratch, mut room) = (Scratch::default(), S::Room::default());
                 for k in range {
@@ -138,7 +142,7 @@ impl<C, S> Search<'_, C, S> {
                 scratch.settle(&mut part.arcs);
                 Ok(part)
             });
-            for part in parts {
+            for part in parts? {
                 let part: Found = part?;
                 if found.arcs.is_empty() && found.unresolved.is_empty() {
                     found = part;

@@ -37,7 +37,7 @@ pub(super) fn simple(corners: [f64; 4], play: f64, noise: f64) -> Option<Simple>
     let over = usize::from(steps[0] > steps[1]);
     let monotone = 6.0 * (play + noise);
     let slope = steps[1 - over] - monotone;
-    if slope <= 0.0 || slope.is_nan() {
+    if slope <= 0.0 || slope.is_nan() || corners.iter().any(|x| x.is_nan()) {
         return None;
     }
     // As `snapped` has them.

@@ -55,6 +55,9 @@ pub(super) trait Source<const M: usize>: Sync {
     /// A cell, whether or not a level crosses it.
     fn base(&self, block: &Self::Block, cell: [usize; 2], room: &mut Self::Room) -> Self::Base;
 
+    /// How many levels there are, at least 1.
+    fn level_count(&self) -> usize;
+
     /// The levels that may cross it.
     fn levels(&self, base: &Self::Base) -> Range<usize>;
 
@@ -310,6 +313,10 @@ where
         self.window(block, room).field(cell)
     }
 
+    fn level_count(&self) -> usize {
+        self.levels.len().max(1)
+    }
+
     #[inline]
     fn levels(&self, base: &Field<4>) -> Range<usize> {
         between(self.levels, base.range(), self.noise)
@@ -368,6 +375,10 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     fn base(&self, (): &(), [i, j]: [usize; 2], (): &mut ()) -> Field<N> {
         let patch = self.cells.patch(i, j);
         Field { c: patch.points.map(|row| row.map(|point| (point - self.origin).dot(self.normal))) }
+    }
+
+    fn level_count(&self) -> usize {
+        self.levels.len().max(1)
     }
 
     fn levels(&self, base: &Field<N>) -> Range<usize> {

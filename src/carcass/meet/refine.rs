@@ -12,6 +12,8 @@ use glam::{DVec3, DVec4};
 
 /// Cuts of cuts at most.
 const DEPTH: u32 = 6;
+/// Rows of control points of a cubic patch: arcs over such ones have no waves that the ends of pieces hide.
+const CUBIC: usize = 4;
 /// Pieces of one cut at most.
 const PIECES: f64 = 64.0;
 
@@ -48,17 +50,24 @@ impl<const N: usize, const M: usize> Refined<'_, N, M> {
         if pieces > 1.0 {
             return self.cut(knots, pieces, DEPTH, points);
         }
-        // What the ends do not show, the middle may.
-        let Some(middle) = self.knot(&knots, 0.5) else {
-            return Ok(());
+        if self.is_bent(&knots) { self.cut(knots, 2.0, DEPTH, points) } else { Ok(()) }
+    }
+
+    /// What the ends do not show, the middle may: true if it is too far from the chord, or the halves are.
+    ///
+    /// Where the middle is `off` the chord and a half an arch of height f, the curve is off s + 4 f s (1 - s) away from the chord, s of
+    /// the way to the middle.
+    fn is_bent(&self, knots: &[Knot; 2]) -> bool {
+        let Some(middle) = self.knot(knots, 0.5) else {
+            return false;
         };
-        let [first, last] = knots;
+        let [first, last] = *knots;
         let off = middle.point - first.point;
         let along = (last.point - first.point).normalize_or_zero();
-        if (off - off.dot(along) * along).length() > self.chord {
-            self.cut(knots, 2.0, DEPTH, points)?;
-        }
-        Ok(())
+        let off = (off - off.dot(along) * along).length();
+        let arch = self.height(&[first, middle]).max(self.height(&[middle, last]));
+        let most = if off >= 4.0 * arch { off } else { (off + 4.0 * arch).powi(2) / (16.0 * arch) };
+        most > self.chord
     }
 
     /// Adds the points between two knots that cut the arc into equal pieces by the free parameter, and those of pieces that are still too long.
@@ -69,9 +78,13 @@ impl<const N: usize, const M: usize> Refined<'_, N, M> {
             let next = if last { Some(knots[1]) } else { self.knot(&knots, k as f64 / pieces) };
             let Some(next) = next else { continue };
             let piece = [before, next];
-            let more = if depth > 0 { self.pieces(&piece) } else { 1.0 };
-            if more > 1.0 {
-                self.cut(piece, more, depth - 1, points)?;
+            if depth > 0 {
+                let more = self.pieces(&piece);
+                if more > 1.0 {
+                    self.cut(piece, more, depth - 1, points)?;
+                } else if CUBIC < N.max(M) && self.is_bent(&piece) {
+                    self.cut(piece, 2.0, depth - 1, points)?;
+                }
             }
             if !last {
                 alloc::push(points, next.x)?;
@@ -81,17 +94,20 @@ impl<const N: usize, const M: usize> Refined<'_, N, M> {
         Ok(())
     }
 
-    /// The number of pieces whose chords are near enough to the arc between two knots: their distance falls by the square of it. That of
-    /// the cubic with directions T and U across the chord, L long, is of two parts: an arch, L / 8 |T - U|, and a wave,
-    /// L / (12 sqrt 3) |T + U|.
-    fn pieces(&self, [first, last]: &[Knot; 2]) -> f64 {
+    /// The number of pieces whose chords are near enough to the arc between two knots: their distance falls by the square of it.
+    fn pieces(&self, knots: &[Knot; 2]) -> f64 {
+        (self.height(knots) / self.chord).sqrt().ceil().min(PIECES)
+    }
+
+    /// How far the cubic between two knots is from their chord. With directions T and U across the chord, L long, that is of two parts: an
+    /// arch, L / 8 |T - U|, and a wave, L / (12 sqrt 3) |T + U|.
+    fn height(&self, [first, last]: &[Knot; 2]) -> f64 {
         let whole = last.point - first.point;
         let length = whole.length();
         let along = whole / length.max(f64::MIN_POSITIVE);
         let across = |direction: DVec3| direction - direction.dot(along) * along;
         let (one, other) = (across(first.direction), across(last.direction));
-        let far = length * (one.distance(other) / 8.0 + (one + other).length() / (12.0 * 3.0_f64.sqrt()));
-        (far / self.chord).sqrt().ceil().min(PIECES)
+        length * (one.distance(other) / 8.0 + (one + other).length() / (12.0 * 3.0_f64.sqrt()))
     }
 
     /// The knot at a part of the way between two by the free parameter.

@@ -152,6 +152,8 @@ pub(super) fn values(filter: &Filter, given: *const f64, count: u32) -> Result<V
 /// The host's callbacks, as the core calls them.
 pub(super) struct Host {
     host: gusset_host,
+    /// The greatest part that was reported.
+    done: Cell<f64>,
     /// The callback asked to stop: the run is over, whatever it does next.
     stopped: Cell<bool>,
 }
@@ -160,7 +162,7 @@ impl Host {
     pub(super) fn new(host: *const gusset_host) -> Result<Self, Failure> {
         let host = input::read(host, true, "host")?;
         match host.reserved {
-            0 => Ok(Host { host, stopped: Cell::new(false) }),
+            0 => Ok(Host { host, done: Cell::new(0.0), stopped: Cell::new(false) }),
             other => Err(Failure::unknown("reserved", other.into())),
         }
     }
@@ -176,6 +178,8 @@ impl Progress for Host {
             && !self.stopped.get()
         {
             let stage = CString::new(stage).unwrap_or_default();
+            let fraction = fraction.max(self.done.get());
+            self.done.set(fraction);
             // SAFETY: the host gave this function for this purpose, and the text lives through the call.
             let answer = unsafe { callback(self.host.user, fraction, stage.as_ptr()) };
             self.stopped.set(answer != 0);
