@@ -117,6 +117,8 @@ install: build
 	    -e 's|@DESCRIPTION@|$(call manifest,description)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc
 	install -m 644 README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE $(docdir)
 	find docs -name '*.md' -o -name '*.svg' | xargs -I% install -D -m 644 % $(docdir)/%
+	printf '%s\n' CONTRIBUTING.md examples/guides/* examples/meshlab/LICENCE-NOTE.md examples/meshlab/try.py include/gusset.openmfx.symbols | \
+	    xargs -I@ install -D -m 644 @ $(docdir)/@
 
 # Without what debuggers read, which is most of their size.
 install-strip: install
