@@ -53,8 +53,12 @@ help:
 	@echo 'make deb                          Debian packages, into build/deb'
 	@echo 'make clean                        remove build and target'
 
+# What is built tells no folders of the machine that built it; unless RUSTFLAGS is set, which cargo takes instead of these flags.
+cargo_home := $(or $(CARGO_HOME),$(HOME)/.cargo)
+remapped   := "--remap-path-prefix=$(cargo_home)=/cargo", "--remap-path-prefix=$(CURDIR)=/gusset-$(version)"
+
 build:
-	$(CARGO) build --release --locked
+	$(CARGO) build --release --locked --config 'build.rustflags=[$(remapped)]'
 
 check:
 	$(CARGO) fmt --check
