@@ -10,7 +10,7 @@ import unittest
 import host_files
 from host_files import grid, read_obj, read_off, write_obj, write_off
 
-DONE, USAGE, FILE, PLUGIN, REFUSED, CANCELLED = range(6)
+DONE, USAGE, FILE, PLUGIN, REFUSED, CANCELLED, MEMORY = range(7)
 
 # Three faces at an edge, two of them turned against each other, a pentagon, a bow tie and a vertex that no face uses;
 # coordinates that need all their digits.
@@ -175,6 +175,15 @@ class Program(unittest.TestCase):
                                       stderr=subprocess.PIPE)
             self.assertEqual(done.returncode, FILE, done.stderr)
             self.assertIn("standard output", done.stderr)
+
+    def test_lack_of_memory_is_told(self):
+        # Two gigabytes where there is half of one.
+        command = self.host.command("run", "net_shape", "-p", "shape=Sphere", "-p", "rows=9001", "-p", "columns=9001",
+                                    "--threads", "1")
+        done = subprocess.run(["sh", "-c", 'ulimit -v 600000 && exec "$@"', "sh", *command], cwd=self.host.folder,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, MEMORY, done.stderr)
+        self.assertIn("memory", done.stderr)
 
     def test_plugins_that_are_none(self):
         for library in ("./nowhere.so", "libm.so.6"):

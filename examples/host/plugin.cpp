@@ -90,7 +90,8 @@ Inputs::Inputs(const gusset_filter &filter, const std::vector<std::string> &path
         const std::string range = filter.max_inputs == UINT32_MAX ? least + " or more inputs"
                                   : least == most                 ? number_of(filter.max_inputs, "input")
                                                                   : least + " to " + most + " inputs";
-        throw Failure(Exit::usage, std::string(filter.id) + " takes " + range + ", not " + std::to_string(paths.size()));
+        throw Failure(Exit::usage,
+                      std::string(filter.id) + " takes " + range + ", not " + std::to_string(paths.size()));
     }
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (input_kind(filter, i) == GUSSET_KIND_CURVES) {
