@@ -53,8 +53,12 @@ help:
 	@echo 'make deb                          Debian packages, into build/deb'
 	@echo 'make clean                        remove build and target'
 
+# What is built tells no folders of the machine that built it; unless RUSTFLAGS is set, which cargo takes instead of these flags.
+cargo_home := $(or $(CARGO_HOME),$(HOME)/.cargo)
+remapped   := "--remap-path-prefix=$(cargo_home)=/cargo", "--remap-path-prefix=$(CURDIR)=/gusset-$(version)"
+
 build:
-	$(CARGO) build --release --locked
+	$(CARGO) build --release --locked --config 'build.rustflags=[$(remapped)]'
 
 check:
 	$(CARGO) fmt --check
@@ -117,6 +121,8 @@ install: build
 	    -e 's|@DESCRIPTION@|$(call manifest,description)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc
 	install -m 644 README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE $(docdir)
 	find docs -name '*.md' -o -name '*.svg' | xargs -I% install -D -m 644 % $(docdir)/%
+	printf '%s\n' CONTRIBUTING.md examples/guides/* examples/meshlab/LICENCE-NOTE.md examples/meshlab/try.py include/gusset.openmfx.symbols | \
+	    xargs -I@ install -D -m 644 @ $(docdir)/@
 
 # Without what debuggers read, which is most of their size.
 install-strip: install

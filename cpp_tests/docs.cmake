@@ -68,6 +68,10 @@ set_tests_properties(guides/five_minutes PROPERTIES ENVIRONMENT HOME=${CMAKE_BIN
 if(EXISTS ${GUSSET_PREFIX}/lib/cmake/gusset)
   add_test(NAME guides/project COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${guides} ${CMAKE_BINARY_DIR}/guides/project
            --build-generator ${CMAKE_GENERATOR} --build-options -DCMAKE_PREFIX_PATH=${GUSSET_PREFIX} --test-command start_c)
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/home/project)
+  add_test(NAME guides/project_commands COMMAND ${guides}/project.sh WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/home/project)
+  set_tests_properties(guides/project_commands PROPERTIES ENVIRONMENT HOME=${CMAKE_BINARY_DIR}/home
+                       PASS_REGULAR_EXPRESSION "; 0 loops left")
 endif()
 
 # The pictures: the same bytes each time.

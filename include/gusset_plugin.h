@@ -2,8 +2,9 @@
  *
  * A host loads the library, looks up the one symbol gusset_plugin_entry, and finds in the tables behind it filters with typed
  * parameters, each of which takes meshes or curves and gives meshes, curves or text:
- *     void *library = dlopen("libgusset.so", RTLD_NOW | RTLD_LOCAL);
- *     gusset_plugin_entry_fn entry = (gusset_plugin_entry_fn)dlsym(library, "gusset_plugin_entry");
+ *     void *library = dlopen("libgusset.so.0.1", RTLD_NOW | RTLD_LOCAL);
+ *     gusset_plugin_entry_fn entry = NULL;
+ *     if (library) *(void **)&entry = dlsym(library, "gusset_plugin_entry");
  *     const gusset_plugin *plugin = entry ? entry(GUSSET_PLUGIN_ABI) : NULL;
  *     const gusset_filter *filter = plugin ? plugin->find("weld") : NULL;
  *
@@ -345,8 +346,8 @@ typedef struct gusset_filter {
     const struct gusset_param_info *(*param)(const struct gusset_filter *filter, uint32_t index);
     /**
      * Writes the values that suit these inputs, one parameter after the other; values has room for value_count of them, and
-     * holds the plain defaults after a failure. Inputs as for run. O(size of the inputs). Returns GUSSET_PLUGIN_DONE or a
-     * gusset_status of gusset.h.
+     * holds the plain defaults after a failure, of which suggest gives no account: run with the same inputs does. Inputs
+     * as for run. O(size of the inputs). Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
      */
     int32_t (*suggest)(const struct gusset_filter *filter,
                        const struct gusset_input *inputs,
@@ -488,7 +489,12 @@ typedef struct gusset_failure {
      */
     uint32_t input;
     /**
-     * What index counts: a GUSSET_ELEMENT_... of gusset.h; 0 nothing, 1 vertices, 2 faces, 3 corners.
+     * What index counts, a GUSSET_ELEMENT_... of gusset.h: 0 nothing, 1 vertices, 2 faces, 3 corners, 4 entries of
+     * face_offsets, 5 places in a loop, 6 nothing either: index is itself a count of elements or bytes; 7 points of all
+     * curves, 8 constraints on an outline, 9 places on a curve or a surface, 12 sections or planes, 13 nodes of a net, row
+     * after row, 14 its links (twice the first node, and 1 if vertical), 15 its cells, row after row, 16 seams,
+     * 17 bridges, 18 entries of a scene, 19 bytes of a stream, 20 places along the side of a net, 21 other items given,
+     * 30 knots, 31 rows of a net of curves. Later versions may have more.
      */
     uint32_t element;
     /**

@@ -1,6 +1,7 @@
 """gusset-host by what it prints, writes and returns: test_host.py PROGRAM PLUGIN FOLDER"""
 
 import math
+import os
 import signal
 import subprocess
 import sys
@@ -9,7 +10,7 @@ import unittest
 import host_files
 from host_files import grid, read_obj, read_off, write_obj, write_off
 
-DONE, USAGE, FILE, PLUGIN, REFUSED, CANCELLED = range(6)
+DONE, USAGE, FILE, PLUGIN, REFUSED, CANCELLED, MEMORY = range(7)
 
 # Three faces at an edge, two of them turned against each other, a pentagon, a bow tie and a vertex that no face uses;
 # coordinates that need all their digits.
@@ -135,7 +136,8 @@ class Program(unittest.TestCase):
         self.expect(REFUSED, "run", "smooth_surface", "soup.obj", says="input 1, face number")
         done = self.expect(REFUSED, "run", "smooth_distance", "grid.obj", "soup.obj", says="face number")
         self.assertNotIn(", input", done.stderr)
-        self.expect(REFUSED, "describe", "weld", "lost.obj", says="refuses these inputs")
+        self.expect(REFUSED, "describe", "weld", "lost.obj",
+                    says="refuses these inputs (status 1005); 'gusset-host run weld ...' says why")
 
     def test_commands_that_are_wrong(self):
         self.expect(USAGE)
@@ -144,10 +146,10 @@ class Program(unittest.TestCase):
         self.expect(USAGE, "run")
         self.expect(USAGE, "run", "dance", "grid.obj", says="no filter dance")
         self.expect(USAGE, "describe", "dance", says="no filter dance")
-        self.expect(USAGE, "run", "weld", says="1 inputs, not 0")
-        self.expect(USAGE, "run", "weld", "grid.obj", "grid.obj", says="1 inputs, not 2")
+        self.expect(USAGE, "run", "weld", says="takes 1 input, not 0")
+        self.expect(USAGE, "run", "weld", "grid.obj", "grid.obj", says="takes 1 input, not 2")
         self.expect(USAGE, "run", "net_shape", "grid.obj", says="0 inputs, not 1")
-        self.expect(USAGE, "run", "weld", "grid.obj", "-o", "a.obj", "-o", "b.obj", says="1 outputs")
+        self.expect(USAGE, "run", "weld", "grid.obj", "-o", "a.obj", "-o", "b.obj", says="has 1 output for files")
         self.expect(USAGE, "run", "weld", "grid.obj", "--cancel-after", "-1")
         self.expect(USAGE, "run", "weld", "grid.obj", "--threads", "-1")
 
@@ -164,6 +166,24 @@ class Program(unittest.TestCase):
         self.expect(FILE, "run", "weld", "grid.obj", "-o", "out.blend", says="out.blend")
         self.expect(FILE, "run", "weld", "grid.obj", "-o", "no/such/folder/out.obj", says="out.obj")
         self.expect(FILE, "run", "boundary_loops", "grid.obj", "-o", "no/such/folder/out.obj", says="out.obj")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs a device that is full")
+    def test_a_full_disk_is_told(self):
+        for words in (["list"], ["describe", "weld"], ["run", "boundary_loops", "grid.obj"]):
+            with open("/dev/full", "w") as full:
+                done = subprocess.run(self.host.command(*words), cwd=self.host.folder, text=True, stdout=full,
+                                      stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, FILE, done.stderr)
+            self.assertIn("standard output", done.stderr)
+
+    def test_lack_of_memory_is_told(self):
+        # Two gigabytes where there is half of one.
+        command = self.host.command("run", "net_shape", "-p", "shape=Sphere", "-p", "rows=9001", "-p", "columns=9001",
+                                    "--threads", "1")
+        done = subprocess.run(["sh", "-c", 'ulimit -v 600000 && exec "$@"', "sh", *command], cwd=self.host.folder,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, MEMORY, done.stderr)
+        self.assertIn("memory", done.stderr)
 
     def test_plugins_that_are_none(self):
         for library in ("./nowhere.so", "libm.so.6"):

@@ -1,4 +1,4 @@
-/* The program of docs/guides/plugin.md: a host that knows the descriptor and nothing else. plugin libgusset.so */
+/* The program of docs/guides/plugin.md: a host that knows the descriptor and nothing else. plugin libgusset.so.0.1 */
 #include <dlfcn.h>
 #include <gusset_plugin.h>
 #include <stdio.h>
@@ -43,13 +43,13 @@ static int weld(const gusset_plugin *plugin, const gusset_plugin_mesh *mesh, gus
     gusset_failure failure = {0};
     double *values;
     int32_t status;
+    *outputs = NULL;
     if (filter == NULL || (values = calloc(filter->value_count + 1, sizeof *values)) == NULL) {
         return 1;
     }
-    status = filter->suggest(filter, &input, 1, values);
-    if (status == GUSSET_PLUGIN_DONE) {
-        status = filter->run(filter, host, &input, 1, values, filter->value_count, outputs);
-    }
+    /* If it refuses the mesh, values are the plain defaults, and the run says why. */
+    (void)filter->suggest(filter, &input, 1, values);
+    status = filter->run(filter, host, &input, 1, values, filter->value_count, outputs);
     free(values);
     if (status != GUSSET_PLUGIN_DONE) {
         failure.struct_size = sizeof failure;
@@ -82,7 +82,7 @@ int main(int argc, char **argv) {
     int failed;
     const gusset_plugin *plugin = argc == 2 ? load(argv[1]) : NULL;
     if (plugin == NULL) {
-        fprintf(stderr, "usage: plugin libgusset.so\n");
+        fprintf(stderr, "usage: plugin libgusset.so.0.1\n");
         return 2;
     }
     printf("%s %s, %s\n", plugin->name, plugin->version, plugin->license);

@@ -17,16 +17,18 @@ that ends where it begins is closed.
 Exit status:
   0  done
   1  the command is wrong: no such filter or parameter, a value that is none, too many or too few inputs
-  2  a file cannot be read or written, is of an unknown kind, or too large for the memory
+  2  a file or the standard output cannot be read or written, or a file is of an unknown kind
   3  the plugin cannot be loaded, or broke down
   4  the filter refused its parameters or its inputs, and said why
-  5  cancelled)";
+  5  cancelled
+  6  memory could not be had)";
 
 int command(int argc, char **argv) {
     CLI::App app("Runs the filters of a plugin on files.", "gusset-host");
     app.footer(footer);
     app.require_subcommand(1);
-    std::string library = "libgusset.so";
+    // The name that users have; libgusset.so comes with the headers.
+    std::string library = "libgusset.so.0.1";
     app.add_option("--plugin", library, "The plugin, looked for as the system looks for libraries")
         ->capture_default_str();
 
@@ -68,12 +70,16 @@ int command(int argc, char **argv) {
             suggested = suggest(filter, Inputs(filter, request.inputs));
         }
         if (suggested.status != GUSSET_PLUGIN_DONE) {
-            throw Failure(Exit::refused,
-                          request.filter + " refuses these inputs (status " + std::to_string(suggested.status) + ")");
+            throw Failure(exit_of(suggested.status), request.filter + " refuses these inputs (status " +
+                                                         std::to_string(suggested.status) + "); 'gusset-host run " +
+                                                         request.filter + " ...' says why");
         }
         describe(std::cout, filter, suggested.values);
     } else {
         list(std::cout, plugin);
+    }
+    if (!std::cout.flush()) {
+        throw Failure(Exit::file, "the standard output cannot be written");
     }
     return static_cast<int>(Exit::done);
 }
@@ -88,6 +94,6 @@ int main(int argc, char **argv) {
     } catch (const std::exception &error) {
         // Memory, that is to say.
         std::cerr << "gusset-host: " << error.what() << '\n';
-        return static_cast<int>(Exit::file);
+        return static_cast<int>(Exit::memory);
     }
 }

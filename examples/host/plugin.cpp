@@ -87,11 +87,11 @@ gusset_plugin_curves view(const Curves &curves) {
 Inputs::Inputs(const gusset_filter &filter, const std::vector<std::string> &paths) {
     if (paths.size() < filter.min_inputs || paths.size() > filter.max_inputs) {
         const std::string least = std::to_string(filter.min_inputs), most = std::to_string(filter.max_inputs);
-        const std::string range = filter.max_inputs == UINT32_MAX ? least + " or more"
-                                  : least == most                 ? least
-                                                                  : least + " to " + most;
+        const std::string range = filter.max_inputs == UINT32_MAX ? least + " or more inputs"
+                                  : least == most                 ? number_of(filter.max_inputs, "input")
+                                                                  : least + " to " + most + " inputs";
         throw Failure(Exit::usage,
-                      std::string(filter.id) + " takes " + range + " inputs, not " + std::to_string(paths.size()));
+                      std::string(filter.id) + " takes " + range + ", not " + std::to_string(paths.size()));
     }
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (input_kind(filter, i) == GUSSET_KIND_CURVES) {

@@ -8,9 +8,6 @@
 #include <memory>
 
 namespace {
-/// Defects of the plugin have this status and those above.
-constexpr int32_t internal_error = 9999;
-
 struct Free {
     const gusset_plugin *plugin;
     void operator()(gusset_outputs *outputs) const { plugin->output_free(outputs); }
@@ -30,9 +27,12 @@ const char *element_name(uint32_t element) {
     }
 }
 
+/// Whether an index is a place to look at: not if it means nothing, nor if it is a count.
+bool is_place(uint32_t element) { return element != 0 && element != 6; }
+
 /// The plugin's own account: its sentence, and which parameter, input and element it is about.
 Failure refusal(const Plugin &plugin, const gusset_filter &filter, const gusset_outputs *outputs, int32_t status) {
-    const Exit exit = status >= internal_error ? Exit::plugin : Exit::refused;
+    const Exit exit = exit_of(status);
     gusset_failure failure{};
     failure.struct_size = sizeof failure;
     if (plugin->output_failure(outputs, &failure) != GUSSET_PLUGIN_DONE) {
@@ -45,7 +45,7 @@ Failure refusal(const Plugin &plugin, const gusset_filter &filter, const gusset_
     if (failure.input != GUSSET_PLUGIN_NONE) {
         text += ", input " + std::to_string(failure.input + 1);
     }
-    if (failure.element != 0) {
+    if (is_place(failure.element)) {
         text +=
             std::string(", ") + element_name(failure.element) + " number " + std::to_string(failure.index) + " from 0";
     }
@@ -125,8 +125,8 @@ std::vector<std::string> files_of_outputs(const gusset_filter &filter, const std
         files[i] = given[next++];
     }
     if (next < given.size()) {
-        throw Failure(Exit::usage, std::string(filter.id) + " has " + std::to_string(next) +
-                                       " outputs for files, and " + std::to_string(given.size()) + " are named");
+        throw Failure(Exit::usage, std::string(filter.id) + " has " + number_of(next, "output") +
+                                       " for files, and " + std::to_string(given.size()) + " are named");
     }
     return files;
 }
@@ -145,6 +145,14 @@ void write(const Plugin &plugin, const gusset_outputs *outputs, const std::vecto
     }
 }
 } // namespace
+
+Exit exit_of(int32_t status) {
+    // Defects of the plugin have this status and those above.
+    constexpr int32_t internal_error = 9999;
+    return status >= internal_error                ? Exit::plugin
+           : status == GUSSET_PLUGIN_OUT_OF_MEMORY ? Exit::memory
+                                                   : Exit::refused;
+}
 
 Suggested suggest(const gusset_filter &filter, const Inputs &inputs) {
     Suggested suggested{std::vector<double>(filter.value_count), 0};

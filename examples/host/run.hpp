@@ -18,6 +18,9 @@ struct RunRequest {
     std::optional<double> cancel_after;
 };
 
+/// How the program ends after this status of the plugin, which is neither success nor a cancel.
+Exit exit_of(int32_t status);
+
 /// The values that the filter suggests for these inputs, or if it refuses them, its status and the defaults.
 struct Suggested {
     std::vector<double> values;

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <iostream>
@@ -68,24 +69,35 @@ std::optional<double> Steering::since_request(Clock::time_point now) {
     return std::chrono::duration<double, std::milli>(now - *requested).count();
 }
 
-int32_t Steering::progress(void *user, double fraction, const char *stage) {
-    auto &self = *static_cast<Steering *>(user);
-    if (self.bar) {
-        self.show(fraction, stage);
+// What calls back is C: nothing may be thrown through it.
+int32_t Steering::progress(void *user, double fraction, const char *stage) noexcept {
+    try {
+        auto &self = *static_cast<Steering *>(user);
+        if (self.bar) {
+            self.show(fraction, stage);
+        }
+    } catch (...) {
+        // A bar is not worth a run.
     }
     return stop ? 1 : 0;
 }
 
-void Steering::log(void *user, const char *message) {
-    // Not into the bar.
-    const auto &self = *static_cast<Steering *>(user);
-    std::cerr << (self.terminal && !self.shown.empty() ? "\n" : "") << message << '\n';
+void Steering::log(void *user, const char *message) noexcept {
+    try {
+        // Not into the bar.
+        const auto &self = *static_cast<Steering *>(user);
+        std::cerr << (self.terminal && !self.shown.empty() ? "\n" : "") << message << '\n';
+    } catch (...) {
+        // Nor is a remark.
+    }
 }
 
 void Steering::show(double fraction, const std::string &stage) {
     constexpr std::size_t width = 30;
-    const auto part = [fraction](std::size_t whole) {
-        return static_cast<std::size_t>(std::floor(fraction * static_cast<double>(whole)));
+    // Whatever a plugin says, NaN too.
+    const double done = fraction > 0 ? std::min(fraction, 1.0) : 0.0;
+    const auto part = [done](std::size_t whole) {
+        return static_cast<std::size_t>(std::floor(done * static_cast<double>(whole)));
     };
     std::string line = '[' + std::string(part(width), '#') + std::string(width - part(width), '.') + "] " +
                        std::to_string(part(100)) + " % " + stage;

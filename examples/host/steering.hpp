@@ -29,8 +29,8 @@ public:
     std::optional<double> since_request(Clock::time_point now);
 
 private:
-    static int32_t progress(void *user, double fraction, const char *stage);
-    static void log(void *user, const char *message);
+    static int32_t progress(void *user, double fraction, const char *stage) noexcept;
+    static void log(void *user, const char *message) noexcept;
     void show(double fraction, const std::string &stage);
 
     gusset_host callbacks{};

@@ -203,7 +203,8 @@ std::map<std::string, QVariant> GussetFilters::applyFilter(const QAction *action
     }
     const Listener listener{
         [&](double fraction, const char *stage) {
-            return progress == nullptr || progress(static_cast<int>(100 * fraction), stage);
+            const double done = fraction > 0 ? std::min(fraction, 1.0) : 0.0; // NaN is 0
+            return progress == nullptr || progress(static_cast<int>(100 * done), stage);
         },
         [&](const char *message) { log(message); },
     };

@@ -247,8 +247,8 @@ pub struct gusset_filter {
     /// Parameter index, 0 to param_count - 1; NULL for any other.
     pub param: unsafe extern "C" fn(filter: *const gusset_filter, index: u32) -> *const gusset_param_info,
     /// Writes the values that suit these inputs, one parameter after the other; values has room for value_count of them, and
-    /// holds the plain defaults after a failure. Inputs as for run. O(size of the inputs). Returns GUSSET_PLUGIN_DONE or a
-    /// gusset_status of gusset.h.
+    /// holds the plain defaults after a failure, of which suggest gives no account: run with the same inputs does. Inputs
+    /// as for run. O(size of the inputs). Returns GUSSET_PLUGIN_DONE or a gusset_status of gusset.h.
     pub suggest: unsafe extern "C" fn(
         filter: *const gusset_filter,
         inputs: *const gusset_input,
@@ -285,7 +285,12 @@ pub struct gusset_failure {
     pub param: u32,
     /// The number of the input that is at fault, or GUSSET_PLUGIN_NONE.
     pub input: u32,
-    /// What index counts: a GUSSET_ELEMENT_... of gusset.h; 0 nothing, 1 vertices, 2 faces, 3 corners.
+    /// What index counts, a GUSSET_ELEMENT_... of gusset.h: 0 nothing, 1 vertices, 2 faces, 3 corners, 4 entries of
+    /// face_offsets, 5 places in a loop, 6 nothing either: index is itself a count of elements or bytes; 7 points of all
+    /// curves, 8 constraints on an outline, 9 places on a curve or a surface, 12 sections or planes, 13 nodes of a net, row
+    /// after row, 14 its links (twice the first node, and 1 if vertical), 15 its cells, row after row, 16 seams,
+    /// 17 bridges, 18 entries of a scene, 19 bytes of a stream, 20 places along the side of a net, 21 other items given,
+    /// 30 knots, 31 rows of a net of curves. Later versions may have more.
     pub element: u32,
     /// The first offending element.
     pub index: u64,
