@@ -14,7 +14,8 @@ fn nearest_angles_at_poles() {
         let point = |(down, round): (f64, f64)| {
             turn * DVec3::new(down.sin() * round.cos(), down.sin() * round.sin(), down.cos()) * size
         };
-        let nodes = Nodes::strided(nodes.flat_map(|at| point(at).to_array()).collect(), 9, 17, 0, 0).unwrap();
+        let nodes: Vec<f64> = nodes.flat_map(|at| point(at).to_array()).collect();
+        let nodes = Nodes::strided(nodes, 9, 17, 0, 0).unwrap();
         let grid = Grid::new(nodes, [false, true], Scheme::SixTap).unwrap();
         let cap = Carcass::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap();
         for (k, unsigned) in (1..16).flat_map(|k| [(k, false), (k, true)]) {
