@@ -119,7 +119,7 @@ install: build
 	sed -e 's|@UP@|$(shell realpath -ms --relative-to='$(LIBDIR)/pkgconfig' '$(PREFIX)')|' \
 	    -e 's|@LIB@|$(shell realpath -ms --relative-to='$(PREFIX)' '$(LIBDIR)')|' -e 's|@VERSION@|$(version)|' \
 	    -e 's|@DESCRIPTION@|$(call manifest,description)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc
-	install -m 644 README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE $(docdir)
+	install -m 644 README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE packaging/debian/copyright $(docdir)
 	find docs -name '*.md' -o -name '*.svg' | xargs -I% install -D -m 644 % $(docdir)/%
 	printf '%s\n' CONTRIBUTING.md examples/guides/* examples/meshlab/LICENCE-NOTE.md examples/meshlab/try.py include/gusset.openmfx.symbols | \
 	    xargs -I@ install -D -m 644 @ $(docdir)/@

@@ -250,8 +250,8 @@ typedef struct gusset_host {
     void *user;
     /**
      * Called now and then during long work, or NULL. fraction: the part done, 0 to 1, never decreasing. stage: what is being
-     * done, valid during the callback only. Nonzero cancels: run returns GUSSET_PLUGIN_CANCELLED soon after; of meshes
-     * of a million faces within a tenth of a second, later where curves have as many points or a parameter asks for huge results.
+     * done, valid during the callback only. Nonzero cancels: run returns GUSSET_PLUGIN_CANCELLED soon after: within a
+     * tenth of a second for a million faces or points that go in and come out; giving back the memory of many more takes longer.
      */
     int32_t (*progress)(void *user, double fraction, const char *stage);
     /**

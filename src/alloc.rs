@@ -1,6 +1,7 @@
 //! The one place where memory sized by input is asked for, so that a huge count is an error and not an abort.
 
 use crate::error::{Error, Result};
+use crate::job::Job;
 
 /// An empty vector with room for `capacity` elements.
 pub(crate) fn with_capacity<T>(capacity: usize) -> Result<Vec<T>> {
@@ -16,6 +17,16 @@ pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
     Ok(vec)
 }
 
+/// [`filled`], for long vectors: the host can cancel.
+pub(crate) fn filled_heard<T: Clone>(value: T, len: usize, job: &Job<'_>, stage: &'static str) -> Result<Vec<T>> {
+    let mut vec = with_capacity(len)?;
+    job.ranges(stage, len, |range| {
+        vec.resize(range.end, value.clone());
+        Ok(())
+    })?;
+    Ok(vec)
+}
+
 /// A vector of `len` zeros, whose memory is touched only when it is used: by the thread that uses it.
 pub(crate) fn zeroed<T: bytemuck::Zeroable>(len: usize) -> Result<Vec<T>> {
     let bytes = (len as u64).saturating_mul(size_of::<T>() as u64);
@@ -26,6 +37,20 @@ pub(crate) fn zeroed<T: bytemuck::Zeroable>(len: usize) -> Result<Vec<T>> {
 pub(crate) fn collect<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
     let mut vec = with_capacity(items.len())?;
     vec.extend(items);
+    Ok(vec)
+}
+
+/// [`collect`], for long iterators: the host can cancel.
+pub(crate) fn collect_heard<T>(
+    mut items: impl ExactSizeIterator<Item = T>,
+    job: &Job<'_>,
+    stage: &'static str,
+) -> Result<Vec<T>> {
+    let mut vec = with_capacity(items.len())?;
+    job.ranges(stage, items.len(), |range| {
+        vec.extend(items.by_ref().take(range.len()));
+        Ok(())
+    })?;
     Ok(vec)
 }
 

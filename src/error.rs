@@ -358,6 +358,22 @@ pub enum Error {
         /// The coordinate, or infinity.
         value: f64,
     },
+    /// A filter takes another number of inputs.
+    InputCount {
+        /// How many there are.
+        given: u64,
+        /// The least number.
+        least: u64,
+        /// The greatest number.
+        most: u64,
+    },
+    /// An input is not such as a filter takes.
+    InputUnfit {
+        /// Which of the inputs.
+        input: u32,
+        /// What is needed.
+        why: &'static str,
+    },
     /// An option is outside its range.
     OptionOutOfRange {
         /// The option's name.
@@ -526,6 +542,11 @@ impl fmt::Display for Error {
                 let value = Number(value);
                 write!(f, "sheet {sheet}: its greatest coordinate, {value}, is not 0 nor from 1e-30 to 1e37")
             }
+            Error::InputCount { given, least, most } => {
+                write!(f, "the number of inputs is {given}, and the filter takes ")?;
+                if least == most { write!(f, "{least}") } else { write!(f, "{least} to {most}") }
+            }
+            Error::InputUnfit { input, why } => write!(f, "input {input}: {why}"),
             Error::OptionOutOfRange { option, value } => {
                 write!(f, "option {option} is out of range: {}", Number(value))
             }

@@ -1,7 +1,10 @@
 //! How a long computation speaks with whoever started it: progress, cancel, notes, and the number of threads.
 
 use crate::error::{Error, Result};
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
+
+/// Elements of simple work that are done within a few milliseconds.
+const AT_ONCE: usize = 1 << 19;
 
 /// Receives progress and notes. All calls come from the thread that started the computation.
 pub trait Progress {
@@ -57,6 +60,20 @@ impl<'a> Job<'a> {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => Err(Error::Cancelled),
         }
+    }
+
+    /// Does work of `len` elements, so many at a time that no host waits, and reports before each time.
+    pub(crate) fn ranges(
+        &self,
+        stage: &'static str,
+        len: usize,
+        mut work: impl FnMut(Range<usize>) -> Result<()>,
+    ) -> Result<()> {
+        for start in (0..len).step_by(AT_ONCE) {
+            self.step(start as f64 / len as f64, stage)?;
+            work(start..len.min(start + AT_ONCE))?;
+        }
+        Ok(())
     }
 
     /// Passes a note to the host.

@@ -261,7 +261,8 @@ fn values_and_inputs_out_of_range_are_refused() {
             Err(Error::OptionOutOfRange { option: "values", .. })
         ));
         let refused = |inputs: &[Input<'_>]| {
-            matches!(filter.run(inputs, &[], &Job::default()), Err(Error::OptionOutOfRange { option: "inputs", .. }))
+            let refused = filter.run(inputs, &[], &Job::default());
+            matches!(refused, Err(Error::InputCount { .. } | Error::InputUnfit { .. }))
         };
         let (mesh, curves) = (cap(5, 2, 0.0, 1.0), Curves::default());
         let too_many = vec![*inputs.first().unwrap_or(&Input::Mesh(mesh.view())); filter.max_inputs + 1];
@@ -323,7 +324,7 @@ fn degenerate_inputs_are_answered_or_refused_clearly() {
                             let set = if between > 0.0 { set } else { &[] };
                             let done = filter.run(&all, &values(filter.id, &all, set), &Job::default());
                             if let Err(Error::OptionOutOfRange { option, .. }) = done {
-                                let known = filter.params.iter().any(|p| p.id == option) || option == "inputs";
+                                let known = filter.params.iter().any(|p| p.id == option);
                                 assert!(known, "{}: {option}", filter.id);
                             }
                         }
@@ -359,5 +360,5 @@ fn what_is_no_grid_is_refused_by_filters_of_grids() {
         }
     }
     let twice = run_on_curves("outline", &[Curves::default(), Curves::default()], &[]);
-    assert_eq!(twice, Err(Error::OptionOutOfRange { option: "inputs", value: 2.0 }));
+    assert_eq!(twice, Err(Error::InputCount { given: 2, least: 1, most: 1 }));
 }

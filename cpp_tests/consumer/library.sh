@@ -29,7 +29,7 @@ missing=$(readelf -sW libgusset.a | awk '$5 == "GLOBAL" && $7 != "UND" { print $
   LC_ALL=C comm -13 - <(LC_ALL=C sort "$manifest"))
 [ -z "$missing" ] || fail "the static library lacks $missing"
 
-for file in include/gusset.hpp lib/pkgconfig/gusset.pc share/doc/gusset/{LICENSE-MIT,LICENSE-APACHE,README.md}; do
+for file in include/gusset.hpp lib/pkgconfig/gusset.pc share/doc/gusset/{LICENSE-MIT,LICENSE-APACHE,copyright,README.md}; do
   [ -s "$prefix/$file" ] || fail "$file is missing"
 done
 echo "libgusset.so.$version: $(wc -l <"$manifest") symbols, needs $(tr '\n' ' ' <<<"$needed")"

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -49,7 +50,7 @@ Milliseconds between(const Instant &from, const Instant &to) {
 struct Run {
     Instant start, last, end;
     Milliseconds silence{0};
-    std::string stage = "start", silent_after;
+    std::string stage = "start", silent_after, silent_before;
     std::atomic<bool> stop{false};
     int32_t status = 0;
 
@@ -58,6 +59,7 @@ struct Run {
         if (between(last, now) > silence) {
             silence = between(last, now);
             silent_after = stage;
+            silent_before = next;
         }
         last = now;
         stage = next;
@@ -101,7 +103,8 @@ private:
 
 class Subject {
 public:
-    Subject(const gusset_plugin &plugin_, const gusset_filter &filter_, uint32_t size, uint32_t threads_)
+    Subject(const gusset_plugin &plugin_, const gusset_filter &filter_, uint32_t size, uint32_t threads_,
+            const std::map<std::string, double> &set)
         : plugin(plugin_), filter(filter_), threads(threads_) {
         // The first shapes that it takes, found out on small ones.
         uint32_t number = 0;
@@ -115,6 +118,12 @@ public:
             }
         }
         make(number % TRIES, size);
+        for (uint32_t i = 0; i < filter.param_count; ++i) {
+            const gusset_param_info &param = *filter.param(&filter, i);
+            if (const auto given = set.find(param.id); given != set.end()) {
+                values[param.first_value] = given->second;
+            }
+        }
     }
     ~Subject() { shapes_free(&made); }
     Subject(const Subject &) = delete;
@@ -139,10 +148,12 @@ private:
         shapes_make(&made, &filter, number, size);
         values.assign(filter.value_count, 0);
         static_cast<void>(filter.suggest(&filter, made.inputs, made.count, values.data()));
-        // What is made of nothing is as large as its whole numbers say.
-        for (uint32_t i = 0; filter.max_inputs == 0 && i < filter.param_count; ++i) {
+        // What is made of nothing, or of curves, is as large as its rows and columns say.
+        const bool of_mesh = made.count > 0 && made.inputs[0].kind == GUSSET_KIND_MESH;
+        for (uint32_t i = 0; !of_mesh && i < filter.param_count; ++i) {
             const gusset_param_info &param = *filter.param(&filter, i);
-            if (param.kind == GUSSET_PARAM_INT) {
+            const std::string id = param.id;
+            if (id == "rows" || id == "columns") {
                 values[param.first_value] = std::clamp<double>(size + 1, param.min, param.max);
             }
         }
@@ -156,8 +167,9 @@ private:
 };
 
 /// One row of the table; false if the filter is too slow to stop.
-bool measure(const gusset_plugin &plugin, const gusset_filter &filter, uint32_t size, uint32_t threads, int cancels) {
-    const Subject subject(plugin, filter, size, threads);
+bool measure(const gusset_plugin &plugin, const gusset_filter &filter, uint32_t size, uint32_t threads, int cancels,
+             const std::map<std::string, double> &set) {
+    const Subject subject(plugin, filter, size, threads, set);
     Run whole;
     subject.go(whole);
     const Milliseconds time = whole.end.wall - whole.start.wall;
@@ -180,8 +192,8 @@ bool measure(const gusset_plugin &plugin, const gusset_filter &filter, uint32_t 
     }
     std::sort(late.begin(), late.end());
     const double median = late.empty() ? 0 : late[late.size() / 2], worst = late.empty() ? 0 : late.back();
-    std::printf("%-20s %s%8.0f %8.1f %8.1f %5zu %10.1f  after \"%s\"\n", filter.id, cut ? ">" : " ", time.count(),
-                median, worst, late.size(), whole.silence.count(), whole.silent_after.c_str());
+    std::printf("%-20s %s%8.0f %8.1f %8.1f %5zu %10.1f  from \"%s\" to \"%s\"\n", filter.id, cut ? ">" : " ", time.count(),
+                median, worst, late.size(), whole.silence.count(), whole.silent_after.c_str(), whole.silent_before.c_str());
     std::fflush(stdout);
     return worst <= limit;
 }
@@ -197,9 +209,20 @@ int main(int argc, char **argv) {
     app.add_option("filters", only, "Ids; all of them without any");
     app.add_option("--size", size, "The square root of the number of faces and points")->capture_default_str();
     app.add_option("--cancels", cancels, "How many, at random times")->capture_default_str();
+    std::vector<std::string> set;
+    app.add_option("--set", set, "Values for parameters that have these ids, as id=value");
     app.add_option("--threads", threads, "0: as many as the machine has")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
 
+    std::map<std::string, double> numbers;
+    for (const std::string &text : set) {
+        const std::size_t sign = text.find('=');
+        if (sign == std::string::npos) {
+            std::fprintf(stderr, "%s is not id=value\n", text.c_str());
+            return 2;
+        }
+        numbers[text.substr(0, sign)] = std::stod(text.substr(sign + 1));
+    }
     void *open = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
     const auto entry =
         open != nullptr ? reinterpret_cast<gusset_plugin_entry_fn>(dlsym(open, "gusset_plugin_entry")) : nullptr;
@@ -214,7 +237,7 @@ int main(int argc, char **argv) {
     for (uint32_t i = 0; i < plugin->filter_count; ++i) {
         const gusset_filter &filter = *plugin->filter(i);
         if (only.empty() || std::find(only.begin(), only.end(), filter.id) != only.end()) {
-            good = measure(*plugin, filter, size, threads, cancels) && good;
+            good = measure(*plugin, filter, size, threads, cancels, numbers) && good;
         }
     }
     std::printf(good ? "all within %.0f ms\n" : "not all within %.0f ms\n", limit);

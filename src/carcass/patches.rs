@@ -15,7 +15,8 @@ pub const MAX_DEGREE: usize = 7;
 /// `rows x columns` Bézier patches of degree N - 1, row after row; neighbours share their sides, or nearly.
 #[derive(Debug, Clone)]
 pub struct Patches<const N: usize> {
-    patches: Arc<[Patch<N>]>,
+    /// Not a slice: that would be a copy of what may be gigabytes.
+    patches: Arc<Vec<Patch<N>>>,
     rows: usize,
     columns: usize,
     closed: [bool; 2],
@@ -57,7 +58,7 @@ impl<const N: usize> Patches<N> {
 
     /// `rows * columns` patches, at least one.
     pub(crate) fn of(patches: Vec<Patch<N>>, rows: usize, columns: usize) -> Self {
-        let mut made = Patches { patches: patches.into(), rows, columns, closed: [false, false] };
+        let mut made = Patches { patches: Arc::new(patches), rows, columns, closed: [false, false] };
         let closed_u = |j: usize| made.get(0, j).points[0] == made.get(rows - 1, j).points[N - 1];
         let closed_v = |i: usize| {
             let (first, last) = (made.get(i, 0), made.get(i, columns - 1));

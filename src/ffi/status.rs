@@ -294,6 +294,8 @@ impl From<Error> for Failure {
             Error::GluedInside => none(GUSSET_ERROR_GLUED_INSIDE),
             Error::BadLine { line, value } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, line, value),
             Error::SheetOutOfRange { sheet, value } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, sheet, value),
+            Error::InputCount { given, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, given as f64),
+            Error::InputUnfit { input, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, f64::from(input)),
             Error::OptionOutOfRange { value, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, value),
             Error::OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
             Error::Cancelled => none(GUSSET_ERROR_CANCELLED),

@@ -6,6 +6,7 @@ use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::outline::ops::Spacing;
 use crate::outline::{Curve, CurveView, Mode, Options, Outlines, Points, fit};
 use glam::DVec3;
 
@@ -104,12 +105,13 @@ pub(super) fn chord(given: &Curves, values: &Values<'_>) -> f64 {
     (values.number(CHORD.id) * size).max(f64::MIN_POSITIVE)
 }
 
-/// A curve as points of a polyline.
+/// A curve as points of a polyline; one without segments is its point.
 ///
 /// # Errors
-/// Those of [`CurveView::sampled_by_chord`].
-pub(super) fn sampled(curve: &CurveView<'_>, tolerance: f64) -> Result<Vec<DVec3>> {
-    if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sampled_by_chord(tolerance)?.points) }
+/// Those of [`CurveView::sampled`].
+pub(super) fn sampled(curve: &CurveView<'_>, spacing: Spacing, job: &Job<'_>) -> Result<Vec<DVec3>> {
+    job.step(0.0, "points along a curve")?;
+    if curve.is_empty() { alloc::copied(curve.points()) } else { Ok(curve.sampled(spacing, job)?.points) }
 }
 
 /// A plane with axes of its own: those of space for the plane z = 0.

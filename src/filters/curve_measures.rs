@@ -35,9 +35,10 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let curves = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.5))?;
     let (mut text, mut total) = (String::new(), 0.0);
     for (c, curve) in curves.iter().enumerate() {
-        job.step(0.5 + 0.5 * c as f64 / curves.len() as f64, "measuring curves")?;
+        let part = job.part(0.5, 1.0).part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        part.step(0.0, "measuring curves")?;
         let curve = curve.view();
-        let length = if curve.is_empty() { 0.0 } else { curve.length()? };
+        let length = if curve.is_empty() { 0.0 } else { curve.lengths_heard(&part)?.total() };
         total += length;
         if c < LISTED {
             // Writing to a string cannot fail.

@@ -6,9 +6,14 @@ use super::data::{Curves, Input, InputKind, Output, OutputKind};
 use super::distances;
 use super::param::Values;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::job::Job;
+use crate::outline::Curve;
+use crate::outline::ops::nearest_of_any;
 use glam::DVec3;
+
+/// Points between two progress reports.
+const STEP: usize = 1 << 16;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_nearest",
@@ -33,36 +38,15 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     from.each()?;
     let curves = curve::curves(inputs[1].curves()?, values, &job.part(0.0, 0.2))?;
     let queries = alloc::collect(from.points.iter().map(|&point| DVec3::from(point)))?;
-    let mut best = alloc::filled((f64::INFINITY, DVec3::ZERO), queries.len())?;
-    let job = job.part(0.2, 1.0);
-    for (c, curve) in curves.iter().enumerate() {
-        let part = job.part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
-        let curve = curve.view();
-        match curve.points() {
-            [] => {}
-            &[point] => {
-                part.step(0.0, "nearest points")?;
-                take(&mut best, queries.iter().map(|query| (query.distance(point), point)));
-            }
-            _ => take(&mut best, curve.nearest(&queries, &part)?.iter().map(|near| (near.distance, near.point))),
-        }
-    }
-    if best.iter().any(|best| best.0 == f64::INFINITY) {
-        return Err(Error::EmptyCurve);
-    }
+    let views = alloc::collect(curves.iter().map(Curve::view))?;
+    let found = nearest_of_any(&views, &queries, &job.part(0.2, 0.9))?;
     let mut ways = Curves::none();
-    for (&query, &(_, point)) in queries.iter().zip(&best) {
-        ways.add([query, point].into_iter(), false)?;
-    }
-    let text = distances::account("points", best.iter().map(|best| best.0));
-    Ok(vec![Output::Curves(ways), Output::Text(text)])
-}
-
-/// Keeps the nearer points.
-fn take(best: &mut [(f64, DVec3)], found: impl Iterator<Item = (f64, DVec3)>) {
-    for (best, found) in best.iter_mut().zip(found) {
-        if found.0 < best.0 {
-            *best = found;
+    for (k, (&query, (_, nearest))) in queries.iter().zip(&found).enumerate() {
+        if k % STEP == 0 {
+            job.step(0.9 + 0.1 * k as f64 / queries.len() as f64, "segments")?;
         }
+        ways.add([query, nearest.point].into_iter(), false)?;
     }
+    let text = distances::account("points", found.iter().map(|(_, nearest)| nearest.distance));
+    Ok(vec![Output::Curves(ways), Output::Text(text)])
 }

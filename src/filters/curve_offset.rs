@@ -7,7 +7,7 @@ use super::extent::{Extent, put};
 use super::param::{PLACES, Param, ParamKind, Values};
 use crate::error::Result;
 use crate::job::Job;
-use crate::outline::ops::OffsetOptions;
+use crate::outline::ops::{OffsetOptions, Spacing};
 use std::fmt::Write;
 
 /// Segments that an offset may have.
@@ -59,14 +59,15 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let options = OffsetOptions { degree: 3, tolerance: 0.5 * tolerance, max_segments: MOST };
     let (mut drawn, mut text) = (Curves::none(), String::new());
     for (c, curve) in curves.iter().enumerate() {
-        job.step(0.3 + 0.7 * c as f64 / curves.len() as f64, "offset")?;
+        let part = job.part(0.3, 1.0).part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        part.step(0.0, "offset")?;
         if curve.view().is_empty() {
             // Writing to a string cannot fail.
             let _ = writeln!(text, "curve {c}: left out, without extent");
             continue;
         }
-        let offset = curve.view().offset(values.number("distance"), &options)?;
-        let points = curve::sampled(&offset.curve.view(), 0.5 * tolerance)?;
+        let offset = curve.view().offset_heard(values.number("distance"), &options, &part.part(0.0, 0.8))?;
+        let points = curve::sampled(&offset.curve.view(), Spacing::Chord(0.5 * tolerance), &part.part(0.8, 1.0))?;
         drawn.add(points.iter().map(|&point| flat.point(point)), offset.curve.view().is_closed())?;
         let tight = if offset.tight { ", some bends are tighter than the distance" } else { "" };
         let reached = if offset.reached { "" } else { ", which is more than asked for" };

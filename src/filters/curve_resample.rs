@@ -7,6 +7,7 @@ use super::extent::{Extent, put};
 use super::param::{Choice, LENGTHS, Param, ParamKind, Values};
 use crate::error::Result;
 use crate::job::Job;
+use crate::outline::ops::Spacing;
 
 pub(super) const FILTER: Filter = Filter {
     id: "curve_resample",
@@ -66,18 +67,15 @@ fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let given = inputs[0].curves()?;
     let curves = curve::curves(given, values, &job.part(0.0, 0.5))?;
-    let tolerance = curve::chord(given, values);
     let mut drawn = Curves::none();
+    let spacing = match values.chosen("spacing") {
+        0 => Spacing::Count(values.number("number") as usize),
+        1 => Spacing::Step(values.number("step")),
+        _ => Spacing::Chord(curve::chord(given, values)),
+    };
     for (c, curve) in curves.iter().enumerate() {
-        job.step(0.5 + 0.5 * c as f64 / curves.len() as f64, "resampling curves")?;
-        let curve = curve.view();
-        let points = match values.chosen("spacing") {
-            _ if curve.is_empty() => crate::alloc::copied(curve.points())?,
-            0 => curve.sampled_by_count(values.number("number") as usize)?.points,
-            1 => curve.sampled_by_step(values.number("step"))?.points,
-            _ => curve::sampled(&curve, tolerance)?,
-        };
-        drawn.add(points.into_iter(), curve.is_closed())?;
+        let part = job.part(0.5, 1.0).part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        drawn.add(curve::sampled(&curve.view(), spacing, &part)?.into_iter(), curve.view().is_closed())?;
     }
     Ok(vec![Output::Curves(drawn)])
 }

@@ -39,8 +39,12 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let curves = flat.curves(inputs[0].curves()?, values, &job.part(0.0, 0.5))?;
     let mut text = String::new();
     for (c, curve) in curves.iter().enumerate() {
-        job.step(0.5 + 0.5 * c as f64 / curves.len() as f64, "writing paths")?;
-        let path = if values.is_set("downwards") { turned_over(&curve.view())? } else { curve.view().svg_path()? };
+        let part = job.part(0.5, 1.0).part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        part.step(0.0, "writing a path")?;
+        let path = match values.is_set("downwards") {
+            true => turned_over(&curve.view(), &part)?,
+            false => curve.view().svg_path_heard(&part)?,
+        };
         let bytes = path.len() + 1;
         text.try_reserve(bytes).map_err(|_| Error::OutOfMemory { bytes: bytes as u64 })?;
         text += &path;
@@ -50,7 +54,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 }
 
 /// The path of a curve whose second coordinate grows downwards.
-fn turned_over(curve: &CurveView<'_>) -> Result<String> {
+fn turned_over(curve: &CurveView<'_>, job: &Job<'_>) -> Result<String> {
     let points = alloc::collect(curve.points().iter().map(|p| DVec3::new(p.x, -p.y, p.z)))?;
-    CurveView::new(&points, curve.ends(), curve.is_closed())?.svg_path()
+    CurveView::new(&points, curve.ends(), curve.is_closed())?.svg_path_heard(job)
 }

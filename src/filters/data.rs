@@ -35,22 +35,22 @@ impl<'a> Input<'a> {
     /// The mesh.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`]: it is none.
+    /// [`Error::InputUnfit`]: it is none.
     pub(super) fn mesh(&self) -> Result<&MeshView<'a>> {
         match self {
             Input::Mesh(mesh) => Ok(mesh),
-            Input::Curves(_) => Err(Error::OptionOutOfRange { option: "inputs", value: 0.0 }),
+            Input::Curves(_) => Err(Error::InputUnfit { input: 0, why: "a mesh is needed, not curves" }),
         }
     }
 
     /// The polylines.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`]: they are none.
+    /// [`Error::InputUnfit`]: they are none.
     pub(super) fn curves(&self) -> Result<&'a Curves> {
         match self {
             Input::Curves(curves) => Ok(curves),
-            Input::Mesh(_) => Err(Error::OptionOutOfRange { option: "inputs", value: 0.0 }),
+            Input::Mesh(_) => Err(Error::InputUnfit { input: 0, why: "curves are needed, not a mesh" }),
         }
     }
 }

@@ -106,8 +106,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let given = inputs[0].curves()?;
     let sections = given.each()?;
     let closed = sections.first().is_some_and(|section| section.1);
-    if let Some(other) = sections.iter().position(|section| section.1 != closed) {
-        return Err(Error::OptionOutOfRange { option: "inputs", value: other as f64 });
+    if sections.iter().any(|section| section.1 != closed) {
+        return Err(Error::InputUnfit { input: 0, why: "all curves must be closed, or all open" });
     }
     let columns = values.number("columns") as usize;
     let direction = values.direction("direction")?;
@@ -125,12 +125,13 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let offsets = alloc::copied(&given.offsets)?;
     let outlines =
         Outlines { points: Points::from(&given.points[..]), offsets: Some(&offsets), closed, constraints: &[] };
+    let too_few = Error::InputUnfit { input: 0, why: "two curves are needed at least, three for a ring" };
     if sections.is_empty() {
-        return Err(Error::OptionOutOfRange { option: "inputs", value: 0.0 });
+        return Err(too_few);
     }
     let options = FrameOptions { correspondence, across, along, ring };
     let made = frame(&outlines, &options, &job.part(0.0, 0.4)).map_err(|error| match error {
-        Error::OptionOutOfRange { option: "sections", value } => Error::OptionOutOfRange { option: "inputs", value },
+        Error::OptionOutOfRange { option: "sections", .. } => too_few,
         error => error,
     })?;
     let kind = [FrameSurface::Nodes, FrameSurface::Curves][values.chosen("through")];

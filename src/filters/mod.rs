@@ -170,7 +170,7 @@ impl Filter {
     /// Whether the filter takes so many inputs of these kinds.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] if not, with their number, or else the place of the first of a wrong kind.
+    /// [`Error::InputCount`], [`Error::InputUnfit`] for the first of a wrong kind.
     pub fn check_inputs(&self, inputs: &[Input<'_>]) -> Result<()> {
         self.check_input_count(inputs.len())?;
         inputs.iter().enumerate().try_for_each(|(place, input)| self.check_input_kind(place, input.kind()))
@@ -179,20 +179,25 @@ impl Filter {
     /// Whether the filter takes so many inputs.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] with their number if not.
+    /// [`Error::InputCount`].
     pub fn check_input_count(&self, count: usize) -> Result<()> {
         let fits = (self.min_inputs..=self.max_inputs).contains(&count);
-        if fits { Ok(()) } else { Err(Error::OptionOutOfRange { option: "inputs", value: count as f64 }) }
+        let [least, most] = [self.min_inputs, self.max_inputs].map(|count| count as u64);
+        if fits { Ok(()) } else { Err(Error::InputCount { given: count as u64, least, most }) }
     }
 
     /// Whether input `place` may be of this kind.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] with the place if not.
+    /// [`Error::InputUnfit`].
     pub fn check_input_kind(&self, place: usize, kind: InputKind) -> Result<()> {
         let wanted = self.inputs.get(place).or(self.inputs.last()).copied();
-        let fits = wanted == Some(kind);
-        if fits { Ok(()) } else { Err(Error::OptionOutOfRange { option: "inputs", value: place as f64 }) }
+        if wanted == Some(kind) {
+            return Ok(());
+        }
+        let why =
+            if kind == InputKind::Mesh { "curves are needed, not a mesh" } else { "a mesh is needed, not curves" };
+        Err(Error::InputUnfit { input: place as u32, why })
     }
 
     /// Whether there are so many values.
@@ -210,8 +215,8 @@ impl Filter {
     /// Runs the filter.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, for more values than parameters, and for inputs
-    /// of the wrong number or kind; besides those of the capability itself.
+    /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, and for more values than parameters;
+    /// [`Error::InputCount`], [`Error::InputUnfit`]; besides those of the capability itself.
     pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
         self.check_inputs(inputs)?;
         self.check_value_count(values.len())?;

@@ -103,7 +103,7 @@ fn moved(grid: &GridNet, before: &MeshView<'_>, after: &MeshView<'_>, job: &Job<
         && a.half_edge_count() == b.half_edge_count()
         && a.corners(0..a.half_edge_count()).eq(b.corners(0..b.half_edge_count()));
     if !same {
-        return Err(Error::OptionOutOfRange { option: "inputs", value: 1.0 });
+        return Err(Error::InputUnfit { input: 1, why: "a mesh with the faces of the first one is needed" });
     }
     let shape = grid.net.shape();
     let mut coordinates = Coordinates::zeroed(shape, after.positions().scalar())?;

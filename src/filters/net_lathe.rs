@@ -12,6 +12,7 @@ use crate::job::Job;
 use crate::net::primitive::{Primitive, Request};
 use crate::net::transform::{Affine, transform};
 use crate::outline::CurveView;
+use crate::outline::ops::Spacing;
 use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
@@ -71,9 +72,9 @@ fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
 
 fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Output>> {
     let (origin, axis) = (values.vector("point"), values.direction("direction")?);
-    let curves = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.2))?;
+    let curves = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.1))?;
     let [curve] = curves.as_slice() else {
-        return Err(Error::OptionOutOfRange { option: "inputs", value: curves.len() as f64 });
+        return Err(Error::InputUnfit { input: 0, why: "one curve is needed" });
     };
     let curve = curve.view();
     if curve.is_empty() {
@@ -81,7 +82,10 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     }
     let mut points = match values.number("rows") as usize {
         0 => joints(&curve)?,
-        rows => curve.sampled_by_count(rows.max(if curve.is_closed() { 3 } else { 2 }))?.points,
+        rows => {
+            let count = rows.max(if curve.is_closed() { 3 } else { 2 });
+            curve.sampled(Spacing::Count(count), &job.part(0.1, 0.2))?.points
+        }
     };
     if curve.is_closed() {
         // A profile that ends where it begins makes a ring.

@@ -6,6 +6,7 @@ use super::data::{Curves, Input, InputKind, Output, OutputKind};
 use super::param::{Choice, Param, ParamKind, Values};
 use crate::error::Result;
 use crate::job::Job;
+use crate::outline::ops::Spacing;
 use crate::outline::{Ends, Fit, FitStatus, Joint, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit};
 use std::fmt::Write;
 
@@ -124,9 +125,10 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     for (c, &(points, closed)) in curves.iter().enumerate() {
         let part = job.part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
         let outline = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
-        let done = fit(&outline, &options, &part)?;
+        let done = fit(&outline, &options, &part.part(0.0, 0.8))?;
         let chord = (values.number("chord_error") * done.reports()[0].size).max(f64::MIN_POSITIVE);
-        drawn.add(sampled(&done.curve(0), chord)?.into_iter(), closed)?;
+        let points = sampled(&done.curve(0), Spacing::Chord(chord), &part.part(0.8, 1.0))?;
+        drawn.add(points.into_iter(), closed)?;
         // Writing to a string cannot fail.
         let _ = writeln!(text, "curve {c}: {}", report(&done));
     }

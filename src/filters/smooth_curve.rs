@@ -39,7 +39,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.view().is_empty()) {
         let part = job.part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
         let hits = surface.curve(&curve.view(), Which::All, &part).map_err(|error| match error {
-            Error::OptionOutOfRange { value, .. } => Error::OptionOutOfRange { option: "inputs", value },
+            Error::OptionOutOfRange { .. } => Error::InputUnfit { input: 1, why: "coordinates up to 1e150 are needed" },
             error => error,
         })?;
         for hit in hits {

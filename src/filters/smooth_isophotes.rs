@@ -52,8 +52,9 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let paths =
         surface.isophotes(direction, &angles, unsigned, smooth::chord(&surface, values), &job.part(0.4, 1.0))?;
     let mut text = smooth::account(&paths);
-    for (k, angle) in angles.iter().enumerate() {
-        let count = paths.levels.iter().filter(|&&level| level as usize == k).count();
+    let mut counts = alloc::filled(0, number)?;
+    paths.levels.iter().for_each(|&level| counts[level as usize] += 1);
+    for (angle, count) in angles.iter().zip(counts) {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{:.4} degrees: {count} curves", angle.to_degrees());
     }

@@ -65,8 +65,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         None => Vec::new(),
     };
     let closed = [&across, &along].map(|curves| all_closed(curves));
-    let closed_across = closed[0].ok_or(Error::OptionOutOfRange { option: "inputs", value: 0.0 })?;
-    let closed_along = closed[1].ok_or(Error::OptionOutOfRange { option: "inputs", value: 1.0 })?;
+    let unfit = |input: u32| Error::InputUnfit { input, why: "all curves must be closed, or all open" };
+    let [closed_across, closed_along] = [closed[0].ok_or(unfit(0))?, closed[1].ok_or(unfit(1))?];
     let ring = if along.is_empty() { values.is_set("ring") } else { closed_along };
     let rows = alloc::collect(across.iter().map(Curve::view))?;
     let columns = alloc::collect(along.iter().map(Curve::view))?;

@@ -51,10 +51,10 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     job.step(0.0, "strip")?;
     let curves = inputs[0].curves()?.each()?;
     let &[(a, closed), (b, other)] = curves.as_slice() else {
-        return Err(Error::OptionOutOfRange { option: "inputs", value: curves.len() as f64 });
+        return Err(Error::InputUnfit { input: 0, why: "two curves are needed" });
     };
     if closed != other {
-        return Err(Error::OptionOutOfRange { option: "inputs", value: 1.0 });
+        return Err(Error::InputUnfit { input: 0, why: "both curves must be closed, or both open" });
     }
     let a = alloc::collect(a.iter().map(|&point| DVec3::from(point)))?;
     let mut b = alloc::collect(b.iter().map(|&point| DVec3::from(point)))?;

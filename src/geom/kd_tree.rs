@@ -16,6 +16,10 @@ const LEAF: usize = 8;
 /// Ranges of at most this many points are split without asking the host.
 const HEARD: usize = 1 << 15;
 
+/// The middles of ranges that are not searched one by one are this far from each other at least: the smaller range, of 9 points or
+/// more, has 4 on either side of its own, and ends beside the other.
+const APART: usize = 5;
+
 /// Points of several groups.
 const MIXED: u32 = u32::MAX;
 
@@ -27,6 +31,8 @@ pub(crate) struct KdTree<'a> {
     axis: Vec<u8>,
     /// The group of all points of the range whose middle is at this place, or [`MIXED`]; empty if there are no groups.
     group: Vec<u32>,
+    /// The box round all points of the range whose middle is at [`APART`] times this place, or up to 4 beyond; empty if there are none.
+    boxes: Vec<[DVec3; 2]>,
     /// The box round all points.
     low: DVec3,
     high: DVec3,
@@ -45,6 +51,7 @@ impl<'a> KdTree<'a> {
             order: alloc::collect((0..points.len()).map(|i| i as u32))?,
             axis: alloc::filled(0, points.len())?,
             group: Vec::new(),
+            boxes: Vec::new(),
             low: points.iter().fold(DVec3::INFINITY, |low, &p| low.min(p)),
             high: points.iter().fold(DVec3::NEG_INFINITY, |high, &p| high.max(p)),
         };
@@ -56,6 +63,31 @@ impl<'a> KdTree<'a> {
         };
         split_heard(points, &mut tree.order, &mut tree.axis, &mut hear)?;
         Ok(tree)
+    }
+
+    /// A tree for queries that are far away from points which are close together, such as those of a curve: what cells do not tell
+    /// apart, boxes that fit do. 10 bytes a point more.
+    pub(crate) fn boxed(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
+        let mut tree = Self::heard(points, job, stage)?;
+        let mut boxes = alloc::filled([DVec3::INFINITY, DVec3::NEG_INFINITY], points.len().div_ceil(APART))?;
+        tree.find_boxes(0..points.len(), &mut boxes);
+        tree.boxes = boxes;
+        Ok(tree)
+    }
+
+    /// Enters and returns the box of a range.
+    fn find_boxes(&self, range: Range<usize>, out: &mut [[DVec3; 2]]) -> [DVec3; 2] {
+        let around = |[low, high]: [DVec3; 2], p: DVec3| [low.min(p), high.max(p)];
+        let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        if range.len() <= LEAF {
+            return self.order[range].iter().map(|&index| self.points[index as usize]).fold(empty, around);
+        }
+        let middle = usize::midpoint(range.start, range.end);
+        let low = self.find_boxes(range.start..middle, out);
+        let high = self.find_boxes(middle + 1..range.end, out);
+        let whole = around([low[0].min(high[0]), low[1].max(high[1])], self.points[self.order[middle] as usize]);
+        out[middle / APART] = whole;
+        whole
     }
 
     /// A tree that also answers [`nearest_elsewhere`](Self::nearest_elsewhere): each point is of one of the `groups`, all below
@@ -123,6 +155,13 @@ impl<'a> KdTree<'a> {
     ) {
         let middle = usize::midpoint(range.start, range.end);
         if own != MIXED && self.group.get(middle) == Some(&own) {
+            return;
+        }
+        // What a range of few points has is no more work than its box.
+        if range.len() > LEAF
+            && let Some([low, high]) = self.boxes.get(middle / APART)
+            && (*low - query).max(query - *high).max(DVec3::ZERO).length_squared() > best.0
+        {
             return;
         }
         let mut visit = |index: u32| {
@@ -267,6 +306,8 @@ mod tests {
                 .min_by(|a, b| a.partial_cmp(b).unwrap());
             let tree = KdTree::new(&points).unwrap();
             prop_assert_eq!(tree.nearest(query, f64::INFINITY, accept), expected);
+            let boxed = KdTree::boxed(&points, &Job::default(), "").unwrap();
+            prop_assert_eq!(boxed.nearest(query, f64::INFINITY, accept), expected);
             // Groups of neighbours, so that whole parts of the tree are of one.
             let groups: Vec<u32> = points.iter().map(|p| p.x as u32 / 2).collect();
             let tree = KdTree::grouped(&points, &groups).unwrap();

@@ -3,16 +3,22 @@
 use super::{Real, Shape};
 use crate::alloc;
 use crate::error::{Error, Result};
+use bytemuck::Zeroable;
 use glam::DVec3;
 use std::ops::Range;
 
 /// Numbers that are written at a time by [`Planes::written`].
 const WRITTEN: usize = 1 << 13;
 
-/// A cache line, so that what we allocate begins on one.
+/// A quarter of a cache line. Whole ones, aligned, the allocator would clear by hand; memory of this alignment comes cleared from the
+/// system, and is touched only when it is used.
 #[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C, align(64))]
-struct Line([u8; 64]);
+#[repr(C, align(16))]
+struct Quarter([u8; 16]);
+
+const LINE: usize = 64;
+/// Quarters in a line.
+const QUARTERS: usize = LINE / size_of::<Quarter>();
 
 /// X, Y, Z: three matrices of `rows x columns` numbers, row after row, each row `stride` numbers after the one before.
 #[derive(Debug)]
@@ -24,10 +30,15 @@ pub struct Planes<'a, T> {
 
 #[derive(Debug)]
 enum Store<'a, T> {
-    /// One allocation; each matrix begins on a line.
-    Own { lines: Vec<Line>, each: usize },
+    /// One allocation, of which X begins at `start` and takes `each` quarters, as Y and Z do: each begins on a line.
+    Own { quarters: Vec<Quarter>, start: usize, each: usize },
     /// The host's.
     Borrowed([&'a mut [T]; 3]),
+}
+
+/// The quarter that the first line begins with.
+fn first_of_line(quarters: &[Quarter]) -> usize {
+    quarters.as_ptr().align_offset(LINE).min(QUARTERS - 1)
 }
 
 impl<'a, T: Real> Planes<'a, T> {
@@ -36,8 +47,10 @@ impl<'a, T: Real> Planes<'a, T> {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn zeroed(shape: Shape) -> Result<Self> {
-        let each = (shape.node_count() * size_of::<T>()).div_ceil(size_of::<Line>());
-        Ok(Planes { shape, stride: shape.columns(), store: Store::Own { lines: alloc::zeroed(3 * each)?, each } })
+        let each = (shape.node_count() * size_of::<T>()).div_ceil(LINE) * QUARTERS;
+        let quarters: Vec<Quarter> = alloc::zeroed(QUARTERS - 1 + 3 * each)?;
+        let start = first_of_line(&quarters);
+        Ok(Planes { shape, stride: shape.columns(), store: Store::Own { quarters, start, each } })
     }
 
     /// Matrices in memory of ours, of which each number is written once: X, Y and Z (0, 1, 2) in turn, some rows at a time.
@@ -45,30 +58,33 @@ impl<'a, T: Real> Planes<'a, T> {
     /// Memory that was used before and is given out again would have to be zeroed for [`Planes::zeroed`], which takes as long
     /// as copying to it. Here rows go through a buffer that stays in the cache.
     pub(crate) fn written(shape: Shape, mut write: impl FnMut(usize, Range<usize>, &mut [T])) -> Result<Self> {
-        let (rows, columns, per_line) = (shape.rows(), shape.columns(), size_of::<Line>() / size_of::<T>());
-        let each = shape.node_count().div_ceil(per_line);
+        let (rows, columns, per_quarter) = (shape.rows(), shape.columns(), size_of::<Quarter>() / size_of::<T>());
+        let each = shape.node_count().div_ceil(QUARTERS * per_quarter) * QUARTERS;
         let height = (WRITTEN / columns).clamp(1, rows);
-        let mut lines: Vec<Line> = alloc::with_capacity(3 * each)?;
-        let mut buffer: Vec<Line> = alloc::zeroed((height * columns + per_line - 1).div_ceil(per_line))?;
+        let mut quarters: Vec<Quarter> = alloc::with_capacity(QUARTERS - 1 + 3 * each)?;
+        let start = first_of_line(&quarters);
+        let mut buffer: Vec<Quarter> = alloc::zeroed((height * columns + per_quarter - 1).div_ceil(per_quarter))?;
         for axis in 0..3 {
-            // The numbers at the start of the buffer that do not fill a line yet.
+            quarters.resize(start + axis * each, Quarter::zeroed());
+            // The numbers at the start of the buffer that do not fill a quarter yet.
             let mut held = 0;
             for first in (0..rows).step_by(height) {
                 let range = first..rows.min(first + height);
                 let end = held + range.len() * columns;
                 write(axis, range, &mut bytemuck::cast_slice_mut(&mut buffer)[held..end]);
-                let full = end / per_line;
-                lines.extend_from_slice(&buffer[..full]);
-                held = end % per_line;
+                let full = end / per_quarter;
+                quarters.extend_from_slice(&buffer[..full]);
+                held = end % per_quarter;
                 if held > 0 {
                     buffer[0] = buffer[full];
                 }
             }
             if held > 0 {
-                lines.push(buffer[0]);
+                quarters.push(buffer[0]);
             }
         }
-        Ok(Planes { shape, stride: columns, store: Store::Own { lines, each } })
+        quarters.resize(start + 3 * each, Quarter::zeroed());
+        Ok(Planes { shape, stride: columns, store: Store::Own { quarters, start, each } })
     }
 
     /// Matrices of the host's, read and written in place. `stride`: numbers from row to row, 0 for rows without gaps. The last
@@ -122,9 +138,10 @@ impl<'a, T: Real> Planes<'a, T> {
     pub fn matrices(&self) -> [&[T]; 3] {
         let length = (self.shape.rows() - 1) * self.stride + self.shape.columns();
         match &self.store {
-            Store::Own { lines, each } => {
-                [0, 1, 2].map(|axis| &bytemuck::cast_slice(&lines[axis * each..(axis + 1) * each])[..length])
-            }
+            Store::Own { quarters, start, each } => [0, 1, 2].map(|axis| {
+                let from = start + axis * each;
+                &bytemuck::cast_slice(&quarters[from..from + each])[..length]
+            }),
             Store::Borrowed(matrices) => [0, 1, 2].map(|axis| &matrices[axis][..]),
         }
     }
@@ -133,10 +150,10 @@ impl<'a, T: Real> Planes<'a, T> {
     pub fn matrices_mut(&mut self) -> [&mut [T]; 3] {
         let length = (self.shape.rows() - 1) * self.stride + self.shape.columns();
         match &mut self.store {
-            Store::Own { lines, each } => {
-                let (x, rest) = lines.split_at_mut(*each);
+            Store::Own { quarters, start, each } => {
+                let (x, rest) = quarters[*start..].split_at_mut(*each);
                 let (y, z) = rest.split_at_mut(*each);
-                [x, y, z].map(|lines| &mut bytemuck::cast_slice_mut(lines)[..length])
+                [x, y, &mut z[..*each]].map(|quarters| &mut bytemuck::cast_slice_mut(quarters)[..length])
             }
             Store::Borrowed([x, y, z]) => [x, y, z].map(|matrix| &mut matrix[..]),
         }
@@ -182,5 +199,31 @@ impl<'a, T: Real> Planes<'a, T> {
             }
         }
         Ok(copy)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn own_matrices_begin_on_lines() {
+        for (rows, columns) in [(2, 2), (3, 5), (17, 33), (300, 301)] {
+            let shape = Shape::new(rows, columns).unwrap();
+            let number = |axis: usize, at: usize| (100_000 * axis + at) as f32;
+            let written = Planes::written(shape, |axis, range, to: &mut [f32]| {
+                to.iter_mut().zip(range.start * columns..).for_each(|(to, at)| *to = number(axis, at));
+            });
+            let written = written.unwrap();
+            for (axis, matrix) in written.matrices().into_iter().enumerate() {
+                assert_eq!(matrix.as_ptr().align_offset(LINE), 0);
+                assert!(matrix.len() == rows * columns && (0..).zip(matrix).all(|(at, &x)| x == number(axis, at)));
+            }
+            let zeroed = Planes::<f64>::zeroed(shape).unwrap();
+            for matrix in zeroed.matrices() {
+                assert_eq!(matrix.as_ptr().align_offset(LINE), 0);
+                assert!(matrix.len() == rows * columns && matrix.iter().all(|&x| x == 0.0));
+            }
+        }
     }
 }

@@ -21,8 +21,8 @@ use crate::mesh::Scalar;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Points between two progress reports.
-const STEP: usize = 1 << 13;
+/// Looks at points between two progress reports, if a search looks at all of them.
+const LOOKS: usize = 1 << 23;
 
 const STAGE: &str = "looking for facing arcs";
 
@@ -250,11 +250,12 @@ fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Res
         points.extend(run.places(b.len()).map(|j| b[j]));
         owner.extend((0..run.count).map(|_| k));
     }
-    let tree = KdTree::heard(&points, &job.part(0.0, 0.5), STAGE)?;
+    let tree = KdTree::boxed(&points, &job.part(0.0, 0.5), STAGE)?;
+    let step = (LOOKS / total.max(1)).clamp(1, 1 << 12);
     let (mut best, mut done) = ((f64::INFINITY, [0, 0]), 0);
     for (k, run) in runs[0].iter().enumerate() {
         for i in run.places(a.len()) {
-            if done % STEP == 0 {
+            if done % step == 0 {
                 job.step(0.5 + 0.5 * done as f64 / a.len() as f64, STAGE)?;
             }
             done += 1;

@@ -143,17 +143,6 @@ pub fn pieces(faces: u32) -> [Soup; 2] {
     [cap(4 * rings, rings, 0.2, 1.0), second]
 }
 
-/// The mesh with vertices of its own for each face.
-pub fn exploded(soup: &Soup) -> Soup {
-    let mut apart = Soup::new(Vec::new(), &[]);
-    for face in soup.faces() {
-        let first = apart.points.len() as u32;
-        apart.points.extend(face.iter().map(|&v| soup.points[v as usize]));
-        apart.face(&(first..first + face.len() as u32).collect::<Vec<_>>());
-    }
-    apart
-}
-
 /// Inputs that a filter takes, of about `size` faces or points in all; `size` 100 makes small ones.
 pub fn given(filter: &Filter, size: u32) -> Vec<Given> {
     let side = (f64::from(size) / 2.0).sqrt() as u32 + 1;

@@ -1,5 +1,6 @@
 //! The blocks whose normals may make given angles with a direction: one descent through the cones of normals.
 
+use super::source::between;
 use crate::alloc;
 use crate::carcass::index::Cones;
 use crate::error::Result;
@@ -9,21 +10,28 @@ use std::f64::consts::PI;
 /// By how much an angle may be off where a curve is still found within rounding, in radians: the zero set of an angle is that of a function
 /// that has the slope sin 2 alpha across it.
 const PLAY: f64 = 1e-9;
+/// Slopes below that are no slopes.
+const LEVEL: f64 = 1e-8;
 
 /// That much about an angle.
 fn about(angle: f64) -> [f64; 2] {
     let slope = libm::sin(2.0 * angle).abs();
-    let play = if slope > 1e-8 { PLAY / slope } else { PLAY };
+    let play = if slope > LEVEL { PLAY / slope } else { PLAY };
     [angle - play, angle + play]
 }
 
-/// True if normals at angles from `low` to `high` may have one of those given.
+/// True if normals at angles from `low` to `high` may have one of those given, which rise.
 pub(super) fn have(goals: &[f64], unsigned: bool, [low, high]: [f64; 2]) -> bool {
-    let meets = |angle: f64| {
-        let [from, to] = about(angle);
-        low <= to && from <= high
+    let near = |[low, high]: [f64; 2]| {
+        let meets = |&angle: &f64| {
+            let [from, to] = about(angle);
+            low <= to && from <= high
+        };
+        // Of many angles most need not be looked at.
+        !between(goals, [low, high], 0.0).is_empty()
+            || goals[between(goals, [low, high], PLAY / LEVEL)].iter().any(meets)
     };
-    goals.iter().any(|&angle| meets(angle) || (unsigned && meets(PI - angle)))
+    near([low, high]) || (unsigned && near([PI - high, PI - low]))
 }
 
 /// The blocks, row after row, whose normals' least and greatest angle with a direction are `wanted`; those of a larger range are if those of a

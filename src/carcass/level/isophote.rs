@@ -9,7 +9,7 @@ use super::facing;
 use super::normals::squares;
 use super::search::Found;
 use super::seen::{Corners, Normals, frame};
-use super::source::{Sides, Source};
+use super::source::{Sides, Source, between};
 use super::{Between, Gathered, Lattice, direction, lattice, paths};
 use crate::alloc;
 use crate::carcass::cells::Cells;
@@ -95,6 +95,22 @@ struct Squares<const M: usize> {
     along: Field<M>,
     across: Field<M>,
     noise: f64,
+    levels: Range<usize>,
+}
+
+impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
+    /// The angles that are in a range, or whose supplements are, and what lies between them.
+    fn within(&self, [low, high]: [f64; 2]) -> Range<usize> {
+        let own = between(self.radians, [low, high], 0.0);
+        if !self.unsigned {
+            return own;
+        }
+        match between(self.radians, [PI - high, PI - low], 0.0) {
+            others if others.is_empty() => own,
+            others if own.is_empty() => others,
+            others => own.start.min(others.start)..own.end.max(others.end),
+        }
+    }
 }
 
 impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for Isophotes<'_, C, N, H> {
@@ -107,31 +123,28 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
     }
 
     fn may_cross(&self, block: &Corners, cell: [usize; 2]) -> bool {
-        let any = |[low, high]: [f64; 2]| {
-            let within = |angle: f64| low <= angle && angle <= high;
-            self.radians.iter().any(|&angle| within(angle) || (self.unsigned && within(PI - angle)))
-        };
-        if !any(angles(&block.ranges(cell), 0.0)) {
+        if self.within(angles(&block.ranges(cell), 0.0)).is_empty() {
             return false;
         }
         let of = self.normals.hodographs::<N>(cell);
-        any(angles(&of.ranges(), self.normals.noise(&of)))
+        !self.within(angles(&of.ranges(), self.normals.noise(&of))).is_empty()
     }
 
     fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> Squares<M> {
         let of = self.normals.hodographs::<N>(cell);
         let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
         let [u, v] = of.speeds();
+        let levels = self.within(angles(&of.ranges(), self.normals.noise(&of)));
         let noise = 4.0 * u * v * self.normals.noise(&of);
-        Squares { along: squares(&[along]), across: squares(&[first, second]), noise }
+        Squares { along: squares(&[along]), across: squares(&[first, second]), noise, levels }
     }
 
     fn level_count(&self) -> usize {
         self.angles.len().max(1)
     }
 
-    fn levels(&self, _: &Squares<M>) -> Range<usize> {
-        0..self.angles.len()
+    fn levels(&self, base: &Squares<M>) -> Range<usize> {
+        base.levels.clone()
     }
 
     /// Rising with the cosine of the angle, where this has the sign of cos alpha.

@@ -50,9 +50,9 @@ impl Sheet<'static> {
             }
         }
         if highest <= 3 {
-            Ok(Sheet::Cubic(gordon(counts, curves, closed)?.patches(job)?))
+            Ok(Sheet::Cubic(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         } else {
-            Ok(Sheet::High(gordon(counts, curves, closed)?.patches(job)?))
+            Ok(Sheet::High(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         }
     }
 }
@@ -73,6 +73,7 @@ fn gordon<const N: usize>(
     [rows, columns]: [usize; 2],
     [across, along]: [&Fit; 2],
     closed: [bool; 2],
+    job: &Job<'_>,
 ) -> Result<Gordon<N>> {
     let least = closed.map(|closed| if closed { 3 } else { 2 });
     if rows < least[0] || columns < least[1] {
@@ -100,5 +101,5 @@ fn gordon<const N: usize>(
         let (k, l) = (n / columns, n % columns);
         [at(&row_strands[k], across.place(n)), at(&column_strands[l], along.place(l * rows + k))]
     }))?;
-    Gordon::new(row_strands, column_strands, closed, &places)
+    Gordon::new(row_strands, column_strands, closed, &places, job)
 }

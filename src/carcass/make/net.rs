@@ -21,6 +21,11 @@ use glam::DVec3;
 /// Breaks of different pieces that are nearer than this, of 1, are one.
 const SAME: f64 = 1e-6;
 
+/// Patches between two progress reports.
+const STEP: usize = 1 << 13;
+const FINDING: &str = "finding nodes";
+const MAKING: &str = "making patches";
+
 /// Curves across, the rows, and curves along, the columns: every row meets every column, in the order that they are given in; either way round.
 /// Rows alone, or columns alone, make a skin. A curve may be one point, a pole.
 ///
@@ -59,9 +64,9 @@ impl Sheet<'static> {
             highest = degree(curve)?.max(highest);
         }
         if highest <= 3 {
-            Ok(Sheet::Cubic(Gordon::found(net, job)?.patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::Cubic(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         } else {
-            Ok(Sheet::High(Gordon::found(net, job)?.patches(&job.part(0.5, 1.0))?))
+            Ok(Sheet::High(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
         }
     }
 }
@@ -105,9 +110,11 @@ pub(super) struct Gordon<const N: usize> {
 impl<const N: usize> Gordon<N> {
     /// The nodes are found where curves are nearest.
     fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
+        let total = (net.rows.len() + net.columns.len()) as f64;
         let strands = |curves: &[CurveView<'_>]| -> Result<Vec<Strand<N>>> {
             let mut strands = alloc::with_capacity(curves.len())?;
-            for curve in curves {
+            for (k, curve) in curves.iter().enumerate() {
+                job.step(0.1 * k as f64 / total, FINDING)?;
                 strands.push(Strand::new(curve)?);
             }
             Ok(strands)
@@ -115,7 +122,8 @@ impl<const N: usize> Gordon<N> {
         let (rows, columns) = (strands(net.rows)?, strands(net.columns)?);
         let boxes = |strands: &[Strand<N>]| -> Result<Vec<Boxes>> {
             let mut boxes = alloc::with_capacity(strands.len())?;
-            for strand in strands {
+            for (k, strand) in strands.iter().enumerate() {
+                job.step(0.1 * (1.0 + k as f64 / total), FINDING)?;
                 boxes.push(Boxes::of(strand)?);
             }
             Ok(boxes)
@@ -129,7 +137,7 @@ impl<const N: usize> Gordon<N> {
         let mut places = alloc::with_capacity(rows.len() * columns.len())?;
         for (k, row) in rows.iter().enumerate() {
             for (l, column) in columns.iter().enumerate() {
-                job.step(0.5 * (k * columns.len() + l) as f64 / (rows.len() * columns.len()) as f64, "finding nodes")?;
+                job.step(0.2 + 0.6 * (k * columns.len() + l) as f64 / (rows.len() * columns.len()) as f64, FINDING)?;
                 let met = nearest([row, column], [&row_boxes[k], &column_boxes[l]], slack)?;
                 if met.distance > tolerance.max(noise) {
                     return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
@@ -137,7 +145,7 @@ impl<const N: usize> Gordon<N> {
                 places.push([snapped(row, met.places[0], slack), snapped(column, met.places[1], slack)]);
             }
         }
-        Gordon::new(rows, columns, net.closed, &places)
+        Gordon::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
     }
 
     /// `places`: row by row where each meets each column, on the row and on the column.
@@ -146,8 +154,10 @@ impl<const N: usize> Gordon<N> {
         mut columns: Vec<Strand<N>>,
         closed: [bool; 2],
         places: &[[At; 2]],
+        job: &Job<'_>,
     ) -> Result<Self> {
         let [height, width] = [rows.len(), columns.len()];
+        let hear = |done: usize| job.step(done as f64 / (height + width) as f64, FINDING);
         let points = [&rows, &columns].map(|strands| strands.iter().map(Strand::is_point).collect::<Vec<_>>());
         let mut nodes = alloc::with_capacity(height * width)?;
         for (n, &[on_row, on_column]) in places.iter().enumerate() {
@@ -163,6 +173,7 @@ impl<const N: usize> Gordon<N> {
         }
         let mut along_rows = alloc::with_capacity(height)?;
         for (k, row) in rows.iter_mut().enumerate() {
+            hear(k)?;
             let at = alloc::collect((0..width).map(|l| places[k * width + l][0]))?;
             let out_of_order = |l: usize| Error::CurvesOutOfOrder { row: k as u32, column: l as u32 };
             let ends = |l: usize| nodes[k * width + l % width.max(1)];
@@ -170,6 +181,7 @@ impl<const N: usize> Gordon<N> {
         }
         let mut along_columns = alloc::with_capacity(width)?;
         for (l, column) in columns.iter_mut().enumerate() {
+            hear(height + l)?;
             let at = alloc::collect((0..height).map(|k| places[k * width + l][1]))?;
             let out_of_order = |k: usize| Error::CurvesOutOfOrder { row: k as u32, column: l as u32 };
             let ends = |k: usize| nodes[k % height.max(1) * width + l];
@@ -181,21 +193,23 @@ impl<const N: usize> Gordon<N> {
     /// The patches over all cells.
     pub(super) fn patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
         if self.rows.is_empty() {
-            return self.skin(&self.columns, &self.points[1], self.closed[1], job).map(|patches| transposed(&patches));
+            let skin = self.skin(&self.columns, &self.points[1], self.closed[1], &job.part(0.0, 0.8))?;
+            return transposed(&skin, &job.part(0.8, 1.0));
         }
         if self.columns.is_empty() {
             return self.skin(&self.rows, &self.points[0], self.closed[0], job);
         }
-        let (u, v) = (Strips::of(&self.columns, &self.points[1])?, Strips::of(&self.rows, &self.points[0])?);
+        let u = Strips::of(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
+        let v = Strips::of(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
         let (blend_u, blend_v) = (Blend::new(&u.lengths, self.closed[0])?, Blend::new(&v.lengths, self.closed[1])?);
-        let (rows, columns) = (v.refined(&self.rows)?, u.refined(&self.columns)?);
+        let rows = v.refined(&self.rows, &job.part(0.2, 0.3))?;
+        let columns = u.refined(&self.columns, &job.part(0.3, 0.4))?;
         let cells_v = alloc::collect(v.cells()?.into_iter().map(|(strip, part)| {
             let piece = blend_v.piece(strip);
             (piece.lines, piece.weights::<N>(part))
         }))?;
         let mut patches = room(u.count(), v.count())?;
         for (i, (strip, part)) in u.cells()?.into_iter().enumerate() {
-            job.step(i as f64 / u.count() as f64, "making patches")?;
             let piece = blend_u.piece(strip);
             let across = piece.weights::<N>(part);
             // C_l - sum L_k P_kl, which is 0 at nodes.
@@ -205,6 +219,7 @@ impl<const N: usize> Gordon<N> {
                 std::array::from_fn::<DVec3, N, _>(|a| curve[a] - combined(&across[a], &nodes))
             }))?;
             for (j, (lines, along)) in cells_v.iter().enumerate() {
+                hear_patches(&job.part(0.4, 1.0), &patches)?;
                 let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
                 let point = |a: usize, b: usize| {
                     combined(&across[a], &rows.map(|row| row[b])) + combined(&along[b], &rest.map(|rest| rest[a]))
@@ -218,8 +233,8 @@ impl<const N: usize> Gordon<N> {
 
     /// The sum of L_k R_k alone.
     fn skin(&self, rows: &[Vec<Piece<N>>], points: &[bool], closed: bool, job: &Job<'_>) -> Result<Patches<N>> {
-        let v = Strips::of(rows, points)?;
-        let refined = v.refined(rows)?;
+        let v = Strips::of(rows, points, &job.part(0.0, 0.2))?;
+        let refined = v.refined(rows, &job.part(0.2, 0.4))?;
         let last = rows.len() - usize::from(!closed);
         let apart = |k: usize| {
             let (row, next) = (&refined[k], &refined[(k + 1) % rows.len()]);
@@ -229,14 +244,17 @@ impl<const N: usize> Gordon<N> {
         let blend = Blend::new(&positive(alloc::collect((0..last).map(apart))?), closed)?;
         let mut patches = room(last, v.count())?;
         for k in 0..last {
-            job.step(k as f64 / last as f64, "making patches")?;
             let piece = blend.piece(k);
             let across = piece.weights::<N>([0.0, 1.0]);
-            patches.extend((0..v.count()).map(|j| {
+            let patch = |j: usize| {
                 let rows = piece.lines.map(|k| &refined[k][j]);
                 let point = |a: usize, b: usize| combined(&across[a], &rows.map(|row| row[b]));
                 Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
-            }));
+            };
+            for j in 0..v.count() {
+                hear_patches(&job.part(0.4, 1.0), &patches)?;
+                patches.push(patch(j));
+            }
         }
         Ok(Patches::of(patches, last, v.count()))
     }
@@ -320,7 +338,7 @@ struct Strips {
 
 impl Strips {
     /// From the curves that run through them; `points`: those that are one point.
-    fn of<const N: usize>(curves: &[Vec<Piece<N>>], points: &[bool]) -> Result<Self> {
+    fn of<const N: usize>(curves: &[Vec<Piece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
         let count = curves[0].len();
         let mut lengths = alloc::filled(0.0, count)?;
         for (curve, _) in curves.iter().zip(points).filter(|&(_, &point)| !point) {
@@ -333,6 +351,7 @@ impl Strips {
             ends: alloc::with_capacity(count)?,
         };
         for strip in 0..count {
+            job.step(strip as f64 / count as f64, MAKING)?;
             let own = alloc::collect(curves.iter().map(|curve| &curve[strip].ends[..]))?;
             let (breaks, ends) = breaks(&own, points)?;
             strips.breaks.push(breaks);
@@ -356,9 +375,10 @@ impl Strips {
     }
 
     /// The segments of each curve over each cell.
-    fn refined<const N: usize>(&self, curves: &[Vec<Piece<N>>]) -> Result<Vec<Vec<[DVec3; N]>>> {
+    fn refined<const N: usize>(&self, curves: &[Vec<Piece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
         let mut all = alloc::with_capacity(curves.len())?;
         for (k, curve) in curves.iter().enumerate() {
+            job.step(k as f64 / curves.len() as f64, MAKING)?;
             let mut refined = alloc::with_capacity(self.count())?;
             for (strip, piece) in curve.iter().enumerate() {
                 piece.refined(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
@@ -423,11 +443,23 @@ fn room<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
     alloc::with_capacity(rows * columns)
 }
 
+/// Reports how many patches there are, of those there is room for, from time to time.
+fn hear_patches<const N: usize>(job: &Job<'_>, patches: &Vec<Patch<N>>) -> Result<()> {
+    match patches.len() % STEP {
+        0 => job.step(patches.len() as f64 / patches.capacity() as f64, MAKING),
+        _ => Ok(()),
+    }
+}
+
 /// u and v exchanged.
-fn transposed<const N: usize>(patches: &Patches<N>) -> Patches<N> {
+fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Patches<N>> {
     let [rows, columns] = patches.cells();
-    let turned = (0..columns * rows).map(|k| patches.get(k % rows, k / rows).transposed()).collect();
-    Patches::of(turned, columns, rows)
+    let mut turned = room(columns, rows)?;
+    for (j, i) in (0..columns).flat_map(|j| (0..rows).map(move |i| (j, i))) {
+        hear_patches(job, &turned)?;
+        turned.push(patches.get(i, j).transposed());
+    }
+    Ok(Patches::of(turned, columns, rows))
 }
 
 /// The sum of points by their weights.

@@ -150,8 +150,8 @@ pub struct gusset_host {
     /// Handed to the callbacks.
     pub user: *mut c_void,
     /// Called now and then during long work, or NULL. fraction: the part done, 0 to 1, never decreasing. stage: what is being
-    /// done, valid during the callback only. Nonzero cancels: run returns GUSSET_PLUGIN_CANCELLED soon after; of meshes
-    /// of a million faces within a tenth of a second, later where curves have as many points or a parameter asks for huge results.
+    /// done, valid during the callback only. Nonzero cancels: run returns GUSSET_PLUGIN_CANCELLED soon after: within a
+    /// tenth of a second for a million faces or points that go in and come out; giving back the memory of many more takes longer.
     pub progress: Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> i32>,
     /// Called with remarks that are no failures, or NULL; message is valid during the callback only.
     pub log: Option<unsafe extern "C" fn(user: *mut c_void, message: *const c_char)>,

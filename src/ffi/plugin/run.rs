@@ -117,9 +117,11 @@ fn answer(filter: &Filter, given: &[Input<'_>], values: &[f64], job: &Job<'_>) -
             Error::OptionOutOfRange { option, .. } => filter.params.iter().position(|param| param.id == option),
             _ => None,
         };
+        let unfit = if let Error::InputUnfit { input, .. } = error { Some(input) } else { None };
         let (side, fault) = (error.side(), Fault::from(error));
         // An element may be one of any input, unless there is one only, or the error says of which of two it is.
         let input = match (given.len(), side) {
+            _ if unfit.is_some() => unfit.unwrap_or(GUSSET_PLUGIN_NONE),
             (1, _) if fault.input != GUSSET_PLUGIN_NONE => 0,
             (2, Some(side)) => u32::from(side == Side::B),
             _ => GUSSET_PLUGIN_NONE,

@@ -15,6 +15,11 @@ use crate::net::topology::Reduced;
 use crate::net::{Classes, Net, Planes, Real, each};
 use glam::DVec3;
 
+/// Nodes between two progress reports.
+const STEP: usize = 1 << 16;
+const FACES: &str = "cells to faces";
+const NUMBERS: &str = "numbering vertices";
+
 /// How quads are cut into triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Diagonal {
@@ -79,14 +84,15 @@ impl Net<'_> {
 
 fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
     let shape = net.shape();
+    let first = job.part(0.0, 0.1);
     let classes = if options.weld {
-        Classes::of(net.topology())?.table()?
+        Classes::heard(net.topology(), &first.part(0.0, 0.7), FACES)?.table_heard(&first.part(0.7, 1.0), FACES)?
     } else {
-        alloc::collect((0..shape.node_count()).map(|node| node as u32))?
+        alloc::collect_heard((0..shape.node_count()).map(|node| node as u32), &first, FACES)?
     };
     let mut faces = Faces {
         columns: shape.columns() as u32,
-        places: Places::new(planes, &classes)?,
+        places: Places::new(planes, &classes, &job.part(0.1, 0.2))?,
         planes,
         options,
         reversed: net.topology().is_reversed(),
@@ -95,17 +101,18 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
         cells: alloc::with_capacity(shape.cell_count())?,
         edges: Vec::new(),
         taken: match options.triangles {
-            Some(_) => Some(Taken::new(shape, &classes)?),
+            Some(_) => Some(Taken::new(shape, &classes, &job.part(0.2, 0.3), FACES)?),
             None => None,
         },
         classes: &classes,
     };
     faces.offsets.push(0);
     let hidden = Hidden::of(net)?;
+    let often = (STEP / shape.columns()).max(1);
     let mut skip = alloc::filled(false, shape.columns() - 1)?;
     for i in 0..shape.rows() - 1 {
-        if i % 64 == 0 {
-            job.step(0.7 * i as f64 / shape.rows() as f64, "cells to faces")?;
+        if i % often == 0 {
+            job.step(0.3 + 0.4 * i as f64 / shape.rows() as f64, FACES)?;
         }
         let ranges = hidden.row(i);
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(true));
@@ -114,7 +121,7 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
         }
         ranges.iter().for_each(|&[from, to]| skip[from as usize..to as usize].fill(false));
     }
-    faces.finish(options, job)
+    faces.finish(options, &job.part(0.7, 1.0))
 }
 
 /// Where nodes and classes are, if anywhere.
@@ -126,14 +133,15 @@ struct Places {
 }
 
 impl Places {
-    fn new<T: Real>(planes: &Planes<'_, T>, classes: &[u32]) -> Result<Self> {
-        let finite = finite(planes)?;
+    fn new<T: Real>(planes: &Planes<'_, T>, classes: &[u32], job: &Job<'_>) -> Result<Self> {
+        let finite = finite(planes, &job.part(0.0, 0.5))?;
         let mut elsewhere = Vec::new();
-        for ((node, &class), &finite_here) in (0..).zip(classes).zip(&finite) {
-            if finite_here && !finite[class as usize] {
-                alloc::push(&mut elsewhere, [class, node])?;
+        job.part(0.5, 1.0).ranges(FACES, classes.len(), |range| {
+            for node in range.filter(|&node| finite[node] && !finite[classes[node] as usize]) {
+                alloc::push(&mut elsewhere, [classes[node], node as u32])?;
             }
-        }
+            Ok(())
+        })?;
         elsewhere.sort_unstable();
         elsewhere.dedup_by_key(|entry| entry[0]);
         Ok(Places { finite, elsewhere })
@@ -153,11 +161,15 @@ impl Places {
 }
 
 /// Whether each node has finite coordinates.
-fn finite<T: Real>(planes: &Planes<'_, T>) -> Result<Vec<bool>> {
-    let columns = planes.shape().columns();
+fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
+    let (rows, columns) = (planes.shape().rows(), planes.shape().columns());
     let mut finite = alloc::filled(true, planes.shape().node_count())?;
+    let often = (STEP / columns).max(1);
     let zero = T::of(0.0);
     for (i, finite) in finite.chunks_exact_mut(columns).enumerate() {
+        if i % often == 0 {
+            job.step(i as f64 / rows as f64, FACES)?;
+        }
         for row in planes.row(i) {
             // x * 0 is 0 but for infinities and NaN.
             finite.iter_mut().zip(row).for_each(|(finite, &x)| *finite &= x * zero == zero);
@@ -264,41 +276,59 @@ impl<T: Real> Faces<'_, T> {
 
     /// Numbers the vertices: in the order of their nodes.
     fn finish(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
-        job.step(0.7, "numbering vertices")?;
-        let wires = wires::without_faces(std::mem::take(&mut self.edges), &self.offsets, &self.nodes, self.classes)?;
-        let mut vertex = alloc::filled(NONE, self.classes.len())?;
+        let edges = std::mem::take(&mut self.edges);
+        let part = |from: f64, to: f64| job.part(from, to);
+        let wires = wires::without_faces(edges, &self.offsets, &self.nodes, self.classes, &part(0.0, 0.2), NUMBERS)?;
+        let mut vertex = alloc::filled_heard(NONE, self.classes.len(), &part(0.2, 0.3), NUMBERS)?;
         let mut use_class = |node: u32| vertex[self.classes[node as usize] as usize] = 0;
-        self.nodes.iter().for_each(|&node| use_class(node));
+        part(0.3, 0.4).ranges(NUMBERS, self.nodes.len(), |range| {
+            self.nodes[range].iter().for_each(|&node| use_class(node));
+            Ok(())
+        })?;
         wires.as_flattened().iter().for_each(|&class| use_class(class));
         let mut node_of_vertex = Vec::new();
-        for node in 0..vertex.len() {
-            let own = self.classes[node] as usize == node;
-            if own && (vertex[node] == 0 || options.keep_unused && self.places.has_class(node as u32)) {
-                vertex[node] = node_of_vertex.len() as u32;
-                alloc::push(&mut node_of_vertex, node as u32)?;
-            } else {
-                // Of a node after its class's first one: what that has.
-                vertex[node] = vertex[self.classes[node] as usize];
+        part(0.4, 0.5).ranges(NUMBERS, self.classes.len(), |range| {
+            for node in range {
+                let own = self.classes[node] as usize == node;
+                if own && (vertex[node] == 0 || options.keep_unused && self.places.has_class(node as u32)) {
+                    vertex[node] = node_of_vertex.len() as u32;
+                    alloc::push(&mut node_of_vertex, node as u32)?;
+                } else {
+                    // Of a node after its class's first one: what that has.
+                    vertex[node] = vertex[self.classes[node] as usize];
+                }
             }
-        }
-        let texture = if options.texture { Some(Texture::new(self.planes.shape(), &self.nodes)?) } else { None };
-        self.nodes.iter_mut().for_each(|node| *node = vertex[*node as usize]);
-        let positions = positions(self.planes, node_of_vertex.iter().map(|&node| self.places.of_class(node)))?;
+            Ok(())
+        })?;
+        let texture = match options.texture {
+            true => Some(Texture::new(self.planes.shape(), &self.nodes, &part(0.5, 0.7), NUMBERS)?),
+            false => None,
+        };
+        part(0.7, 0.8).ranges(NUMBERS, self.nodes.len(), |range| {
+            self.nodes[range].iter_mut().for_each(|node| *node = vertex[*node as usize]);
+            Ok(())
+        })?;
+        let nodes = node_of_vertex.iter().map(|&node| self.places.of_class(node));
+        let positions = positions(self.planes, nodes, &part(0.8, 1.0))?;
         let mesh = Mesh { positions, face_offsets: self.offsets, face_corners: self.nodes };
         let wires = alloc::collect(wires.iter().map(|wire| wire.map(|class| vertex[class as usize])))?;
-        job.step(1.0, "numbering vertices")?;
+        job.step(1.0, NUMBERS)?;
         Ok(NetMesh { mesh, vertex_of_node: vertex, node_of_vertex, cell_of_face: self.cells, wires, texture })
     }
 }
 
 /// The positions of nodes, bit for bit.
-fn positions<T: Real>(planes: &Planes<'_, T>, nodes: impl ExactSizeIterator<Item = u32>) -> Result<PositionBuffer> {
+fn positions<T: Real>(
+    planes: &Planes<'_, T>,
+    nodes: impl ExactSizeIterator<Item = u32>,
+    job: &Job<'_>,
+) -> Result<PositionBuffer> {
     let (matrices, stride, columns) = (planes.matrices(), planes.stride(), planes.shape().columns());
     let points = nodes.map(|node| {
         let at = node as usize / columns * stride + node as usize % columns;
         matrices.map(|matrix| matrix[at])
     });
-    let points: Vec<[T; 3]> = alloc::collect(points)?;
+    let points: Vec<[T; 3]> = alloc::collect_heard(points, job, NUMBERS)?;
     Ok(match T::SCALAR {
         Scalar::F32 => PositionBuffer::F32(bytemuck::allocation::cast_vec(points)),
         Scalar::F64 => PositionBuffer::F64(bytemuck::allocation::cast_vec(points)),

@@ -2,6 +2,7 @@
 
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::job::Job;
 use crate::net::Shape;
 use std::collections::HashSet;
 
@@ -17,18 +18,24 @@ pub(super) struct Taken {
 
 impl Taken {
     /// The edges of the links. O(nodes), and a sort of the edges.
-    pub(super) fn new(shape: Shape, classes: &[u32]) -> Result<Self> {
+    pub(super) fn new(shape: Shape, classes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut is_glued = alloc::filled(false, classes.len())?;
-        for (node, &class) in classes.iter().enumerate().filter(|&(node, &class)| node != class as usize) {
-            (is_glued[node], is_glued[class as usize]) = (true, true);
-        }
-        let mut links = Vec::new();
-        for link in (0..2 * classes.len() as u32).filter(|&link| shape.is_inner(link)) {
-            let ends = shape.ends(link);
-            if ends.iter().any(|&node| is_glued[node as usize]) {
-                alloc::push(&mut links, edge(ends.map(|node| classes[node as usize])))?;
+        job.part(0.0, 0.3).ranges(stage, classes.len(), |range| {
+            for node in range.filter(|&node| node != classes[node] as usize) {
+                (is_glued[node], is_glued[classes[node] as usize]) = (true, true);
             }
-        }
+            Ok(())
+        })?;
+        let mut links = Vec::new();
+        job.part(0.3, 1.0).ranges(stage, 2 * classes.len(), |range| {
+            for link in range.map(|link| link as u32).filter(|&link| shape.is_inner(link)) {
+                let ends = shape.ends(link);
+                if ends.iter().any(|&node| is_glued[node as usize]) {
+                    alloc::push(&mut links, edge(ends.map(|node| classes[node as usize])))?;
+                }
+            }
+            Ok(())
+        })?;
         links.sort_unstable();
         links.dedup();
         Ok(Taken { is_glued, links, diagonals: HashSet::new() })

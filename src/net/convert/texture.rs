@@ -2,6 +2,7 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::mesh::NONE;
 use crate::net::Shape;
 
@@ -20,17 +21,24 @@ pub struct Texture {
 
 impl Texture {
     /// Of faces whose corners are nodes.
-    pub(super) fn new(shape: Shape, nodes: &[u32]) -> Result<Self> {
-        let mut number = alloc::filled(NONE, shape.node_count())?;
-        nodes.iter().for_each(|&node| number[node as usize] = 0);
+    pub(super) fn new(shape: Shape, nodes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
+        let mut number = alloc::filled_heard(NONE, shape.node_count(), &job.part(0.0, 0.2), stage)?;
+        job.part(0.2, 0.4).ranges(stage, nodes.len(), |range| {
+            nodes[range].iter().for_each(|&node| number[node as usize] = 0);
+            Ok(())
+        })?;
         let mut coordinates = Vec::new();
         let (rows, columns) = ((shape.rows() - 1) as f64, (shape.columns() - 1) as f64);
-        for (node, number) in (0..).zip(&mut number).filter(|(_, number)| **number == 0) {
-            *number = coordinates.len() as u32;
-            let (i, j) = shape.place(node);
-            alloc::push(&mut coordinates, [j as f64 / columns, i as f64 / rows])?;
-        }
-        let corners = alloc::collect(nodes.iter().map(|&node| number[node as usize]))?;
+        job.part(0.4, 0.8).ranges(stage, shape.node_count(), |range| {
+            for (node, number) in range.clone().zip(&mut number[range]).filter(|(_, number)| **number == 0) {
+                *number = coordinates.len() as u32;
+                let (i, j) = shape.place(node as u32);
+                alloc::push(&mut coordinates, [j as f64 / columns, i as f64 / rows])?;
+            }
+            Ok(())
+        })?;
+        let corners =
+            alloc::collect_heard(nodes.iter().map(|&node| number[node as usize]), &job.part(0.8, 1.0), stage)?;
         Ok(Texture { coordinates, corners })
     }
 }

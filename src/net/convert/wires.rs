@@ -2,6 +2,7 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 
 /// Those of some edges, as classes, that no face has, each once, in order. O(e log e) for e edges, and a look at every face if
 /// there are any.
@@ -10,6 +11,8 @@ pub(super) fn without_faces(
     offsets: &[u32],
     nodes: &[u32],
     classes: &[u32],
+    job: &Job<'_>,
+    stage: &'static str,
 ) -> Result<Vec<[u32; 2]>> {
     edges.iter_mut().for_each(|edge| edge.sort_unstable());
     edges.sort_unstable();
@@ -18,17 +21,20 @@ pub(super) fn without_faces(
         return Ok(edges);
     }
     let mut has_face = alloc::filled(false, edges.len())?;
-    for ends in offsets.windows(2) {
-        let face = &nodes[ends[0] as usize..ends[1] as usize];
-        let nexts = face.iter().skip(1).chain(face.first());
-        for (&node, &next) in face.iter().zip(nexts) {
-            let mut edge = [classes[node as usize], classes[next as usize]];
-            edge.sort_unstable();
-            if let Ok(at) = edges.binary_search(&edge) {
-                has_face[at] = true;
+    job.ranges(stage, offsets.len() - 1, |range| {
+        for ends in offsets[range.start..=range.end].windows(2) {
+            let face = &nodes[ends[0] as usize..ends[1] as usize];
+            let nexts = face.iter().skip(1).chain(face.first());
+            for (&node, &next) in face.iter().zip(nexts) {
+                let mut edge = [classes[node as usize], classes[next as usize]];
+                edge.sort_unstable();
+                if let Ok(at) = edges.binary_search(&edge) {
+                    has_face[at] = true;
+                }
             }
         }
-    }
+        Ok(())
+    })?;
     let mut has_face = has_face.into_iter();
     edges.retain(|_| has_face.next() == Some(false));
     Ok(edges)

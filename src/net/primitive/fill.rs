@@ -6,6 +6,9 @@ use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::net::{Coordinates, Net, Topology, each};
 
+/// Nodes between two progress reports.
+const STEP: usize = 1 << 16;
+
 /// A net whose row i is what `row` writes into its three buffers. Zeros have no sign.
 pub(super) fn rows(
     topology: Topology,
@@ -16,8 +19,9 @@ pub(super) fn rows(
     let shape = topology.shape();
     let mut coordinates = Coordinates::zeroed(shape, scalar)?;
     let mut buffer: Vec<f64> = alloc::zeroed(3 * shape.columns())?;
+    let often = (STEP / shape.columns()).max(1);
     for i in 0..shape.rows() {
-        if i % 64 == 0 {
+        if i % often == 0 {
             job.step(i as f64 / shape.rows() as f64, "primitive")?;
         }
         let (x, yz) = buffer.split_at_mut(shape.columns());

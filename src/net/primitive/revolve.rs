@@ -37,7 +37,8 @@ fn topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
         for i in (1..last).filter(|&i| on_axis(i)) {
             (0..shape.columns() - 1).for_each(|j| matrix.set(2 * shape.node(i, j), true));
         }
-        Topology::new(shape, Links::Matrix(matrix), &[])?
+        // A row that is a point makes triangles of its cells, and wires between two of them: none is crossed.
+        Topology::assembled(shape, Links::Matrix(matrix), Vec::new(), false)?
     } else {
         Topology::of_sides(shape, sides)
     };

@@ -3,6 +3,7 @@
 use super::{Links, Topology};
 use crate::alloc;
 use crate::error::Result;
+use crate::job::Job;
 use crate::net::{Matrix, Shape, Sides};
 
 /// The classes of glued nodes. The representative of a class is its smallest node.
@@ -26,17 +27,26 @@ impl Classes {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn of(topology: &Topology) -> Result<Self> {
+        Self::heard(topology, &Job::default(), "")
+    }
+
+    /// The same, for large nets: the host can cancel.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`](crate::Error::Cancelled).
+    pub(crate) fn heard(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let shape = topology.shape();
         if let (Links::Sides(sides), []) = (&topology.links, topology.seams()) {
             return Ok(Classes { shape, kind: Kind::Sides(SideClasses::new(shape, *sides)) });
         }
-        let mut forest = Forest::new(shape.node_count())?;
+        let nodes = (0..shape.node_count()).map(|node| node as u32);
+        let mut forest = Forest::of(alloc::collect_heard(nodes, &job.part(0.0, 0.3), stage)?);
         match &topology.links {
             Links::Sides(sides) => sides.links(shape).for_each(|link| forest.join(shape.ends(link))),
-            Links::Matrix(matrix) => forest.contract(shape, matrix),
+            Links::Matrix(matrix) => forest.contract(shape, matrix, &job.part(0.3, 0.8), stage)?,
         }
         topology.seams().iter().flat_map(|seam| seam.pairs(shape)).for_each(|pair| forest.join(pair));
-        Ok(Classes { shape, kind: Kind::Table(forest.flattened()) })
+        Ok(Classes { shape, kind: Kind::Table(forest.flattened(&job.part(0.8, 1.0), stage)?) })
     }
 
     /// The size of the net.
@@ -79,16 +89,25 @@ impl Classes {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn table(&self) -> Result<Vec<u32>> {
+        self.table_heard(&Job::default(), "")
+    }
+
+    /// The same, for large nets: the host can cancel.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`](crate::Error::Cancelled).
+    pub(crate) fn table_heard(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
         match &self.kind {
             Kind::Sides(_) => {
-                let mut table = alloc::collect((0..self.shape.node_count()).map(|node| node as u32))?;
+                let nodes = (0..self.shape.node_count()).map(|node| node as u32);
+                let mut table = alloc::collect_heard(nodes, job, stage)?;
                 self.glued(|node, representative| {
                     table[node as usize] = representative;
                     Ok(())
                 })?;
                 Ok(table)
             }
-            Kind::Table(table) => alloc::copied(table),
+            Kind::Table(table) => alloc::collect_heard(table.iter().copied(), job, stage),
         }
     }
 
@@ -221,6 +240,9 @@ impl SideClasses {
     }
 }
 
+/// Nodes between two progress reports.
+const STEP: usize = 1 << 18;
+
 /// The even bits.
 const WEST: u64 = 0x5555_5555_5555_5555;
 
@@ -258,9 +280,13 @@ impl Forest {
     /// Nodes are taken in order, 32 at a time, and those without links to the west or north are passed over. A node
     /// with one of the two becomes a child of its neighbour's parent, without a search for the root; only where both
     /// lead to different parents are trees joined.
-    fn contract(&mut self, shape: Shape, matrix: &Matrix) {
+    fn contract(&mut self, shape: Shape, matrix: &Matrix, job: &Job<'_>, stage: &'static str) -> Result<()> {
         let (h, w) = (shape.rows(), shape.columns());
+        let often = (STEP / w).max(1);
         for (i, j) in (0..h).flat_map(|i| (0..w).step_by(32).map(move |j| (i, j))) {
+            if j == 0 && i % often == 0 {
+                job.step(i as f64 / h as f64, stage)?;
+            }
             let first = i * w + j;
             // Bit 2k: the link west of node k of these; bit 2k + 1: north. The first column's would lead back.
             let west = if j > 0 { matrix.bits(2 * (first - 1)) } else { matrix.bits(2 * first) << 2 };
@@ -281,13 +307,17 @@ impl Forest {
         }
         let back = (0..h).map(|i| 2 * shape.node(i, w - 1)).chain((0..w).map(|j| 2 * shape.node(h - 1, j) + 1));
         back.filter(|&link| matrix.get(link)).for_each(|link| self.join(shape.ends(link)));
+        Ok(())
     }
 
     /// The root of every node. Parents come before their children: one pass is enough.
-    pub(crate) fn flattened(mut self) -> Vec<u32> {
-        for node in 0..self.parents.len() {
-            self.parents[node] = self.parents[self.parents[node] as usize];
-        }
-        self.parents
+    pub(crate) fn flattened(mut self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
+        job.ranges(stage, self.parents.len(), |range| {
+            for node in range {
+                self.parents[node] = self.parents[self.parents[node] as usize];
+            }
+            Ok(())
+        })?;
+        Ok(self.parents)
     }
 }

@@ -120,12 +120,12 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
     if columns < least {
         return Err(Error::OptionOutOfRange { option: "columns", value: columns as f64 });
     }
-    let across = curves(&found.nodes, columns, sections.closed, &options.across, &job.part(0.4, 0.7))?;
+    let across = curves(&found.nodes, columns, sections.closed, &options.across, &job.part(0.4, 0.6))?;
     let mut turned_about = alloc::with_capacity(found.nodes.len())?;
     for i in 0..columns {
         turned_about.extend((0..rows).map(|k| found.nodes[k * columns + i]));
     }
-    let along = curves(&turned_about, rows, options.ring, &options.along, &job.part(0.7, 1.0))?;
+    let along = curves(&turned_about, rows, options.ring, &options.along, &job.part(0.6, 0.8))?;
     let mut grid = NodeGrid {
         rows,
         columns,
@@ -137,9 +137,10 @@ pub fn frame(sections: &Outlines<'_>, options: &FrameOptions<'_>, job: &Job<'_>)
         max_gap: 0.0,
         min_sine: 1.0,
     };
-    let (on_across, directions) = at_nodes(&across, columns, rows, |point| point)?;
+    let (on_across, directions) = at_nodes(&across, columns, rows, |point| point, &job.part(0.8, 0.9))?;
     grid.across = directions;
-    let (on_along, directions) = at_nodes(&along, rows, columns, |point| (point % rows) * columns + point / rows)?;
+    let turned_back = |point: usize| (point % rows) * columns + point / rows;
+    let (on_along, directions) = at_nodes(&along, rows, columns, turned_back, &job.part(0.9, 1.0))?;
     grid.along = directions;
     let unit = common_unit(&grid.nodes);
     let (low, high) = grid
@@ -166,10 +167,17 @@ fn curves(nodes: &[DVec3], width: usize, closed: bool, options: &Options, job: &
 }
 
 /// Where the curves pass their points, and in which direction, put at the places that `place` gives to the points.
-fn at_nodes(fit: &Fit, width: usize, count: usize, place: impl Fn(usize) -> usize) -> Result<(Vec<DVec3>, Vec<DVec3>)> {
+fn at_nodes(
+    fit: &Fit,
+    width: usize,
+    count: usize,
+    place: impl Fn(usize) -> usize,
+    job: &Job<'_>,
+) -> Result<(Vec<DVec3>, Vec<DVec3>)> {
     let mut points = alloc::filled(DVec3::ZERO, width * count)?;
     let mut directions = alloc::filled(DVec3::ZERO, width * count)?;
     for k in 0..count {
+        job.step(k as f64 / count as f64, "directions at nodes")?;
         let curve = fit.curve(k);
         if curve.is_empty() {
             // No extent: all its points are one.

@@ -4,6 +4,7 @@ use super::super::curve::CurveView;
 use super::frame::Frame;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::job::Job;
 use glam::DVec3;
 use std::fmt::{self, Write};
 
@@ -43,6 +44,9 @@ impl fmt::Display for Number {
     }
 }
 
+/// Segments between two progress reports.
+const STEP: usize = 1 << 12;
+
 /// A number is at most 24 characters, and a blank.
 const WIDTH: usize = 25;
 
@@ -55,6 +59,14 @@ impl CurveView<'_> {
     /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG does not have: see
     /// [`reduced`](Self::reduced)), [`Error::OutOfMemory`]. O(points).
     pub fn svg_path(&self) -> Result<String> {
+        self.svg_path_heard(&Job::default())
+    }
+
+    /// The same, for long curves: the host can cancel.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`].
+    pub(crate) fn svg_path_heard(&self, job: &Job<'_>) -> Result<String> {
         self.check_plane()?;
         self.check_degree(3)?;
         let mut text = String::new();
@@ -72,7 +84,10 @@ impl CurveView<'_> {
             Ok::<(), Error>(())
         };
         add(&mut text, 'M', &[start])?;
-        for controls in self.segments() {
+        for (k, controls) in self.segments().enumerate() {
+            if k.is_multiple_of(STEP) {
+                job.step(k as f64 / self.len() as f64, "writing a path")?;
+            }
             text.push(' ');
             add(&mut text, [' ', 'L', 'Q', 'C'][controls.len() - 1], &controls[1..])?;
         }

@@ -8,7 +8,11 @@ use super::frame::Frame;
 use super::roots::{Roots, closed_in, roots};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::job::Job;
 use glam::DVec3;
+
+/// Segments between two progress reports.
+const STEP: usize = 1 << 8;
 
 /// The arc lengths of a curve up to each joint, ready for questions either way.
 #[derive(Debug, Clone)]
@@ -34,10 +38,21 @@ impl<'a> CurveView<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn lengths(&self) -> Result<Lengths<'a>> {
+        self.lengths_heard(&Job::default())
+    }
+
+    /// The same, for long curves: the host can cancel.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`].
+    pub(crate) fn lengths_heard(&self, job: &Job<'_>) -> Result<Lengths<'a>> {
         let frame = Frame::of(self.points());
         let mut ends = alloc::with_capacity(self.len())?;
         let mut sum = 0.0;
-        for controls in self.segments() {
+        for (k, controls) in self.segments().enumerate() {
+            if k.is_multiple_of(STEP) {
+                job.step(k as f64 / self.len() as f64, "length of a curve")?;
+            }
             sum += Arc::new(&frame, controls).length(0.0, 1.0);
             ends.push(sum);
         }

@@ -50,8 +50,10 @@ pub use export::{Contour, Spline};
 pub use length::Lengths;
 pub use meet::{Meeting, Meetings, Overlap};
 pub use nearest::Nearest;
+pub(crate) use nearest::nearest_of_any;
 pub use offset::{Offset, OffsetOptions};
 pub use resample::Samples;
+pub(crate) use resample::Spacing;
 
 use super::curve::{Curve, CurveView, Place};
 use crate::error::{Error, Result};

@@ -34,6 +34,8 @@ const FAR: f64 = (1u64 << 26) as f64;
 /// Queries that one thread takes at once.
 const BATCH: usize = 256;
 
+const STAGE: &str = "nearest points";
+
 impl CurveView<'_> {
     /// The nearest point of the curve to each of `queries`. About O(log segments + degree^2) for each query, on the job's
     /// threads; memory O(points).
@@ -41,28 +43,46 @@ impl CurveView<'_> {
     /// # Errors [`Error::EmptyCurve`] (no segments), [`Error::OutlineNotFinite`] (a query), [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
-        job.step(0.0, "nearest points")?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        queries.iter().enumerate().try_for_each(|(point, &q)| check_finite(point, q))?;
-        let finder = Finder::new(self)?;
-        let mut found = alloc::with_capacity(queries.len())?;
-        for (round, some) in queries.chunks(BATCH * 64).enumerate() {
-            job.step((round * BATCH * 64) as f64 / queries.len() as f64, "nearest points")?;
-            let parts = par::map(job.threads(), some.chunks(BATCH), |batch| {
-                alloc::collect(batch.iter().map(|&q| {
-                    let place = finder.nearest(finder.near(q)).0;
-                    let point = segment::point(self.segment(place.segment as usize), place.t);
-                    Nearest { place, point, distance: distance(point, q) }
-                }))
-            });
-            for part in parts {
-                found.extend(part?);
-            }
-        }
-        Ok(found)
+        let found = nearest_of_any(&[*self], queries, job)?;
+        alloc::collect(found.into_iter().map(|(_, nearest)| nearest))
     }
+}
+
+/// The nearest point of any of some curves to each of `queries`, and the curve that it is on; a curve without segments is its
+/// point. As [`CurveView::nearest`] for one curve after the other, but with one search for each query.
+///
+/// # Errors [`Error::EmptyCurve`] (no curve has a point), [`Error::OutlineNotFinite`] (a query), [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
+pub(crate) fn nearest_of_any(
+    curves: &[CurveView<'_>],
+    queries: &[DVec3],
+    job: &Job<'_>,
+) -> Result<Vec<(usize, Nearest)>> {
+    job.step(0.0, STAGE)?;
+    if curves.iter().all(|curve| curve.points().is_empty()) {
+        return Err(Error::EmptyCurve);
+    }
+    queries.iter().enumerate().try_for_each(|(point, &q)| check_finite(point, q))?;
+    let finder = Finder::new(curves, &job.part(0.0, 0.1))?;
+    let job = job.part(0.1, 1.0);
+    let mut found = alloc::with_capacity(queries.len())?;
+    let batches = par::heard(&job, STAGE, queries.chunks(BATCH), |batch| {
+        alloc::collect(batch.iter().map(|&q| {
+            let (curve, place) = finder.nearest(finder.near(q));
+            let point = match curves[curve].is_empty() {
+                true => curves[curve].points()[0],
+                false => segment::point(curves[curve].segment(place.segment as usize), place.t),
+            };
+            (curve, Nearest { place, point, distance: distance(point, q) })
+        }))
+    })?;
+    for batch in batches {
+        found.extend(batch?);
+    }
+    Ok(found)
 }
 
 /// The distance of two points; it overflows only if it is too large itself.
@@ -72,21 +92,42 @@ fn distance(p: DVec3, q: DVec3) -> f64 {
     if largest == 0.0 { 0.0 } else { (halved / largest).length() * largest * 2.0 }
 }
 
-/// A curve in its frame, with the tree of its segments.
-pub(super) struct Finder<'a> {
-    curve: CurveView<'a>,
+/// Curves in their frame, with the tree of the segments of all of them.
+struct Finder {
     frame: Frame,
+    /// Where queries are far from.
+    origin: DVec3,
     points: Vec<DVec3>,
+    /// Of each segment: its first control point and its last one, the curve, and its number there.
+    segments: Vec<([u32; 2], u32, u32)>,
     tree: Tree,
 }
 
-impl<'a> Finder<'a> {
-    pub(super) fn new(curve: &CurveView<'a>) -> Result<Self> {
-        let frame = Frame::of(curve.points());
-        let points = alloc::collect(curve.points().iter().map(|&p| frame.point(p)))?;
-        let boxes = CurveView::trusted(&points, curve.ends(), false);
-        let tree = Tree::new(boxes.segments().map(Aabb::of))?;
-        Ok(Finder { curve: *curve, frame, points, tree })
+impl Finder {
+    fn new(curves: &[CurveView<'_>], job: &Job<'_>) -> Result<Self> {
+        let frame = Frame::of(curves.iter().flat_map(CurveView::points));
+        let (count, limit) = (curves.iter().map(|curve| curve.points().len()).sum(), u64::from(u32::MAX));
+        if count as u64 > limit {
+            return Err(Error::TooLarge { what: "control points", count: count as u64, limit });
+        }
+        let mut points = alloc::with_capacity(count)?;
+        let mut segments = alloc::with_capacity(curves.iter().map(|curve| curve.len().max(1)).sum())?;
+        for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.points().is_empty()) {
+            let first = points.len() as u32;
+            points.extend(curve.points().iter().map(|&p| frame.point(p)));
+            match curve.ends() {
+                // A point.
+                [] | [_] => segments.push(([first; 2], c as u32, 0)),
+                ends => segments.extend(
+                    ends.windows(2).zip(0..).map(|(pair, k)| ([first + pair[0], first + pair[1]], c as u32, k)),
+                ),
+            }
+        }
+        job.step(0.5, STAGE)?;
+        let boxes = segments.iter().map(|(ends, ..)| Aabb::of(controls(&points, *ends)));
+        let tree = Tree::new(boxes)?;
+        let origin = curves.iter().find_map(|curve| curve.points().first()).copied().unwrap_or_default();
+        Ok(Finder { frame, origin, points, segments, tree })
     }
 
     /// A query in the frame.
@@ -95,23 +136,29 @@ impl<'a> Finder<'a> {
         if local.abs().max_element() <= FAR {
             return local;
         }
-        let away = q * 0.5 - self.curve.points()[0] * 0.5;
+        let away = q * 0.5 - self.origin * 0.5;
         away / away.abs().max_element() * FAR
     }
 
-    /// The place nearest to a point of the frame, and the square of its distance there.
-    pub(super) fn nearest(&self, q: DVec3) -> (Place, f64) {
-        let local = CurveView::trusted(&self.points, self.curve.ends(), false);
-        let mut best = (Place { segment: 0, t: 0.0 }, local.segment(0)[0].distance_squared(q));
-        self.tree.nearest(q, best.1, &mut |k| {
-            let (t, distance) = nearest_on(local.segment(k), q);
-            if distance < best.1 {
-                best = (Place { segment: k as u32, t }, distance);
+    /// The place nearest to a point of the frame, and the curve that it is on.
+    fn nearest(&self, q: DVec3) -> (usize, Place) {
+        let (_, curve, segment) = self.segments[0];
+        let mut best = (self.points[0].distance_squared(q), curve, Place { segment, t: 0.0 });
+        self.tree.nearest(q, best.0, &mut |k| {
+            let (ends, curve, segment) = self.segments[k];
+            let (t, distance) = nearest_on(controls(&self.points, ends), q);
+            if distance < best.0 {
+                best = (distance, curve, Place { segment, t });
             }
-            best.1
+            best.0
         });
-        best
+        (best.1 as usize, best.2)
     }
+}
+
+/// The control points of a segment.
+fn controls(points: &[DVec3], [first, last]: [u32; 2]) -> &[DVec3] {
+    &points[first as usize..=last as usize]
 }
 
 /// The parameter of the nearest point of one segment, and the square of its distance.
@@ -126,6 +173,7 @@ pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
     };
     offer(1.0);
     match *controls {
+        [_] => {}
         [a, b] => {
             let along = b - a;
             let t = (q - a).dot(along) / along.length_squared();

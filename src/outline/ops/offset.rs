@@ -12,6 +12,7 @@ use super::evaluate::{derive, tangent};
 use super::frame::Frame;
 use super::split::Room;
 use crate::error::{Error, Result};
+use crate::job::Job;
 use glam::DVec3;
 
 /// How an offset is fitted.
@@ -43,6 +44,9 @@ pub struct Offset {
 
 /// A piece is halved this often at most.
 const DEEPEST: u32 = 16;
+/// Pieces between two progress reports.
+const STEP: usize = 1 << 6;
+const STAGE: &str = "offset";
 /// Places inside a piece where it is measured.
 const PROBES: u32 = 16;
 
@@ -53,6 +57,14 @@ impl CurveView<'_> {
     /// # Errors [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (no segment with an extent), [`Error::OptionOutOfRange`]
     /// (distance not finite or beyond 1e100 sizes of the curve; an option), [`Error::TooLarge`], [`Error::OutOfMemory`].
     pub fn offset(&self, distance: f64, options: &OffsetOptions) -> Result<Offset> {
+        self.offset_heard(distance, options, &Job::default())
+    }
+
+    /// The same, for long curves: the host can cancel.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`].
+    pub(crate) fn offset_heard(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
         self.check_plane()?;
         let refuse = |option, value| Err(Error::OptionOutOfRange { option, value });
         let frame = Frame::of(self.points());
@@ -70,6 +82,7 @@ impl CurveView<'_> {
             return refuse("max_segments", 0.0);
         }
         let mut fit = Fit {
+            job: *job,
             frame,
             d,
             tolerance: frame.length(options.tolerance).max(1e-13 * (1.0 + d.abs())),
@@ -81,13 +94,18 @@ impl CurveView<'_> {
             tight: false,
             corners: 0,
         };
-        for controls in self.segments().filter(|controls| controls.iter().any(|&p| p != controls[0])) {
+        for (k, controls) in self.segments().enumerate() {
+            if controls.iter().all(|&p| p == controls[0]) {
+                continue;
+            }
+            fit.job = job.part(k as f64 / self.len() as f64, (k + 1) as f64 / self.len() as f64);
             let mut local: Room = [DVec3::ZERO; MAX_DEGREE + 1];
             for (to, &p) in local.iter_mut().zip(controls) {
                 *to = frame.point(p);
             }
             fit.segment(&local[..controls.len()])?;
         }
+        job.step(1.0, STAGE)?;
         fit.finish(self.is_closed())
     }
 }
@@ -103,7 +121,9 @@ struct Spot {
     speed: DVec3,
 }
 
-struct Fit {
+struct Fit<'a> {
+    /// The part of the job that is the segment at work.
+    job: Job<'a>,
     frame: Frame,
     d: f64,
     tolerance: f64,
@@ -123,7 +143,7 @@ fn left(v: DVec3) -> DVec3 {
     DVec3::new(-v.y, v.x, 0.0)
 }
 
-impl Fit {
+impl Fit<'_> {
     fn segment(&mut self, controls: &[DVec3]) -> Result<()> {
         let (start, end) = (self.spot(controls, 0.0), self.spot(controls, 1.0));
         self.begin(start.point)?;
@@ -183,6 +203,9 @@ impl Fit {
         }
         let chord = || ([from.point.midpoint(to.point), DVec3::ZERO], 1);
         let (inner, count) = fitted.unwrap_or_else(chord);
+        if self.pieces.is_multiple_of(STEP) {
+            self.job.step(from.t, STAGE)?;
+        }
         let deviation =
             if deviation.is_finite() { deviation } else { self.measure(controls, &from, &to, &inner[..count]) };
         self.deviation = self.deviation.max(deviation);

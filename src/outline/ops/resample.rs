@@ -4,10 +4,27 @@ use super::super::curve::{CurveView, MAX_DEGREE, Place};
 use super::super::request::MAX_POINTS;
 use super::super::segment;
 use super::frame::Frame;
+use super::length::Lengths;
 use super::split::{Room, split_segment};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::job::Job;
 use glam::DVec3;
+
+/// Points between two progress reports.
+const STEP: usize = 1 << 8;
+const STAGE: &str = "points along a curve";
+
+/// Where points along a curve are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Spacing {
+    /// See [`CurveView::sampled_by_count`].
+    Count(usize),
+    /// See [`CurveView::sampled_by_step`].
+    Step(f64),
+    /// See [`CurveView::sampled_by_chord`].
+    Chord(f64),
+}
 
 /// Points along a curve, in its order. Of a closed curve the start is not repeated at the end.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -26,15 +43,7 @@ impl CurveView<'_> {
     /// [`Error::EmptyCurve`] (no segments), [`Error::OptionOutOfRange`] (too small a count), [`Error::TooLarge`] (above
     /// [`MAX_POINTS`]), [`Error::OutOfMemory`].
     pub fn sampled_by_count(&self, count: usize) -> Result<Samples> {
-        self.check_sampling("count", count as f64, if self.is_closed() { 1.0 } else { 2.0 })?;
-        within_limit(count as u64)?;
-        let lengths = self.lengths()?;
-        let gaps = if self.is_closed() { count } else { count - 1 };
-        let mut samples = Samples::with_room(count)?;
-        for k in 0..count {
-            samples.add(self, lengths.place_of_part(k, gaps))?;
-        }
-        Ok(samples)
+        self.sampled(Spacing::Count(count), &Job::default())
     }
 
     /// Points every `step` along the curve, in the unit of the points, above 0: at 0, step, 2 step and so on; the end of an
@@ -43,23 +52,7 @@ impl CurveView<'_> {
     /// # Errors
     /// As for [`sampled_by_count`](Self::sampled_by_count).
     pub fn sampled_by_step(&self, step: f64) -> Result<Samples> {
-        self.check_sampling("step", step, f64::MIN_POSITIVE)?;
-        let lengths = self.lengths()?;
-        let total = lengths.total();
-        let whole = (total / step).floor();
-        within_limit(if whole < MAX_POINTS as f64 { whole as u64 } else { u64::MAX })?;
-        let mut samples = Samples::with_room(whole as usize + 2)?;
-        for k in 0..=whole as usize {
-            let at = k as f64 * step;
-            // The last step may end at the end but for rounding.
-            if k == 0 || total - at > 1e-12 * total {
-                samples.add(self, lengths.place(at)?)?;
-            }
-        }
-        if !self.is_closed() {
-            samples.add(self, Place { segment: self.len() as u32 - 1, t: 1.0 })?;
-        }
-        Ok(samples)
+        self.sampled(Spacing::Step(step), &Job::default())
     }
 
     /// Points such that no point of the curve is farther than `tolerance` (above 0, in the unit of the points) from the chord
@@ -69,30 +62,40 @@ impl CurveView<'_> {
     /// # Errors
     /// As for [`sampled_by_count`](Self::sampled_by_count). O(points found).
     pub fn sampled_by_chord(&self, tolerance: f64) -> Result<Samples> {
-        self.check_sampling("tolerance", tolerance, f64::MIN_POSITIVE)?;
-        let frame = Frame::of(self.points());
-        let mut samples = Samples::default();
-        samples.add(self, Place { segment: 0, t: 0.0 })?;
-        for (k, controls) in self.segments().enumerate() {
-            let mut local: Room = [DVec3::ZERO; MAX_DEGREE + 1];
-            for (to, &p) in local.iter_mut().zip(controls) {
-                *to = frame.point(p);
-            }
-            let flat = Flatten { curve: self, segment: k as u32, tolerance: frame.length(tolerance) };
-            flat.halve(&mut local[..controls.len()], 0.0, 1.0, 20, &mut samples)?;
-        }
-        if self.is_closed() && samples.places.len() > 1 {
-            samples.places.pop();
-            samples.points.pop();
-        }
-        Ok(samples)
+        self.sampled(Spacing::Chord(tolerance), &Job::default())
     }
 
-    fn check_sampling(&self, option: &'static str, value: f64, least: f64) -> Result<()> {
+    /// The same, for long curves: the host can cancel.
+    ///
+    /// # Errors
+    /// Also [`Error::Cancelled`].
+    pub(crate) fn sampled(&self, spacing: Spacing, job: &Job<'_>) -> Result<Samples> {
+        let least_count = if self.is_closed() { 1.0 } else { 2.0 };
+        let (option, value, least) = match spacing {
+            Spacing::Count(count) => ("count", count as f64, least_count),
+            Spacing::Step(step) => ("step", step, f64::MIN_POSITIVE),
+            Spacing::Chord(tolerance) => ("tolerance", tolerance, f64::MIN_POSITIVE),
+        };
         if value.is_nan() || value < least {
             return Err(Error::OptionOutOfRange { option, value });
         }
-        if self.is_empty() { Err(Error::EmptyCurve) } else { Ok(()) }
+        if self.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        let (first, second) = (job.part(0.0, 0.3), job.part(0.3, 1.0));
+        match spacing {
+            Spacing::Count(count) => {
+                within_limit(count as u64)?;
+                Walk::new(self, count, &second)?.by_count(count, &self.lengths_heard(&first)?)
+            }
+            Spacing::Step(step) => {
+                let lengths = self.lengths_heard(&first)?;
+                let whole = (lengths.total() / step).floor();
+                within_limit(if whole < MAX_POINTS as f64 { whole as u64 } else { u64::MAX })?;
+                Walk::new(self, whole as usize + 2, &second)?.by_step(step, whole as usize, &lengths)
+            }
+            Spacing::Chord(tolerance) => Walk::new(self, 0, job)?.by_chord(tolerance),
+        }
     }
 }
 
@@ -101,40 +104,94 @@ fn within_limit(count: u64) -> Result<()> {
     if count > limit { Err(Error::TooLarge { what: "points", count, limit }) } else { Ok(()) }
 }
 
-impl Samples {
-    fn with_room(count: usize) -> Result<Self> {
-        Ok(Samples { places: alloc::with_capacity(count)?, points: alloc::with_capacity(count)? })
+/// What was found on the way along a curve.
+struct Walk<'a> {
+    curve: &'a CurveView<'a>,
+    samples: Samples,
+    job: &'a Job<'a>,
+}
+
+impl<'a> Walk<'a> {
+    fn new(curve: &'a CurveView<'a>, count: usize, job: &'a Job<'a>) -> Result<Self> {
+        let samples = Samples { places: alloc::with_capacity(count)?, points: alloc::with_capacity(count)? };
+        Ok(Walk { curve, samples, job })
     }
 
-    fn add(&mut self, curve: &CurveView<'_>, place: Place) -> Result<()> {
-        within_limit(self.places.len() as u64 + 1)?;
-        alloc::push(&mut self.places, place)?;
-        alloc::push(&mut self.points, segment::point(curve.segment(place.segment as usize), place.t))
+    fn add(&mut self, place: Place) -> Result<()> {
+        let count = self.samples.places.len();
+        if count.is_multiple_of(STEP) {
+            self.job.step((f64::from(place.segment) + place.t) / self.curve.len() as f64, STAGE)?;
+        }
+        within_limit(count as u64 + 1)?;
+        alloc::push(&mut self.samples.places, place)?;
+        let point = segment::point(self.curve.segment(place.segment as usize), place.t);
+        alloc::push(&mut self.samples.points, point)
+    }
+
+    fn by_count(mut self, count: usize, lengths: &Lengths<'_>) -> Result<Samples> {
+        let gaps = if self.curve.is_closed() { count } else { count - 1 };
+        for k in 0..count {
+            self.add(lengths.place_of_part(k, gaps))?;
+        }
+        Ok(self.samples)
+    }
+
+    fn by_step(mut self, step: f64, whole: usize, lengths: &Lengths<'_>) -> Result<Samples> {
+        let total = lengths.total();
+        for k in 0..=whole {
+            let at = k as f64 * step;
+            // The last step may end at the end but for rounding.
+            if k == 0 || total - at > 1e-12 * total {
+                self.add(lengths.place(at)?)?;
+            }
+        }
+        if !self.curve.is_closed() {
+            self.add(Place { segment: self.curve.len() as u32 - 1, t: 1.0 })?;
+        }
+        Ok(self.samples)
+    }
+
+    fn by_chord(mut self, tolerance: f64) -> Result<Samples> {
+        let frame = Frame::of(self.curve.points());
+        self.add(Place { segment: 0, t: 0.0 })?;
+        for (k, controls) in self.curve.segments().enumerate() {
+            let mut local: Room = [DVec3::ZERO; MAX_DEGREE + 1];
+            for (to, &p) in local.iter_mut().zip(controls) {
+                *to = frame.point(p);
+            }
+            let flat = Flatten { segment: k as u32, tolerance: frame.length(tolerance) };
+            flat.halve(&mut local[..controls.len()], 0.0, 1.0, 20, &mut self)?;
+        }
+        if self.curve.is_closed() && self.samples.places.len() > 1 {
+            self.samples.places.pop();
+            self.samples.points.pop();
+        }
+        Ok(self.samples)
     }
 }
 
-struct Flatten<'a> {
-    curve: &'a CurveView<'a>,
+/// One segment and how near its chords are to be.
+struct Flatten {
     segment: u32,
     tolerance: f64,
 }
 
-impl Flatten<'_> {
+impl Flatten {
     /// Adds the ends of the chords of one part, but not its start.
     ///
     /// The distance d from the chord is convex and 0 at its ends, so d(C(t)) <= sum of b_i(t) d(B_i) over the inner control
     /// points, whose weights have the sum 1 - (1 - t)^n - t^n <= 1 - 2^(1 - n).
-    fn halve(&self, controls: &mut [DVec3], from: f64, to: f64, left: u32, samples: &mut Samples) -> Result<()> {
+    fn halve(&self, controls: &mut [DVec3], from: f64, to: f64, left: u32, walk: &mut Walk<'_>) -> Result<()> {
         let n = controls.len() - 1;
         let most = controls[1..n].iter().map(|&p| off_chord(p, controls[0], controls[n])).fold(0.0, f64::max);
         if left == 0 || most * (1.0 - libm::ldexp(2.0, -(n as i32))) <= self.tolerance {
-            return samples.add(self.curve, Place { segment: self.segment, t: to });
+            return walk.add(Place { segment: self.segment, t: to });
         }
         let mut before = [DVec3::ZERO; MAX_DEGREE + 1];
         split_segment(controls, 0.5, &mut before[..=n]);
         let middle = 0.5 * (from + to);
-        self.halve(&mut before[..=n], from, middle, left - 1, samples)?;
-        self.halve(controls, middle, to, left - 1, samples)
+        self.halve(&mut before[..=n], from, middle, left - 1, walk)?;
+        self.halve(controls, middle, to, left - 1, walk)
     }
 }
 
