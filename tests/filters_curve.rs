@@ -186,6 +186,46 @@ fn nearest_points_are_on_the_rays_from_the_centre() {
 }
 
 #[test]
+fn nearest_points_of_many_curves_are_the_nearest_of_all_segments() {
+    // Some random walks, of which one is a point, and one runs where the others do not.
+    let mut state = 1u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    };
+    let mut walks: Vec<(Vec<[f64; 3]>, bool)> = Vec::new();
+    for k in 0..40 {
+        let (count, far) = (1 + k % 17, if k == 7 { 1e3 } else { 0.0 });
+        let mut at = [0; 3].map(|_| 4.0 * random() + far);
+        let walk = (0..count).map(|_| {
+            at = at.map(|x| x + random());
+            at
+        });
+        walks.push((walk.collect(), k % 3 == 0 && count > 2));
+    }
+    let queries: Vec<[f64; 3]> = (0..500).map(|_| [0; 3].map(|_| 6.0 * random())).collect();
+    let given = [polylines(&[(queries.clone(), false)]), polylines(&walks)];
+    let outputs = run_on_curves("curve_nearest", &given, &[]).unwrap();
+    for (k, query) in queries.iter().enumerate() {
+        let q = glam::DVec3::from(*query);
+        let segments = walks.iter().flat_map(|(points, closed)| {
+            let last = if *closed { points.len() } else { points.len() - 1 };
+            let alone = (points.len() == 1).then_some((points[0], points[0]));
+            (0..last).map(|i| (points[i], points[(i + 1) % points.len()])).chain(alone)
+        });
+        let least = segments
+            .map(|(a, b)| {
+                let (a, along) = (glam::DVec3::from(a), glam::DVec3::from(b) - glam::DVec3::from(a));
+                let t = if along.length() > 0.0 { (q - a).dot(along) / along.length_squared() } else { 0.0 };
+                (a + t.clamp(0.0, 1.0) * along).distance(q)
+            })
+            .fold(f64::INFINITY, f64::min);
+        let way = curve(lines(&outputs[0]), k);
+        assert!(way[0] == *query && (glam::DVec3::from(way[1]).distance(q) - least).abs() < 1e-12, "{k}: {way:?}");
+    }
+}
+
+#[test]
 fn svg_paths_are_the_curves() {
     let square = polylines(&[
         (vec![[0.0; 3], [2.0, 0.0, 0.0], [2.0, 1.5, 0.0]], true),

@@ -158,7 +158,8 @@ impl<'a> KdTree<'a> {
             return;
         }
         // What a range of few points has is no more work than its box.
-        if range.len() > LEAF
+        if !self.boxes.is_empty()
+            && range.len() > LEAF
             && let Some([low, high]) = self.boxes.get(middle / APART)
             && (*low - query).max(query - *high).max(DVec3::ZERO).length_squared() > best.0
         {
