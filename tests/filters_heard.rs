@@ -45,8 +45,11 @@ fn rings(id: &str, count: u32) -> Vec<Curves> {
     }
 }
 
+/// A filter, and values for some of its parameters.
+type Case = (&'static str, &'static [(&'static str, &'static [f64])]);
+
 /// Filters whose work grows with the points of one curve, and the values that make it so.
-const LONG: [(&str, &[(&str, &[f64])]); 10] = [
+const LONG: [Case; 10] = [
     ("facing_arcs", &[]),
     ("curve_nearest", &[]),
     ("curve_offset", &[]),
