@@ -226,6 +226,29 @@ fn nearest_points_of_many_curves_are_the_nearest_of_all_segments() {
 }
 
 #[test]
+fn far_curves_do_not_blur_near_ones() {
+    let query = [3e-4, 1e-6, 0.0];
+    for far in [1e6, 1e10, 1e14, 1e200] {
+        let near = vec![[0.0; 3], [1e-3, 0.0, 0.0]];
+        let given = [
+            polylines(&[(vec![query, [0.5 * far, 0.0, -far], [-16.0 * far, 0.0, 1.0]], false)]),
+            polylines(&[(vec![[far, 0.0, 0.0], [far, 1.0, 0.0]], false), (near, false)]),
+        ];
+        let outputs = run_on_curves("curve_nearest", &given, &[]).unwrap();
+        let way = curve(lines(&outputs[0]), 0);
+        assert!(way[0] == query && (way[1][0] - 3e-4).abs() < 1e-18 && way[1][1] == 0.0, "{far}: {way:?}");
+        // The left end of what lies farthest to the left.
+        assert_eq!(curve(lines(&outputs[0]), 2)[1], [0.0; 3], "{far}");
+    }
+    // Of equally near ones the first; without questions there is no curve needed.
+    let post = |x: f64| (vec![[x, 0.0, 0.0], [x, 0.0, 1.0]], false);
+    let given = [polylines(&[(vec![[0.0; 3]], false)]), polylines(&[post(3.0), post(1.0), post(-1.0)])];
+    let outputs = run_on_curves("curve_nearest", &given, &[]).unwrap();
+    assert_eq!(curve(lines(&outputs[0]), 0)[1], [1.0, 0.0, 0.0]);
+    assert!(run_on_curves("curve_nearest", &[polylines(&[]), polylines(&[])], &[]).is_ok());
+}
+
+#[test]
 fn svg_paths_are_the_curves() {
     let square = polylines(&[
         (vec![[0.0; 3], [2.0, 0.0, 0.0], [2.0, 1.5, 0.0]], true),

@@ -76,6 +76,22 @@ fn reports_are_as_many_as_there_is_work() {
 }
 
 #[test]
+fn reports_of_nets_of_curves_never_fall() {
+    let line = |k: u32, along: bool| -> (Vec<[f64; 3]>, bool) {
+        let point = |t: u32| {
+            let [x, y] = if along { [t, k] } else { [k, t] }.map(f64::from);
+            [x, y, 0.1 * (x - 1.0) * y]
+        };
+        ((0..3).map(point).collect(), false)
+    };
+    let curves = |along: bool| polylines(&[0, 1, 2].map(|k| line(k, along)));
+    for given in [vec![curves(false), curves(true)], vec![curves(false)], vec![curves(true)]] {
+        let (done, reports) = run("smooth_net", &given, &[], usize::MAX);
+        assert!(done.is_ok() && reports > 10, "{done:?}");
+    }
+}
+
+#[test]
 fn a_cancel_is_heard_at_every_report() {
     for (id, set) in LONG {
         let given = rings(id, 1 << 13);

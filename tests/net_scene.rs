@@ -141,6 +141,22 @@ fn instances_that_explode_are_counted_and_not_listed() {
 }
 
 #[test]
+fn mirrors_are_mirrors_at_any_size() {
+    for x in [1.0, -1.0] {
+        let flat = [1.0, 1e-120, 1e120].map(|size| {
+            let mut scene = Scene::new();
+            let ball = scene.add_net(Arc::new(sphere(5, 9, Scalar::F64, DVec3::ZERO))).unwrap();
+            scene.set_transform(ball, DAffine3::from_scale(size * DVec3::new(x, 1.0, 1.0))).unwrap();
+            scene.flatten(&hidden(Direction::Down), &job()).unwrap().net
+        });
+        for net in &flat {
+            assert_eq!(net.topology(), flat[0].topology(), "{x}");
+        }
+        assert!(Surface::of(&flat[0]).volume(&flat[0]) > 1.0);
+    }
+}
+
+#[test]
 fn where_things_are() {
     let mut scene = Scene::new();
     let ball = scene.add_net(Arc::new(sphere(5, 9, Scalar::F64, DVec3::ZERO))).unwrap();

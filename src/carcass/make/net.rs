@@ -111,24 +111,24 @@ impl<const N: usize> Gordon<N> {
     /// The nodes are found where curves are nearest.
     fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
         let total = (net.rows.len() + net.columns.len()) as f64;
-        let strands = |curves: &[CurveView<'_>]| -> Result<Vec<Strand<N>>> {
+        let strands = |curves: &[CurveView<'_>], before: usize| -> Result<Vec<Strand<N>>> {
             let mut strands = alloc::with_capacity(curves.len())?;
             for (k, curve) in curves.iter().enumerate() {
-                job.step(0.1 * k as f64 / total, FINDING)?;
+                job.step(0.1 * (before + k) as f64 / total, FINDING)?;
                 strands.push(Strand::new(curve)?);
             }
             Ok(strands)
         };
-        let (rows, columns) = (strands(net.rows)?, strands(net.columns)?);
-        let boxes = |strands: &[Strand<N>]| -> Result<Vec<Boxes>> {
+        let (rows, columns) = (strands(net.rows, 0)?, strands(net.columns, net.rows.len())?);
+        let boxes = |strands: &[Strand<N>], before: usize| -> Result<Vec<Boxes>> {
             let mut boxes = alloc::with_capacity(strands.len())?;
             for (k, strand) in strands.iter().enumerate() {
-                job.step(0.1 * (1.0 + k as f64 / total), FINDING)?;
+                job.step(0.1 + 0.1 * (before + k) as f64 / total, FINDING)?;
                 boxes.push(Boxes::of(strand)?);
             }
             Ok(boxes)
         };
-        let (row_boxes, column_boxes) = (boxes(&rows)?, boxes(&columns)?);
+        let (row_boxes, column_boxes) = (boxes(&rows, 0)?, boxes(&columns, rows.len())?);
         let (size, reach) = net.extent();
         let tolerance = net.tolerance.unwrap_or(1e-6 * size);
         let noise = 4.0 * f64::EPSILON * reach;

@@ -5,6 +5,7 @@ use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::net::join::{JoinOptions, join_mirrored};
+use crate::net::transform::Affine;
 use crate::net::{Coordinates, Direction, Net, Planes, Real};
 use crate::par;
 use glam::{DAffine3, DVec3};
@@ -42,7 +43,11 @@ impl Scene {
         for instance in &instances {
             nets.push(self.net(instance.entry)?);
         }
-        let mirrors = |instance: &Instance| instance.world.matrix3.determinant() < 0.0;
+        let mirrors = |instance: &Instance| {
+            let DAffine3 { matrix3, translation } = instance.world;
+            let rows = [0, 1, 2].map(|k| matrix3.row(k).extend(translation[k]).to_array());
+            Affine::new(rows).is_ok_and(|affine| affine.mirrors())
+        };
         let mirrored = alloc::collect(instances.iter().map(mirrors))?;
         let options = JoinOptions { turn: true, ..*options };
         let mut net = join_mirrored(&nets, &mirrored, &options, &job.part(0.2, 0.8))?;

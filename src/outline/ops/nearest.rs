@@ -34,6 +34,12 @@ const FAR: f64 = (1u64 << 26) as f64;
 /// Queries that one thread takes at once.
 const BATCH: usize = 256;
 
+/// Boxes in a frame of size 1 are wider by this, and distances relative to themselves, than rounding can make them.
+const PLAY: f64 = 1e-14;
+const RATIO: f64 = 1e-9;
+/// In sizes of all curves: the square of that is a number.
+const FARTHEST: f64 = 1e150;
+
 const STAGE: &str = "nearest points";
 
 impl CurveView<'_> {
@@ -43,44 +49,48 @@ impl CurveView<'_> {
     /// # Errors [`Error::EmptyCurve`] (no segments), [`Error::OutlineNotFinite`] (a query), [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
+        job.step(0.0, STAGE)?;
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        let found = nearest_of_any(&[*self], queries, job)?;
-        alloc::collect(found.into_iter().map(|(_, nearest)| nearest))
+        let finder = Finder::new(self)?;
+        answers(queries, job, |q| finder.nearest(q))
     }
 }
 
-/// The nearest point of any of some curves to each of `queries`, and the curve that it is on; a curve without segments is its
-/// point. As [`CurveView::nearest`] for one curve after the other, but with one search for each query.
+/// The nearest point of any of some curves to each of `queries`, and the curve that it is on, of equally near ones the first; a
+/// curve without segments is its point. As [`CurveView::nearest`] for one curve after the other, but for curves whose boxes are too far.
 ///
-/// # Errors [`Error::EmptyCurve`] (no curve has a point), [`Error::OutlineNotFinite`] (a query), [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// # Errors [`Error::EmptyCurve`] (no curve has a point, and there are queries), [`Error::OutlineNotFinite`] (a query),
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub(crate) fn nearest_of_any(
     curves: &[CurveView<'_>],
     queries: &[DVec3],
     job: &Job<'_>,
 ) -> Result<Vec<(usize, Nearest)>> {
     job.step(0.0, STAGE)?;
+    if queries.is_empty() {
+        return Ok(Vec::new());
+    }
     if curves.iter().all(|curve| curve.points().is_empty()) {
         return Err(Error::EmptyCurve);
     }
+    let family = Family::new(curves, &job.part(0.0, 0.1))?;
+    answers(queries, &job.part(0.1, 1.0), |q| family.nearest(q))
+}
+
+/// The answers to all queries.
+fn answers<A: Send>(queries: &[DVec3], job: &Job<'_>, answer: impl Fn(DVec3) -> A + Sync) -> Result<Vec<A>> {
     queries.iter().enumerate().try_for_each(|(point, &q)| check_finite(point, q))?;
-    let finder = Finder::new(curves, &job.part(0.0, 0.1))?;
-    let job = job.part(0.1, 1.0);
     let mut found = alloc::with_capacity(queries.len())?;
-    let batches = par::heard(&job, STAGE, queries.chunks(BATCH), |batch| {
-        alloc::collect(batch.iter().map(|&q| {
-            let (curve, place) = finder.nearest(finder.near(q));
-            let point = match curves[curve].is_empty() {
-                true => curves[curve].points()[0],
-                false => segment::point(curves[curve].segment(place.segment as usize), place.t),
-            };
-            (curve, Nearest { place, point, distance: distance(point, q) })
-        }))
-    })?;
-    for batch in batches {
-        found.extend(batch?);
+    for some in queries.chunks(BATCH * 64) {
+        let (done, count) = (found.len() as f64, queries.len() as f64);
+        let part = job.part(done / count, (done + some.len() as f64) / count);
+        let batches =
+            par::heard(&part, STAGE, some.chunks(BATCH), |batch| alloc::collect(batch.iter().map(|&q| answer(q))))?;
+        for batch in batches {
+            found.extend(batch?);
+        }
     }
     Ok(found)
 }
@@ -92,42 +102,32 @@ fn distance(p: DVec3, q: DVec3) -> f64 {
     if largest == 0.0 { 0.0 } else { (halved / largest).length() * largest * 2.0 }
 }
 
-/// Curves in their frame, with the tree of the segments of all of them.
-struct Finder {
+/// A curve in its frame, with the tree of its segments.
+struct Finder<'a> {
+    curve: CurveView<'a>,
     frame: Frame,
-    /// Where queries are far from.
-    origin: DVec3,
     points: Vec<DVec3>,
-    /// Of each segment: its first control point and its last one, the curve, and its number there.
-    segments: Vec<([u32; 2], u32, u32)>,
     tree: Tree,
 }
 
-impl Finder {
-    fn new(curves: &[CurveView<'_>], job: &Job<'_>) -> Result<Self> {
-        let frame = Frame::of(curves.iter().flat_map(CurveView::points));
-        let (count, limit) = (curves.iter().map(|curve| curve.points().len()).sum(), u64::from(u32::MAX));
-        if count as u64 > limit {
-            return Err(Error::TooLarge { what: "control points", count: count as u64, limit });
+impl<'a> Finder<'a> {
+    fn new(curve: &CurveView<'a>) -> Result<Self> {
+        let frame = Frame::of(curve.points());
+        let points = alloc::collect(curve.points().iter().map(|&p| frame.point(p)))?;
+        let boxes = CurveView::trusted(&points, curve.ends(), false);
+        let tree = Tree::new(boxes.segments().map(Aabb::of))?;
+        Ok(Finder { curve: *curve, frame, points, tree })
+    }
+
+    /// The nearest point. The curve has one.
+    fn nearest(&self, q: DVec3) -> Nearest {
+        if self.curve.is_empty() {
+            let point = self.curve.points()[0];
+            return Nearest { place: Place { segment: 0, t: 0.0 }, point, distance: distance(point, q) };
         }
-        let mut points = alloc::with_capacity(count)?;
-        let mut segments = alloc::with_capacity(curves.iter().map(|curve| curve.len().max(1)).sum())?;
-        for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.points().is_empty()) {
-            let first = points.len() as u32;
-            points.extend(curve.points().iter().map(|&p| frame.point(p)));
-            match curve.ends() {
-                // A point.
-                [] | [_] => segments.push(([first; 2], c as u32, 0)),
-                ends => segments.extend(
-                    ends.windows(2).zip(0..).map(|(pair, k)| ([first + pair[0], first + pair[1]], c as u32, k)),
-                ),
-            }
-        }
-        job.step(0.5, STAGE)?;
-        let boxes = segments.iter().map(|(ends, ..)| Aabb::of(controls(&points, *ends)));
-        let tree = Tree::new(boxes)?;
-        let origin = curves.iter().find_map(|curve| curve.points().first()).copied().unwrap_or_default();
-        Ok(Finder { frame, origin, points, segments, tree })
+        let place = self.place(self.near(q));
+        let point = segment::point(self.curve.segment(place.segment as usize), place.t);
+        Nearest { place, point, distance: distance(point, q) }
     }
 
     /// A query in the frame.
@@ -136,29 +136,69 @@ impl Finder {
         if local.abs().max_element() <= FAR {
             return local;
         }
-        let away = q * 0.5 - self.origin * 0.5;
+        let away = q * 0.5 - self.curve.points()[0] * 0.5;
         away / away.abs().max_element() * FAR
     }
 
-    /// The place nearest to a point of the frame, and the curve that it is on.
-    fn nearest(&self, q: DVec3) -> (usize, Place) {
-        let (_, curve, segment) = self.segments[0];
-        let mut best = (self.points[0].distance_squared(q), curve, Place { segment, t: 0.0 });
-        self.tree.nearest(q, best.0, &mut |k| {
-            let (ends, curve, segment) = self.segments[k];
-            let (t, distance) = nearest_on(controls(&self.points, ends), q);
-            if distance < best.0 {
-                best = (distance, curve, Place { segment, t });
+    /// The place nearest to a point of the frame.
+    fn place(&self, q: DVec3) -> Place {
+        let local = CurveView::trusted(&self.points, self.curve.ends(), false);
+        let mut best = (Place { segment: 0, t: 0.0 }, local.segment(0)[0].distance_squared(q));
+        self.tree.nearest(q, best.1, &mut |k| {
+            let (t, distance) = nearest_on(local.segment(k), q);
+            if distance < best.1 {
+                best = (Place { segment: k as u32, t }, distance);
             }
-            best.0
+            best.1
         });
-        (best.1 as usize, best.2)
+        best.0
     }
 }
 
-/// The control points of a segment.
-fn controls(points: &[DVec3], [first, last]: [u32; 2]) -> &[DVec3] {
-    &points[first as usize..=last as usize]
+/// Curves that have points, with the tree of their boxes in a frame of all of them. Each answers in its own frame: in that of all, what is
+/// small and far from the others would be coarse.
+struct Family<'a> {
+    /// The curves and their numbers.
+    finders: Vec<(usize, Finder<'a>)>,
+    frame: Frame,
+    tree: Tree,
+}
+
+impl<'a> Family<'a> {
+    fn new(curves: &[CurveView<'a>], job: &Job<'_>) -> Result<Self> {
+        let total: usize = curves.iter().map(|curve| curve.points().len()).sum();
+        let (mut finders, mut done) = (alloc::with_capacity(curves.len())?, 0);
+        for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.points().is_empty()) {
+            job.step(done as f64 / total as f64, STAGE)?;
+            done += curve.points().len();
+            finders.push((c, Finder::new(curve)?));
+        }
+        let frame = Frame::of(curves.iter().flat_map(CurveView::points));
+        let around = |curve: &CurveView<'_>| {
+            let Aabb { low, high } = Aabb::of(curve.points());
+            Aabb { low: frame.point(low) - PLAY, high: frame.point(high) + PLAY }
+        };
+        let tree = Tree::new(finders.iter().map(|(_, finder)| around(&finder.curve)))?;
+        Ok(Family { finders, frame, tree })
+    }
+
+    fn nearest(&self, q: DVec3) -> (usize, Nearest) {
+        // Of queries so far away that squares overflow the boxes say nothing, and every curve is asked.
+        let local = self.frame.point(q).clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST));
+        let mut best: Option<(usize, Nearest)> = None;
+        self.tree.nearest(local, f64::INFINITY, &mut |k| {
+            let (curve, finder) = &self.finders[k];
+            let found = finder.nearest(q);
+            let nearer = |&(c, nearest): &(usize, Nearest)| (found.distance, *curve) < (nearest.distance, c);
+            if best.as_ref().is_none_or(nearer) {
+                best = Some((*curve, found));
+            }
+            let reach = best.map_or(f64::INFINITY, |(_, nearest)| self.frame.length(nearest.distance) * (1.0 + RATIO));
+            reach * reach + f64::MIN_POSITIVE
+        });
+        // The tree has a leaf, and there is nothing that it could be passed over for.
+        best.unwrap_or_else(|| (self.finders[0].0, self.finders[0].1.nearest(q)))
+    }
 }
 
 /// The parameter of the nearest point of one segment, and the square of its distance.
@@ -173,7 +213,6 @@ pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
     };
     offer(1.0);
     match *controls {
-        [_] => {}
         [a, b] => {
             let along = b - a;
             let t = (q - a).dot(along) / along.length_squared();
