@@ -127,6 +127,22 @@ fn all_that_name_the_static_link_line_agree() {
     }
 }
 
+/// What names the shared library for its users names the one that this version installs.
+#[test]
+fn the_librarys_name_is_that_of_this_version() {
+    let name = concat!("libgusset.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
+    let pages = ["README.md", "docs/guides/plugin.md"];
+    for file in ["include/gusset_plugin.h", "examples/host/main.cpp", "examples/guides/plugin.c"].iter().chain(&pages) {
+        let text = fs::read_to_string(Path::new(ROOT).join(file)).unwrap();
+        let mut versions = text.match_indices("libgusset.so.").map(|(at, _)| &text[at..]).peekable();
+        assert!(versions.peek().is_some(), "{file}");
+        for version in versions {
+            let rest = version.strip_prefix(name).filter(|rest| !rest.starts_with(|c: char| c.is_ascii_digit()));
+            assert!(rest.is_some(), "{file}: {:?} is not {name}", &version[..20.min(version.len())]);
+        }
+    }
+}
+
 #[test]
 #[cfg(target_os = "linux")]
 fn the_static_link_line_suffices() {
