@@ -17,6 +17,8 @@ openmfx := $(CURDIR)/target/openmfx/debug/libgusset.so
 libdir   = $(DESTDIR)$(LIBDIR)
 incdir   = $(DESTDIR)$(PREFIX)/include
 docdir   = $(DESTDIR)$(DOCDIR)
+# Of what is linked in. Debian's tools move the file and install it themselves.
+notices  = packaging/debian/copyright
 
 build_packages := cmake g++ pkg-config
 host_packages  := $(build_packages) libopenmesh-dev libcgal-dev libcli11-dev libfccp-dev libtinyobjloader-dev
@@ -119,7 +121,7 @@ install: build
 	sed -e 's|@UP@|$(shell realpath -ms --relative-to='$(LIBDIR)/pkgconfig' '$(PREFIX)')|' \
 	    -e 's|@LIB@|$(shell realpath -ms --relative-to='$(PREFIX)' '$(LIBDIR)')|' -e 's|@VERSION@|$(version)|' \
 	    -e 's|@DESCRIPTION@|$(call manifest,description)|' packaging/gusset.pc.in > $(libdir)/pkgconfig/gusset.pc
-	install -m 644 README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE packaging/debian/copyright $(docdir)
+	install -m 644 README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE $(wildcard $(notices)) $(docdir)
 	find docs -name '*.md' -o -name '*.svg' | xargs -I% install -D -m 644 % $(docdir)/%
 	printf '%s\n' CONTRIBUTING.md examples/guides/* examples/meshlab/LICENCE-NOTE.md examples/meshlab/try.py include/gusset.openmfx.symbols | \
 	    xargs -I@ install -D -m 644 @ $(docdir)/@
