@@ -51,6 +51,11 @@ impl<'a> Job<'a> {
         Job { from: self.from + span * from, to: self.from + span * to, ..*self }
     }
 
+    /// Part `k` of `count` equal ones.
+    pub fn share(&self, k: usize, count: usize) -> Job<'a> {
+        self.part(k as f64 / count as f64, (k + 1) as f64 / count as f64)
+    }
+
     /// Reports progress; [`Error::Cancelled`] if the host wants to stop.
     pub fn step(&self, fraction: f64, stage: &'static str) -> Result<()> {
         // Of nothing to do, the part that is done may be no number.
@@ -110,6 +115,7 @@ mod tests {
         assert_eq!(job.step(0.0, "a"), Ok(()));
         assert_eq!(job.step(f64::NAN, "a"), Ok(()));
         assert_eq!(job.step(2.0, "b"), Err(Error::Cancelled));
-        assert_eq!(*recorder.0.borrow(), [0.5, 0.5, 0.75]);
+        assert_eq!(Job::new(1, &recorder).share(1, 4).step(0.5, "c"), Ok(()));
+        assert_eq!(*recorder.0.borrow(), [0.5, 0.5, 0.75, 0.375]);
     }
 }

@@ -463,45 +463,6 @@ fn any_size_and_place() {
     }
 }
 
-#[test]
-#[ignore = "timing"]
-fn timing() {
-    let carcass = torus_of([707, 1412]);
-    let job = Job::new(1, &Quiet);
-    // Of this thread alone, in milliseconds: the machine may have others to serve.
-    let clock = || {
-        let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap();
-        text.split_whitespace().next().unwrap().parse::<f64>().unwrap() * 1e-6
-    };
-    let least = |run: &mut dyn FnMut() -> usize| {
-        // The clock ticks every few milliseconds.
-        let start = clock();
-        let count = (0..100).map(|_| run()).last().unwrap();
-        ((clock() - start) / 100.0, count)
-    };
-    let mut random = Random(5);
-    for k in 0..4 {
-        let planes = Planes { point: random.point(0.2), normal: random.point(1.0), offsets: &[0.0] };
-        for between in [Between::Nothing, Between::Auto] {
-            let (time, count) = least(&mut || carcass.section(&planes, between, &job).unwrap().points.len());
-            println!("plane {k} {between:?}: {time:.3} ms, {count} points, {:.0} ns each", time * 1e6 / count as f64);
-        }
-    }
-    let offsets: Vec<f64> = (0..100).map(|k| 0.01 * f64::from(k) - 0.5).collect();
-    let planes = Planes { point: DVec3::ZERO, normal: DVec3::new(0.3, 0.2, 1.0), offsets: &offsets };
-    let (time, count) = least(&mut || carcass.section(&planes, Between::Nothing, &job).unwrap().points.len());
-    println!("100 planes: {time:.2} ms, {count} points");
-    for angle in [FRAC_PI_2, 1.0] {
-        let axis = DVec3::new(0.3, 0.2, 1.0);
-        let start = clock();
-        let paths = carcass.isophotes(axis, &[angle], false, Between::Nothing, &job).unwrap();
-        println!("isophote {angle}: {:.1} ms, {} points", clock() - start, paths.points.len());
-        let start = clock();
-        let found = carcass.nearest_angle(axis, angle, false, &job).unwrap().unwrap();
-        println!("nearest angle: {:.1} ms, {:.1e}", clock() - start, found.deviation);
-    }
-}
-
 struct Quiet;
 
 impl Progress for Quiet {

@@ -5,7 +5,7 @@ mod surfaces;
 
 use glam::{DMat3, DVec3};
 use gusset::carcass::meet::Options;
-use gusset::carcass::{Carcass, Patches, Paths, Place, Scheme, Sheet};
+use gusset::carcass::{Carcass, Patches, Place, Scheme, Sheet};
 use gusset::job::Progress;
 use gusset::{Error, Job};
 use meeting::{
@@ -289,41 +289,6 @@ fn exhaustive_random_positions() {
         unresolved += usize::from(!paths.unresolved.is_empty());
     }
     assert!(points > 100_000 && unresolved == 0, "{points} {unresolved}");
-}
-
-/// Times by turns, of the sizes of the study.
-#[test]
-#[ignore = "a measurement"]
-fn times() {
-    let turn = DMat3::from_rotation_x(1.1) * DMat3::from_rotation_z(0.3);
-    for (h, w) in [(32, 64), (64, 128), (128, 256), (512, 1024)] {
-        let shape = ring(h, w);
-        for (name, turn, shift) in
-            [("shifted", DMat3::IDENTITY, DVec3::new(0.7, 0.2, 0.1)), ("turned", turn, DVec3::new(0.5, 0.13, 0.07))]
-        {
-            let (a, b) = (carcass(&shape, |p| p), carcass(&shape, |p| turn * p + shift));
-            let job = Job::new(1, &Quiet);
-            let options = Options { chord: Some(f64::INFINITY), tolerance: None };
-            let mut best = [f64::INFINITY; 2];
-            let mut found = Paths::default();
-            for _ in 0..15 {
-                let start = std::time::Instant::now();
-                a.candidates(&b, 0.0, &job).unwrap();
-                best[0] = best[0].min(1e3 * start.elapsed().as_secs_f64());
-                let start = std::time::Instant::now();
-                found = a.meet(&b, &options, &job).unwrap();
-                best[1] = best[1].min(1e3 * start.elapsed().as_secs_f64());
-            }
-            let miss = |&p: &DVec3| from_torus(p).abs().max(from_torus(turn.transpose() * (p - shift)).abs());
-            let error = found.points.iter().map(miss).fold(0.0, f64::max);
-            println!(
-                "{h} x {w} {name}: pairs {:.2} ms, in all {:.2} ms, error {error:.1e}, {}",
-                best[0],
-                best[1],
-                summary(&found)
-            );
-        }
-    }
 }
 
 /// A wave of the fifth degree along whose chord both ends and the middle lie: what a cubic through the ends does not show.

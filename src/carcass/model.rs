@@ -46,9 +46,9 @@ impl<'a> Carcass<'a> {
     pub fn new(sheets: Vec<Sheet<'a>>, tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
         let mut indexed = alloc::with_capacity(sheets.len())?;
         let mut bounds = Bounds::EMPTY;
-        let count = sheets.len() as f64;
+        let count = sheets.len();
         for (k, sheet) in sheets.into_iter().enumerate() {
-            let part = job.part(k as f64 / count, (k + 1) as f64 / count);
+            let part = job.share(k, count);
             let index = each_sheet!(&sheet, cells => Pyramid::build(cells, &part))?;
             check_range(k, index.bounds())?;
             bounds = bounds.joined(index.bounds());
@@ -140,8 +140,7 @@ impl<'a> Carcass<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn build_cones(&self, job: &Job<'_>) -> Result<()> {
-        let count = self.len() as f64;
-        (0..self.len()).try_for_each(|k| self.cones(k, &job.part(k as f64 / count, (k + 1) as f64 / count)).map(|_| ()))
+        (0..self.len()).try_for_each(|k| self.cones(k, &job.share(k, self.len())).map(|_| ()))
     }
 
     /// The cones of sheet k, built if there are none yet.

@@ -90,7 +90,7 @@ pub(super) fn meshes<'a>(
     input::bytes(views.cast(), count, size, "pieces")?;
     let mut meshes = alloc::with_capacity(count)?;
     for k in 0..count {
-        let part = job.part(k as f64 / count as f64, (k + 1) as f64 / count as f64);
+        let part = job.share(k, count);
         meshes.push(mesh(views.wrapping_byte_add(k * size), k as u32, &part)?);
     }
     Ok(meshes)

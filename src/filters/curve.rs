@@ -91,7 +91,7 @@ fn laid(
     let mut curves = alloc::with_capacity(each.len())?;
     let mut first = 0;
     for (c, (points, closed)) in each.iter().enumerate() {
-        let part = job.part(c as f64 / each.len() as f64, (c + 1) as f64 / each.len() as f64);
+        let part = job.share(c, each.len());
         part.step(0.0, "curves")?;
         curves.push(curve(&lay(first, points)?, *closed, between, &part)?);
         first += points.len();

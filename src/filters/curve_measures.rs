@@ -35,7 +35,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let curves = curve::curves(inputs[0].curves()?, values, &job.part(0.0, 0.5))?;
     let (mut text, mut total) = (String::new(), 0.0);
     for (c, curve) in curves.iter().enumerate() {
-        let part = job.part(0.5, 1.0).part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        let part = job.part(0.5, 1.0).share(c, curves.len());
         part.step(0.0, "measuring curves")?;
         let curve = curve.view();
         let length = if curve.is_empty() { 0.0 } else { curve.lengths_heard(&part)?.total() };

@@ -65,7 +65,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let boxes = alloc::collect(boxes.collect::<Vec<_>>().into_iter())?;
     let (within, count) = (values.number("within"), curves.len());
     for i in 0..count {
-        let job = job.part(0.3 + 0.7 * i as f64 / count as f64, 0.3 + 0.7 * (i + 1) as f64 / count as f64);
+        let job = job.part(0.3, 1.0).share(i, count);
         job.step(0.0, "intersections")?;
         // Of curves in other planes than z = 0 there is no way to tell.
         if curves[i].view().points().iter().all(|point| point.z == 0.0) {
@@ -75,8 +75,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
             let (Some(a), Some(b)) = (&boxes[i], &boxes[k]) else { continue };
             let apart = (a.low - b.high).max(b.low - a.high).max_element() > within;
             if !apart && !curves[i].view().is_empty() && !curves[k].view().is_empty() {
-                let part =
-                    job.part(0.5 + 0.5 * (k - i - 1) as f64 / count as f64, 0.5 + 0.5 * (k - i) as f64 / count as f64);
+                let part = job.part(0.5, 1.0).share(k - i - 1, count);
                 found.with_each_other([i, k], [&curves[i], &curves[k]], within, &part)?;
             }
         }

@@ -59,7 +59,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let options = OffsetOptions { degree: 3, tolerance: 0.5 * tolerance, max_segments: MOST };
     let (mut drawn, mut text) = (Curves::none(), String::new());
     for (c, curve) in curves.iter().enumerate() {
-        let part = job.part(0.3, 1.0).part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        let part = job.part(0.3, 1.0).share(c, curves.len());
         part.step(0.0, "offset")?;
         if curve.view().is_empty() {
             // Writing to a string cannot fail.

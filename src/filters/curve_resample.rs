@@ -74,7 +74,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         _ => Spacing::Chord(curve::chord(given, values)),
     };
     for (c, curve) in curves.iter().enumerate() {
-        let part = job.part(0.5, 1.0).part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        let part = job.part(0.5, 1.0).share(c, curves.len());
         drawn.add(curve::sampled(&curve.view(), spacing, &part)?.into_iter(), curve.view().is_closed())?;
     }
     Ok(vec![Output::Curves(drawn)])

@@ -39,7 +39,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let curves = flat.curves(inputs[0].curves()?, values, &job.part(0.0, 0.5))?;
     let mut text = String::new();
     for (c, curve) in curves.iter().enumerate() {
-        let part = job.part(0.5, 1.0).part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        let part = job.part(0.5, 1.0).share(c, curves.len());
         part.step(0.0, "writing a path")?;
         let path = match values.is_set("downwards") {
             true => turned_over(&curve.view(), &part)?,

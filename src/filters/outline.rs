@@ -123,7 +123,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let (mut drawn, mut text) = (Curves::none(), String::new());
     let curves = given.each()?;
     for (c, &(points, closed)) in curves.iter().enumerate() {
-        let part = job.part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        let part = job.share(c, curves.len());
         let outline = Outlines { points: Points::from(points), offsets: None, closed, constraints: &[] };
         let done = fit(&outline, &options, &part.part(0.0, 0.8))?;
         let chord = (values.number("chord_error") * done.reports()[0].size).max(f64::MIN_POSITIVE);

@@ -37,7 +37,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let (mut points, mut text) = (Curves::none(), String::new());
     let job = job.part(0.6, 1.0);
     for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.view().is_empty()) {
-        let part = job.part(c as f64 / curves.len() as f64, (c + 1) as f64 / curves.len() as f64);
+        let part = job.share(c, curves.len());
         let hits = surface.curve(&curve.view(), Which::All, &part).map_err(|error| match error {
             Error::OptionOutOfRange { .. } => Error::InputUnfit { input: 1, why: "coordinates up to 1e150 are needed" },
             error => error,

@@ -349,7 +349,7 @@ impl<C> Sought<'_, C> {
         let mut pass = 0;
         let mut next = || {
             pass += 1;
-            job.part(f64::from(pass - 1) / passes as f64, f64::from(pass) / passes as f64)
+            job.share(pass - 1, passes)
         };
         let blocks = if kinds.silhouettes.is_empty() { Vec::new() } else { self.blocks(&[0.5 * PI])? };
         for &number in &kinds.silhouettes {

@@ -177,8 +177,7 @@ impl Carcass<'_> {
 
     /// The share of sheet k in the search.
     fn part<'a>(&self, k: usize, job: &Job<'a>) -> Job<'a> {
-        let share = |k: usize| 0.9 * k as f64 / self.len() as f64;
-        job.part(share(k), share(k + 1))
+        job.part(0.0, 0.9).share(k, self.len())
     }
 
     fn check_values(&self, values: &[f64]) -> Result<()> {

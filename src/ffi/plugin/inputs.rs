@@ -52,7 +52,7 @@ pub(super) fn inputs<'a>(
     input::bytes(given.cast(), count as usize, size, "inputs")?;
     let mut all = alloc::with_capacity(count as usize)?;
     for k in 0..count {
-        let part = job.part(f64::from(k) / f64::from(count), f64::from(k + 1) / f64::from(count));
+        let part = job.share(k as usize, count as usize);
         let at = given.wrapping_byte_add(k as usize * size);
         all.push(read(filter, at, k, &part).map_err(|fault| fault.of_input(k))?);
     }

@@ -109,7 +109,7 @@ pub fn measures(
 ) -> Result<Vec<Measure>> {
     let mut found = alloc::with_capacity(points.len())?;
     for (k, &point) in points.iter().enumerate() {
-        let part = job.part(k as f64 / points.len() as f64, (k + 1) as f64 / points.len() as f64);
+        let part = job.share(k, points.len());
         let cut = slice(along, point, normal, closed, options, &part).map_err(|error| match error {
             Error::NoNode { column, .. } => Error::NoNode { section: k as u32, column },
             other => other,

@@ -98,7 +98,7 @@ impl CurveView<'_> {
             if controls.iter().all(|&p| p == controls[0]) {
                 continue;
             }
-            fit.job = job.part(k as f64 / self.len() as f64, (k + 1) as f64 / self.len() as f64);
+            fit.job = job.share(k, self.len());
             let mut local: Room = [DVec3::ZERO; MAX_DEGREE + 1];
             for (to, &p) in local.iter_mut().zip(controls) {
                 *to = frame.point(p);

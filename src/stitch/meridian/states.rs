@@ -111,7 +111,7 @@ pub(super) fn cheapest(
     };
     let mut best: Option<(f64, Vec<Pair>)> = None;
     for (k, &first) in firsts.iter().enumerate() {
-        let part = job.part(k as f64 / firsts.len() as f64, (k + 1) as f64 / firsts.len() as f64);
+        let part = job.share(k, firsts.len());
         search.run(first, &part)?;
         for &state in states.iter().filter(|&state| !proper || state & 3 == WITHIN_A | WITHIN_B) {
             let mut total = search.row[m][state];
