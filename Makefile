@@ -38,7 +38,7 @@ help:
 	@echo 'make demo A=left.obj B=right.obj  the same with your own files'
 	@echo 'make test                         all tests: Rust, lints, header drift, C and C++'
 	@echo 'make check                        the quick part of them: Rust tests and lints'
-	@echo 'make exhaustive                   long searches for wrong answers of carcasses, by brute force; minutes'
+	@echo 'make exhaustive                   long searches for wrong answers of surfaces, by brute force; minutes'
 	@echo 'make docs                         the site of the C and C++ interface, in build/docs/html'
 	@echo 'make pictures                     draws the pictures of docs/ anew'
 	@echo 'make bench                        times and quality beside the peers, into target/bench/report.json and docs/benchmarks.md'
@@ -70,7 +70,7 @@ check:
 
 # What is ignored in `make test` because it takes minutes.
 exhaustive:
-	$(CARGO) test --profile search --locked --test 'carcass_*' -- --ignored --nocapture exhaustive_
+	$(CARGO) test --profile search --locked --test 'surface_*' -- --ignored --nocapture exhaustive_
 
 # The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx.
 openmfx:

@@ -198,7 +198,7 @@ class Library:
     def strip_area(self, strip, rim_a, rim_b):
         """What the choice of least area makes least."""
         parts = sized(StripParts)
-        self._check(self.c.gusset_strip_view(strip.address, byref(parts)))
+        self._check(self.c.gusset_strip_get_view(strip.address, byref(parts)))
         corners = np.concatenate([rim_a, rim_b])[array(parts.triangles.data, parts.triangles.count, np.uint32).reshape(-1, 3)]
         sides = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
         return float(np.linalg.norm(np.cross(*sides), axis=1).sum() / 2)
@@ -206,15 +206,15 @@ class Library:
     def mesh(self, stitch):
         """Points, triangles, and the first new one."""
         view, parts = sized(View), sized(Parts)
-        self._check(self.c.gusset_stitch_mesh(stitch.address, byref(view)))
-        self._check(self.c.gusset_stitch_view(stitch.address, byref(parts)))
+        self._check(self.c.gusset_stitch_get_mesh(stitch.address, byref(view)))
+        self._check(self.c.gusset_stitch_get_view(stitch.address, byref(parts)))
         points = array(view.positions, 3 * view.vertex_count, np.float64).reshape(-1, 3)
         return points, array(view.face_corners, 3 * view.face_count, np.uint32).reshape(-1, 3), parts.strip_face_first
 
     def rims(self, stitch):
         """The points of both rims, side by side from the first meridian on."""
         parts = sized(Parts)
-        self._check(self.c.gusset_stitch_view(stitch.address, byref(parts)))
+        self._check(self.c.gusset_stitch_get_view(stitch.address, byref(parts)))
         points = self.mesh(stitch)[0]
         return [np.ascontiguousarray(points[array(rim.data, rim.count, np.uint32)]) for rim in parts.rim]
 
@@ -231,7 +231,7 @@ class Library:
     def outline_sampled(self, outline, fine):
         """Each curve as a polygon with `fine` sides for each segment."""
         parts = sized(OutlineParts)
-        self._check(self.c.gusset_outline_view(outline.address, byref(parts)))
+        self._check(self.c.gusset_outline_get_view(outline.address, byref(parts)))
         controls = array(parts.controls, 3 * parts.control_count, np.float64).reshape(-1, 3)[:, :2]
         ends = array(parts.ends.data, parts.ends.count, np.uint32).astype(np.int64)
         starts = array(parts.starts, 2 * (parts.outline_count + 1), np.uint64).astype(np.int64).reshape(-1, 2)
@@ -296,7 +296,7 @@ class Library:
 
     def stream_bytes(self, stream):
         data, size = c_void_p(), c_size_t()
-        self._check(self.c.gusset_stream_view(stream.address, byref(data), byref(size)))
+        self._check(self.c.gusset_stream_get_view(stream.address, byref(data), byref(size)))
         return array(data.value, size.value, np.uint8).copy()
 
     def net_decode(self, data, automatic=False):

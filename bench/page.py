@@ -67,7 +67,7 @@ gluing, for VTK from their places; `memory` is bytes a node. `stream` is compres
 that is there, and times to encode and decode. Draco (DracoPy) takes the triangles of the grid, EDGEBREAKER, at the level of
 7 and 10 that is smaller. The torus is rough as a scan is, or `-smooth`; the others are scans, where the folder of data is there.
 `gusset-automatic` has as many threads as the machine.""",
-    "carcass": """## Carcasses
+    "carcass": """## Surfaces
 
 Questions about smooth surfaces. The torus has radii 1 and 0.4, with 708 x 1413 nodes (`1e6`), 2236 x 4473 (`1e7`) or 101 x 101
 (`1e4`); `wavy` is the open sheet z = 0.2 sin 5x cos 4y with 1000 x 1000. The peers CGAL, Embree and parry3d-f64 (the crate)

@@ -6,7 +6,7 @@ import sys
 import time
 from pathlib import Path
 
-import carcass
+import surface
 import meshes
 import outlines
 from cases import BOUNDARIES, OUTLINES, Cases
@@ -41,8 +41,8 @@ def in_cpp(report, tools, folder, only, slow):
         sys.stdout.flush()
         subprocess.run([tools / "nets", "--only", only, "--out", out], check=True)
         report.merge(out)
-    if carcass.wanted(only):
-        carcass.run(report, tools, folder, only, slow)
+    if surface.wanted(only):
+        surface.run(report, tools, folder, only, slow)
 
 
 def main():

@@ -190,47 +190,6 @@
 #define GUSSET_DEFECT_BOW_TIE 4
 
 /**
- * gusset_surface_closest: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
- */
-#define GUSSET_SURFACE_CLOSEST_FOUND 1
-
-/**
- * gusset_surface_closest: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
- * would take too long, as it may next to a centre of curvature; bound is right nevertheless.
- */
-#define GUSSET_SURFACE_CLOSEST_PROVEN 2
-
-/**
- * gusset_surface_closest: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
- */
-#define GUSSET_SURFACE_CLOSEST_MANY 4
-
-/**
- * gusset_sheet_curve: u stays and v runs: along rows.
- */
-#define GUSSET_ALONG_ROWS 0
-
-/**
- * gusset_sheet_curve: v stays and u runs: along columns.
- */
-#define GUSSET_ALONG_COLUMNS 1
-
-/**
- * There is no normal: the tangents are 0, or parallel all along the lines to the point.
- */
-#define GUSSET_NORMAL_NONE 0
-
-/**
- * The normal of the plane that the tangents span.
- */
-#define GUSSET_NORMAL_REGULAR 1
-
-/**
- * The limit along the coordinate line, where the tangents do not span a plane: at poles.
- */
-#define GUSSET_NORMAL_LIMIT 2
-
-/**
  * Every edge has exactly two faces.
  */
 #define GUSSET_MESH_CLOSED 1
@@ -251,17 +210,17 @@
 #define GUSSET_MESH_ORIENTABLE 8
 
 /**
- * gusset_curve_sample: as many points as amount says, at equal arc lengths.
+ * gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
  */
 #define GUSSET_SAMPLE_COUNT 0
 
 /**
- * gusset_curve_sample: a point every `amount` of arc length; an open curve's end is always the last.
+ * gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always the last.
  */
 #define GUSSET_SAMPLE_STEP 1
 
 /**
- * gusset_curve_sample: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
+ * gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
  * 20 times, which leaves 1e-12 of its size.
  */
 #define GUSSET_SAMPLE_CHORD 2
@@ -417,12 +376,12 @@
 /**
  * The curve passes the point in the direction of the tangent, of any length but 0.
  */
-#define GUSSET_DEMAND_TANGENT 0
+#define GUSSET_CONSTRAINT_TANGENT 0
 
 /**
  * The curve may turn sharply at the point.
  */
-#define GUSSET_DEMAND_CORNER 1
+#define GUSSET_CONSTRAINT_CORNER 1
 
 /**
  * Quadratic segments, one control point for each point; smooth (G1) everywhere.
@@ -497,17 +456,17 @@
 /**
  * Sections join in the middle between their control points.
  */
-#define GUSSET_JOINT_SHARE_HALF 0
+#define GUSSET_JOINT_PARAMETER_HALF 0
 
 /**
  * By the chords to the power of the method's exponent: the quadratic B-spline in those knots, C1.
  */
-#define GUSSET_JOINT_SHARE_KNOT 1
+#define GUSSET_JOINT_PARAMETER_KNOT 1
 
 /**
  * So that the curvature is continuous, where the control polygon turns one way.
  */
-#define GUSSET_JOINT_SHARE_G2 2
+#define GUSSET_JOINT_PARAMETER_G2 2
 
 /**
  * Closed forms and Newton's method.
@@ -853,6 +812,47 @@
 #define GUSSET_TOLERANCE_GIVEN 1
 
 /**
+ * gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
+ */
+#define GUSSET_NEAREST_FOUND 1
+
+/**
+ * gusset_surface_nearest_point: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
+ * would take too long, as it may next to a centre of curvature; bound is right nevertheless.
+ */
+#define GUSSET_NEAREST_PROVEN 2
+
+/**
+ * gusset_surface_nearest_point: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
+ */
+#define GUSSET_NEAREST_AMBIGUOUS 4
+
+/**
+ * gusset_sheet_curve_create: u stays and v runs: along rows.
+ */
+#define GUSSET_ALONG_ROWS 0
+
+/**
+ * gusset_sheet_curve_create: v stays and u runs: along columns.
+ */
+#define GUSSET_ALONG_COLUMNS 1
+
+/**
+ * There is no normal: the tangents are 0, or parallel all along the lines to the point.
+ */
+#define GUSSET_NORMAL_NONE 0
+
+/**
+ * The normal of the plane that the tangents span.
+ */
+#define GUSSET_NORMAL_REGULAR 1
+
+/**
+ * The limit along the coordinate line, where the tangents do not span a plane: at poles.
+ */
+#define GUSSET_NORMAL_LIMIT 2
+
+/**
  * The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
  */
 #define GUSSET_WELD_BOUNDARY 0
@@ -1131,13 +1131,7 @@ typedef struct gusset_assembly gusset_assembly;
 typedef struct gusset_boundary gusset_boundary;
 
 /**
- * A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all functions may use it from any thread, and
- * many at the same time, each with a context of its own; it is destroyed when none uses it any more. It keeps what it needs of its sheets.
- */
-typedef struct gusset_carcass gusset_carcass;
-
-/**
- * Pairs of cells. Opaque and immutable; it keeps nothing of the carcasses.
+ * Pairs of cells. Opaque and immutable; it keeps nothing of the surfaces.
  */
 typedef struct gusset_cell_pairs gusset_cell_pairs;
 
@@ -1148,7 +1142,7 @@ typedef struct gusset_check gusset_check;
 
 /**
  * Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at a time, but
- * gusset_context_cancel and gusset_context_progress may be called from any.
+ * gusset_context_cancel and gusset_context_get_progress may be called from any.
  */
 typedef struct gusset_context gusset_context;
 
@@ -1271,22 +1265,28 @@ typedef struct gusset_stream_decoder gusset_stream_decoder;
 typedef struct gusset_strip gusset_strip;
 
 /**
+ * A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all functions may use it from any thread, and
+ * many at the same time, each with a context of its own; it is destroyed when none uses it any more. It keeps what it needs of its sheets.
+ */
+typedef struct gusset_surface gusset_surface;
+
+/**
  * Where lines or a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
  */
 typedef struct gusset_surface_hits gusset_surface_hits;
 
 /**
- * Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it keeps nothing of the carcass.
+ * Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it keeps nothing of the surface.
  */
 typedef struct gusset_surface_paths gusset_surface_paths;
 
 /**
- * Points of a surface. Opaque and immutable; it keeps nothing of the carcass.
+ * Points of a surface. Opaque and immutable; it keeps nothing of the surface.
  */
 typedef struct gusset_surface_points gusset_surface_points;
 
 /**
- * Cells of a surface. Opaque and immutable; it keeps nothing of the carcass.
+ * Cells of a surface. Opaque and immutable; it keeps nothing of the surface.
  */
 typedef struct gusset_surface_region gusset_surface_region;
 
@@ -1660,7 +1660,7 @@ typedef struct gusset_joint {
      */
     size_t face_count;
     /**
-     * Pairs of faces that cut each other, as in gusset_stitch_parts.
+     * Pairs of faces that cut each other, as in gusset_stitch_view.
      */
     struct gusset_indices intersections;
     /**
@@ -1741,9 +1741,9 @@ typedef struct gusset_hole {
 /**
  * The account of an assembly. Pointers are valid until it is destroyed; they are NULL where the count is 0.
  */
-typedef struct gusset_assembly_parts {
+typedef struct gusset_assembly_view {
     /**
-     * sizeof(gusset_assembly_parts), set by the caller.
+     * sizeof(gusset_assembly_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -1806,7 +1806,7 @@ typedef struct gusset_assembly_parts {
      * Edges of the result with three or more faces.
      */
     uint32_t non_manifold_edges;
-} gusset_assembly_parts;
+} gusset_assembly_view;
 
 /**
  * How loops are found; all zero is the default.
@@ -1888,791 +1888,12 @@ typedef struct gusset_defect {
 } gusset_defect;
 
 /**
- * How a carcass is built.
- */
-typedef struct gusset_carcass_options {
-    /**
-     * sizeof(gusset_carcass_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
-     */
-    double tolerance;
-    /**
-     * 1: with the cones of normals that gusset_carcass_isophotes and gusset_carcass_nearest_angle descend, about 0.7 bytes a node; 0: the first
-     * such question builds them.
-     */
-    uint32_t cones;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_carcass_options;
-
-/**
- * A place on a surface.
- */
-typedef struct gusset_surface_place {
-    /**
-     * The sheet, counted from 0 as they were given.
-     */
-    uint32_t sheet;
-    /**
-     * The row of the cell: between node rows row and row + 1.
-     */
-    uint32_t row;
-    /**
-     * Its column.
-     */
-    uint32_t column;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * The parameter within the cell, 0 to 1, from row to row; that of the sheet is row + u.
-     */
-    double u;
-    /**
-     * The same from column to column.
-     */
-    double v;
-} gusset_surface_place;
-
-/**
- * The curves. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_paths_parts {
-    /**
-     * sizeof(gusset_surface_paths_parts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many curves.
-     */
-    size_t path_count;
-    /**
-     * How many points there are in all.
-     */
-    size_t point_count;
-    /**
-     * 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
-     */
-    struct gusset_indices ends;
-    /**
-     * By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and gusset_curve_through have it again at the end.)
-     */
-    const uint32_t *closed;
-    /**
-     * By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
-     */
-    const uint32_t *levels;
-    /**
-     * x, y, z of each point, on the surface.
-     */
-    const double *points;
-    /**
-     * The unit normals there, x, y, z of each; 0 where there is none.
-     */
-    const double *normals;
-    /**
-     * Where the points are on the surface.
-     */
-    const struct gusset_surface_place *places;
-    /**
-     * Of intersections of two surfaces: where they are on the second; else NULL.
-     */
-    const struct gusset_surface_place *others;
-    /**
-     * Cells in which something may be that could not be resolved: tangency, coincidence, or pieces smaller than the tolerance.
-     */
-    const struct gusset_surface_place *unresolved;
-    /**
-     * How many.
-     */
-    size_t unresolved_count;
-} gusset_surface_paths_parts;
-
-/**
- * What is looked for.
- */
-typedef struct gusset_closest_options {
-    /**
-     * sizeof(gusset_closest_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
-     */
-    double limit;
-    /**
-     * Of minima: as many of the nearest; 0: all.
-     */
-    size_t most;
-    /**
-     * 1: limit is read.
-     */
-    uint32_t limited;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_closest_options;
-
-/**
- * A point of a surface that was found for a query.
- */
-typedef struct gusset_surface_closest {
-    /**
-     * Where it is on the surface.
-     */
-    struct gusset_surface_place place;
-    /**
-     * x, y, z.
-     */
-    double point[3];
-    /**
-     * The unit normal there, or its limit at a pole; 0 where there is none. The query is on its side if (query - point) . normal > 0.
-     */
-    double normal[3];
-    /**
-     * The distance from the query.
-     */
-    double distance;
-    /**
-     * No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
-     */
-    double bound;
-    /**
-     * GUSSET_SURFACE_CLOSEST_...
-     */
-    uint32_t flags;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_surface_closest;
-
-/**
- * What was found. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_points_parts {
-    /**
-     * sizeof(gusset_surface_points_parts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The points, the nearest first.
-     */
-    const struct gusset_surface_closest *points;
-    /**
-     * How many.
-     */
-    size_t count;
-    /**
-     * None is missing that is nearer than this.
-     */
-    double bound;
-    /**
-     * 1, or 0 if the search gave up at that distance, as it may where the distance is the same all over the surface.
-     */
-    uint32_t complete;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_surface_points_parts;
-
-/**
- * A cell of a region.
- */
-typedef struct gusset_surface_cell {
-    /**
-     * The sheet.
-     */
-    uint32_t sheet;
-    /**
-     * The row of the cell.
-     */
-    uint32_t row;
-    /**
-     * Its column.
-     */
-    uint32_t column;
-    /**
-     * 1 if all of the cell is within the radius.
-     */
-    uint32_t whole;
-} gusset_surface_cell;
-
-/**
- * The cells. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_region_parts {
-    /**
-     * sizeof(gusset_surface_region_parts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The cells, rising by sheet, row, column.
-     */
-    const struct gusset_surface_cell *cells;
-    /**
-     * How many.
-     */
-    size_t cell_count;
-    /**
-     * A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet k, which has c columns, is
-     * b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
-     */
-    const uint64_t *mask;
-    /**
-     * How many words.
-     */
-    size_t word_count;
-    /**
-     * By sheet: its first bit; then the number of bits.
-     */
-    const uint64_t *first;
-    /**
-     * How many sheets.
-     */
-    size_t sheet_count;
-} gusset_surface_region_parts;
-
-/**
- * How the surface is drawn through nodes.
- */
-typedef uint32_t gusset_scheme;
-
-/**
- * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
- */
-typedef struct gusset_line {
-    /**
-     * x, y, z of the point where t is 0; finite.
-     */
-    double origin[3];
-    /**
-     * x, y, z of the direction; of a length from 1e-150 to 1e150. t counts lengths of it.
-     */
-    double direction[3];
-    /**
-     * The least t: -INFINITY for lines, 0 for rays and segments.
-     */
-    double from;
-    /**
-     * The greatest t: INFINITY for lines and rays; not below `from`.
-     */
-    double to;
-} gusset_line;
-
-/**
- * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
- */
-typedef struct gusset_surface_point {
-    /**
-     * The point.
-     */
-    double point[3];
-    /**
-     * S_u.
-     */
-    double u[3];
-    /**
-     * S_v.
-     */
-    double v[3];
-    /**
-     * S_uu.
-     */
-    double uu[3];
-    /**
-     * S_uv.
-     */
-    double uv[3];
-    /**
-     * S_vv.
-     */
-    double vv[3];
-    /**
-     * The unit normal, to the side of S_u x S_v; 0 if there is none.
-     */
-    double normal[3];
-    /**
-     * Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
-     * tip of a cone, which has no normal.
-     */
-    double spread;
-    /**
-     * The principal curvatures, the greater first: positive where the surface bends towards the normal.
-     */
-    double principal[2];
-    /**
-     * Their directions: two unit tangents, x, y, z each.
-     */
-    double directions[6];
-    /**
-     * The mean curvature.
-     */
-    double mean;
-    /**
-     * The Gaussian curvature.
-     */
-    double gaussian;
-    /**
-     * GUSSET_NORMAL_...
-     */
-    uint32_t normal_kind;
-    /**
-     * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
-     */
-    uint32_t is_curved;
-} gusset_surface_point;
-
-/**
- * What a carcass is.
- */
-typedef struct gusset_carcass_facts {
-    /**
-     * sizeof(gusset_carcass_facts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many sheets.
-     */
-    size_t sheet_count;
-    /**
-     * How many cells, of all sheets.
-     */
-    size_t cell_count;
-    /**
-     * How many corners of cells: of sheets from nodes, the nodes.
-     */
-    size_t node_count;
-    /**
-     * Bytes of the index without the cones of normals; the nodes are not counted.
-     */
-    size_t index_bytes;
-    /**
-     * The length to which answers are proved.
-     */
-    double tolerance;
-    /**
-     * A corner of a box round the surface and the control nets of its cells, which may be larger than the surface: the least x, y, z.
-     */
-    double low[3];
-    /**
-     * The greatest.
-     */
-    double high[3];
-    /**
-     * Bytes of the cones of normals; 0 as long as there are none: see gusset_carcass_options.
-     */
-    size_t cone_bytes;
-} gusset_carcass_facts;
-
-/**
- * What a sheet of a carcass is.
- */
-typedef struct gusset_carcass_sheet_facts {
-    /**
-     * sizeof(gusset_carcass_sheet_facts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Cells in u: u runs from 0 to this. There is one more row of corners.
-     */
-    size_t rows;
-    /**
-     * Cells in v.
-     */
-    size_t columns;
-    /**
-     * The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each row after row: of cell (i, j) it is
-     * first_cell + i * columns + j, the bit of masks of gusset_surface_region_parts.
-     */
-    uint64_t first_cell;
-    /**
-     * The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each: where its values begin for
-     * gusset_carcass_contours.
-     */
-    uint64_t first_node;
-    /**
-     * 1: closed in u.
-     */
-    uint32_t closed_u;
-    /**
-     * 1: closed in v.
-     */
-    uint32_t closed_v;
-} gusset_carcass_sheet_facts;
-
-/**
- * What a cell region is like.
- */
-typedef struct gusset_region_report {
-    /**
-     * sizeof(gusset_region_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many cells it has.
-     */
-    uint64_t cells;
-    /**
-     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
-     * is in several parts.
-     */
-    uint64_t integer_diameter;
-    /**
-     * Vertices less edges plus cells: 1 for a region in one part without holes.
-     */
-    int64_t euler;
-    /**
-     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
-     * infinite if the region is in several parts.
-     */
-    double diameter;
-} gusset_region_report;
-
-/**
- * What distances are measured from, or angles.
- */
-typedef uint32_t gusset_mask_object;
-
-/**
- * What the paper's search looks for, and how.
- */
-typedef struct gusset_mask_task {
-    /**
-     * sizeof(gusset_mask_task), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_MASK_...
-     */
-    gusset_mask_object object;
-    /**
-     * 0: cells that may have something within `within`. 1: cells that may have the nearest.
-     */
-    uint32_t least;
-    /**
-     * A point of the object; not read for angles.
-     */
-    double point[3];
-    /**
-     * Its direction, of any length but 0; not read for points.
-     */
-    double direction[3];
-    /**
-     * A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
-     */
-    double within;
-    /**
-     * Of GUSSET_MASK_ANGLE: the angle, 0 to pi.
-     */
-    double angle;
-    /**
-     * Of GUSSET_MASK_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
-     * gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
-     */
-    double curvature;
-    /**
-     * Of GUSSET_MASK_ANGLE: 1 if normals of the other side will do as well.
-     */
-    uint32_t unsigned_normals;
-    /**
-     * 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
-     */
-    uint32_t by_rings;
-    /**
-     * 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
-     */
-    uint32_t by_rows;
-    /**
-     * 1: lines of nodes that a block covers from side to side are not left out at once.
-     */
-    uint32_t keep_lines;
-} gusset_mask_task;
-
-/**
- * What the search did.
- */
-typedef struct gusset_mask_report {
-    /**
-     * sizeof(gusset_mask_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many cells are left.
-     */
-    uint64_t cells;
-    /**
-     * How many nodes were looked at.
-     */
-    uint64_t evaluations;
-    /**
-     * How many blocks of cells were excluded.
-     */
-    uint64_t blocks;
-    /**
-     * How many lines of cells were left out at once.
-     */
-    uint64_t dropped;
-    /**
-     * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
-     */
-    double least;
-    /**
-     * The row of that node.
-     */
-    uint32_t row;
-    /**
-     * Its column.
-     */
-    uint32_t column;
-} gusset_mask_report;
-
-/**
- * What is between the points where a curve crosses the lines of the carcass.
- */
-typedef uint32_t gusset_between;
-
-/**
- * How curves of a surface are given.
- */
-typedef struct gusset_level_options {
-    /**
-     * sizeof(gusset_level_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * With GUSSET_BETWEEN_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the carcass. Otherwise not read. (In
-     * gusset_intersect_options, which has no `between`, a chord of 0 stands for GUSSET_BETWEEN_AUTO and INFINITY for GUSSET_BETWEEN_NOTHING.)
-     */
-    double chord;
-    /**
-     * GUSSET_BETWEEN_...
-     */
-    gusset_between between;
-    /**
-     * With GUSSET_BETWEEN_LEUS: how many, at most 1000. Otherwise not read.
-     */
-    uint32_t points;
-    /**
-     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
-     */
-    uint32_t unsigned_normals;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_level_options;
-
-/**
- * Where the angle of a normal is nearest to the one asked for.
- */
-typedef struct gusset_nearest_angle {
-    /**
-     * sizeof(gusset_nearest_angle), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Where it is.
-     */
-    struct gusset_surface_place place;
-    /**
-     * x, y, z.
-     */
-    double point[3];
-    /**
-     * The unit normal.
-     */
-    double normal[3];
-    /**
-     * Its angle with the direction, in radians.
-     */
-    double angle;
-    /**
-     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
-     */
-    double deviation;
-    /**
-     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
-     */
-    double bound;
-} gusset_nearest_angle;
-
-/**
- * Which hits are wanted.
- */
-typedef uint32_t gusset_hits_wanted;
-
-/**
- * What a hit is.
- */
-typedef uint32_t gusset_hit_kind;
-
-/**
- * A point that a line or a curve and a surface have in common.
- */
-typedef struct gusset_surface_hit {
-    /**
-     * Where on the line; of a curve the number of the segment and the parameter on it, added.
-     */
-    double t;
-    /**
-     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
-     */
-    double span[2];
-    /**
-     * Where on the surface.
-     */
-    struct gusset_surface_place place;
-    /**
-     * x, y, z of the point of the surface.
-     */
-    double point[3];
-    /**
-     * x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
-     */
-    double normal[3];
-    /**
-     * GUSSET_HIT_...
-     */
-    gusset_hit_kind kind;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_surface_hit;
-
-/**
- * A place on a curve.
- */
-typedef struct gusset_place {
-    /**
-     * Counted from 0.
-     */
-    uint32_t segment;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * The parameter: 0 at the segment's first control point, 1 at its last.
-     */
-    double t;
-} gusset_place;
-
-/**
- * The hits. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_hits_parts {
-    /**
-     * sizeof(gusset_surface_hits_parts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many lines were asked for; 1 for a curve.
-     */
-    size_t line_count;
-    /**
-     * How many hits there are in all.
-     */
-    size_t hit_count;
-    /**
-     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
-     */
-    const uint64_t *ends;
-    /**
-     * The hits, those of a line by rising t.
-     */
-    const struct gusset_surface_hit *hits;
-    /**
-     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
-     */
-    const struct gusset_place *on_curve;
-} gusset_surface_hits_parts;
-
-/**
- * How intersections are wanted.
- */
-typedef struct gusset_intersect_options {
-    /**
-     * sizeof(gusset_intersect_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
-     * INFINITY: points are only where it crosses sides of cells of either surface. (In gusset_level_options `between` says which of these is
-     * meant, GUSSET_BETWEEN_AUTO, _CHORD or _NOTHING, and chord is read for the second only.)
-     */
-    double chord;
-    /**
-     * A length, finite: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0:
-     * the smaller one of the tolerances of the two carcasses.
-     */
-    double tolerance;
-} gusset_intersect_options;
-
-/**
- * A cell of one surface and a cell of another.
- */
-typedef struct gusset_cell_pair {
-    /**
-     * The sheet of the first surface.
-     */
-    uint32_t sheet_a;
-    /**
-     * The row of its cell.
-     */
-    uint32_t row_a;
-    /**
-     * The column of its cell.
-     */
-    uint32_t column_a;
-    /**
-     * The sheet of the second surface.
-     */
-    uint32_t sheet_b;
-    /**
-     * The row of its cell.
-     */
-    uint32_t row_b;
-    /**
-     * The column of its cell.
-     */
-    uint32_t column_b;
-} gusset_cell_pair;
-
-/**
- * The pairs. The pointer is valid until the handle is destroyed.
- */
-typedef struct gusset_cell_pairs_parts {
-    /**
-     * sizeof(gusset_cell_pairs_parts), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The pairs, by sheets, then by the first surface's cells.
-     */
-    const struct gusset_cell_pair *pairs;
-    /**
-     * How many.
-     */
-    size_t count;
-} gusset_cell_pairs_parts;
-
-/**
  * Counts, properties and lists of what is wrong or unusual. Lists are ascending; pointers are valid until the check is
  * destroyed.
  */
-typedef struct gusset_check_report {
+typedef struct gusset_check_view {
     /**
-     * sizeof(gusset_check_report), set by the caller.
+     * sizeof(gusset_check_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -2744,12 +1965,12 @@ typedef struct gusset_check_report {
      * Vertices that no face uses.
      */
     struct gusset_indices unused_vertices;
-} gusset_check_report;
+} gusset_check_view;
 
 /**
  * Called now and then during long work, on the thread that made the call. fraction: part done, 0 to 1. stage: what is
  * being done, valid during the callback only. Return nonzero to cancel the call. It must not use the context, except for
- * gusset_context_cancel and gusset_context_progress, and must not throw or longjmp.
+ * gusset_context_cancel and gusset_context_get_progress, and must not throw or longjmp.
  */
 typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage);
 
@@ -2767,9 +1988,9 @@ typedef uint32_t gusset_element;
 /**
  * What went wrong in the last call, for programs.
  */
-typedef struct gusset_report {
+typedef struct gusset_error_report {
     /**
-     * sizeof(gusset_report), set by the caller.
+     * sizeof(gusset_error_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -2796,14 +2017,14 @@ typedef struct gusset_report {
      * 0.
      */
     uint32_t reserved;
-} gusset_report;
+} gusset_error_report;
 
 /**
  * The parts of a curve. Pointers are valid until it is destroyed.
  */
-typedef struct gusset_curve_parts {
+typedef struct gusset_curve_view {
     /**
-     * sizeof(gusset_curve_parts), set by the caller.
+     * sizeof(gusset_curve_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -2827,12 +2048,30 @@ typedef struct gusset_curve_parts {
      * 0.
      */
     uint32_t reserved;
-} gusset_curve_parts;
+} gusset_curve_view;
+
+/**
+ * A place on a curve.
+ */
+typedef struct gusset_place {
+    /**
+     * Counted from 0.
+     */
+    uint32_t segment;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The parameter: 0 at the segment's first control point, 1 at its last.
+     */
+    double t;
+} gusset_place;
 
 /**
  * The nearest point of a curve.
  */
-typedef struct gusset_nearest {
+typedef struct gusset_curve_nearest_point {
     /**
      * Where on the curve.
      */
@@ -2845,15 +2084,15 @@ typedef struct gusset_nearest {
      * The distance.
      */
     double distance;
-} gusset_nearest;
+} gusset_curve_nearest_point;
 
 /**
  * The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round
  * clockwise count negative.
  */
-typedef struct gusset_curve_moments {
+typedef struct gusset_curve_moment_report {
     /**
-     * sizeof(gusset_curve_moments), set by the caller.
+     * sizeof(gusset_curve_moment_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -2868,7 +2107,7 @@ typedef struct gusset_curve_moments {
      * The integrals of x x, x y and y y about the centroid, with the sign of the area.
      */
     double second[3];
-} gusset_curve_moments;
+} gusset_curve_moment_report;
 
 /**
  * The parts of a form; those that it does not have are empty. Pointers are valid until it is destroyed.
@@ -3075,13 +2314,13 @@ typedef struct gusset_facing_view {
 /**
  * The accounts of all loops. Pointers are valid until the fill is destroyed.
  */
-typedef struct gusset_fill_parts {
+typedef struct gusset_fill_view {
     /**
-     * sizeof(gusset_fill_parts), set by the caller.
+     * sizeof(gusset_fill_view), set by the caller.
      */
     size_t struct_size;
     /**
-     * One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_loop numbers them. NULL if
+     * One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_get_loop numbers them. NULL if
      * there are none.
      */
     const struct gusset_hole *holes;
@@ -3093,14 +2332,14 @@ typedef struct gusset_fill_parts {
      * The vertices of all rims.
      */
     struct gusset_indices rims;
-} gusset_fill_parts;
+} gusset_fill_view;
 
 /**
  * Measures of a strip, or of filled holes, and of the whole result's connectivity.
  */
-typedef struct gusset_quality {
+typedef struct gusset_quality_report {
     /**
-     * sizeof(gusset_quality), set by the caller.
+     * sizeof(gusset_quality_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3136,7 +2375,7 @@ typedef struct gusset_quality {
      * Edges of the result whose two faces disagree in orientation.
      */
     uint32_t orientation_conflicts;
-} gusset_quality;
+} gusset_quality_report;
 
 /**
  * What is demanded of a curve at a point.
@@ -3151,7 +2390,7 @@ typedef struct gusset_constraint {
      */
     uint32_t demand;
     /**
-     * x, y, z, for GUSSET_DEMAND_TANGENT; z is 0 for plane outlines.
+     * x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines.
      */
     double tangent[3];
 } gusset_constraint;
@@ -3337,9 +2576,9 @@ typedef struct gusset_frame_options {
 /**
  * The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
  */
-typedef struct gusset_frame_parts {
+typedef struct gusset_frame_view {
     /**
-     * sizeof(gusset_frame_parts), set by the caller.
+     * sizeof(gusset_frame_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3378,12 +2617,12 @@ typedef struct gusset_frame_parts {
      * The smallest sine of the angle at which two curves cross at a node.
      */
     double min_sine;
-} gusset_frame_parts;
+} gusset_frame_view;
 
 /**
  * What a section measures.
  */
-typedef struct gusset_measure {
+typedef struct gusset_section_report {
     /**
      * Its length: of a closed section all round.
      */
@@ -3396,16 +2635,16 @@ typedef struct gusset_measure {
      * The mean of its points by arc length.
      */
     double centre[3];
-} gusset_measure;
+} gusset_section_report;
 
 /**
  * Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
  * x, y, z one after the other are matrices whose column_stride is three numbers; matrices kept by columns have a row_stride of one
  * number and a column_stride of a column.
  */
-typedef struct gusset_net_arrays {
+typedef struct gusset_net_view {
     /**
-     * sizeof(gusset_net_arrays), set by the caller.
+     * sizeof(gusset_net_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3444,7 +2683,7 @@ typedef struct gusset_net_arrays {
      * 0.
      */
     uint32_t reserved;
-} gusset_net_arrays;
+} gusset_net_view;
 
 /**
  * Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k * column_step_a) and
@@ -3604,9 +2843,9 @@ typedef struct gusset_field {
 /**
  * An analysis, lent: valid until gusset_net_analysis_destroy.
  */
-typedef struct gusset_net_analysis_parts {
+typedef struct gusset_net_analysis_view {
     /**
-     * sizeof(gusset_net_analysis_parts), set by the caller.
+     * sizeof(gusset_net_analysis_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3620,11 +2859,11 @@ typedef struct gusset_net_analysis_parts {
     size_t link_count;
     /**
      * Of each cell, its new area divided by its old one; negative where the surface is folded over or, after
-     * gusset_net_analyse_fields_create, space is mirrored; NaN if it had none, or is not there.
+     * gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is not there.
      */
     const double *cells;
     /**
-     * Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analyse_create.
+     * Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analysis_create.
      */
     const double *determinants;
     /**
@@ -3668,7 +2907,7 @@ typedef struct gusset_net_analysis_parts {
      * 0.
      */
     uint32_t reserved;
-} gusset_net_analysis_parts;
+} gusset_net_analysis_view;
 
 /**
  * A direction within a net.
@@ -3723,9 +2962,9 @@ typedef uint32_t gusset_net_cells;
  * Numbers of a complex, and whatever keeps it from being a closed oriented surface. Vertices are given by their smallest nodes, edges as pairs of
  * them, one pair after the other, in order. Pointers are valid until the complex is destroyed.
  */
-typedef struct gusset_net_complex_report {
+typedef struct gusset_net_complex_view {
     /**
-     * sizeof(gusset_net_complex_report), set by the caller.
+     * sizeof(gusset_net_complex_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3808,7 +3047,7 @@ typedef struct gusset_net_complex_report {
      * Edges that two faces run along the same way.
      */
     struct gusset_indices conflicts;
-} gusset_net_complex_report;
+} gusset_net_complex_view;
 
 /**
  * Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z: their coordinates,
@@ -3968,9 +3207,9 @@ typedef struct gusset_bridge {
 /**
  * What gusset_net_measure finds.
  */
-typedef struct gusset_measures {
+typedef struct gusset_net_measure_report {
     /**
-     * sizeof(gusset_measures), set by the caller.
+     * sizeof(gusset_net_measure_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -3994,14 +3233,14 @@ typedef struct gusset_measures {
      * The largest.
      */
     double high[3];
-} gusset_measures;
+} gusset_net_measure_report;
 
 /**
  * The body, of density 1, that a closed net encloses.
  */
-typedef struct gusset_moments {
+typedef struct gusset_net_moment_report {
     /**
-     * sizeof(gusset_moments), set by the caller.
+     * sizeof(gusset_net_moment_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4017,14 +3256,14 @@ typedef struct gusset_moments {
      * those of -x y and so on.
      */
     double inertia[9];
-} gusset_moments;
+} gusset_net_moment_report;
 
 /**
  * How plane the cells of a net are.
  */
-typedef struct gusset_planarity {
+typedef struct gusset_net_planarity_report {
     /**
-     * sizeof(gusset_planarity), set by the caller.
+     * sizeof(gusset_net_planarity_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4044,7 +3283,7 @@ typedef struct gusset_planarity {
      * How many cells are above the tolerance.
      */
     uint64_t above;
-} gusset_planarity;
+} gusset_net_planarity_report;
 
 /**
  * What the faces of the mesh of a net are.
@@ -4088,9 +3327,9 @@ typedef struct gusset_net_mesh_options {
 /**
  * What became what when a net became a mesh. Pointers are valid until the mesh is destroyed; NULL where the count is 0.
  */
-typedef struct gusset_net_mesh_maps {
+typedef struct gusset_net_mesh_view {
     /**
-     * sizeof(gusset_net_mesh_maps), set by the caller.
+     * sizeof(gusset_net_mesh_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4121,7 +3360,7 @@ typedef struct gusset_net_mesh_maps {
      * The number of pairs.
      */
     size_t texture_count;
-} gusset_net_mesh_maps;
+} gusset_net_mesh_view;
 
 /**
  * Heights over a grid, at any alignment.
@@ -4172,9 +3411,9 @@ typedef struct gusset_heights {
 /**
  * Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
  */
-typedef struct gusset_net_grid_parts {
+typedef struct gusset_net_grid_view {
     /**
-     * sizeof(gusset_net_grid_parts), set by the caller.
+     * sizeof(gusset_net_grid_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4185,7 +3424,7 @@ typedef struct gusset_net_grid_parts {
      * For each cell its face.
      */
     struct gusset_indices face_of_cell;
-} gusset_net_grid_parts;
+} gusset_net_grid_view;
 
 /**
  * A shape.
@@ -4287,9 +3526,9 @@ typedef uint32_t gusset_scene_kind;
 /**
  * An entry of a scene.
  */
-typedef struct gusset_scene_entry {
+typedef struct gusset_scene_entry_report {
     /**
-     * sizeof(gusset_scene_entry), set by the caller.
+     * sizeof(gusset_scene_entry_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4308,14 +3547,14 @@ typedef struct gusset_scene_entry {
      * 1 if it is shown; a group that it is in may hide it all the same.
      */
     uint32_t visible;
-} gusset_scene_entry;
+} gusset_scene_entry_report;
 
 /**
  * How much is in a scene.
  */
-typedef struct gusset_scene_counts {
+typedef struct gusset_scene_report {
     /**
-     * sizeof(gusset_scene_counts), set by the caller.
+     * sizeof(gusset_scene_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4342,7 +3581,7 @@ typedef struct gusset_scene_counts {
      * 0.
      */
     uint32_t reserved;
-} gusset_scene_counts;
+} gusset_scene_report;
 
 /**
  * One way to an entry from an entry in no group.
@@ -4409,9 +3648,9 @@ typedef struct gusset_stream_options {
 /**
  * What the first bytes of a stream say.
  */
-typedef struct gusset_stream_info {
+typedef struct gusset_stream_report {
     /**
-     * sizeof(gusset_stream_info), set by the caller.
+     * sizeof(gusset_stream_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4455,7 +3694,7 @@ typedef struct gusset_stream_info {
      * 0.
      */
     uint32_t reserved;
-} gusset_stream_info;
+} gusset_stream_report;
 
 /**
  * What an operation does.
@@ -4510,9 +3749,9 @@ typedef struct gusset_net_finding {
 /**
  * All findings: violations first, then warnings, each kind in the order of its elements.
  */
-typedef struct gusset_net_validation_report {
+typedef struct gusset_net_validation_view {
     /**
-     * sizeof(gusset_net_validation_report), set by the caller.
+     * sizeof(gusset_net_validation_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4527,7 +3766,7 @@ typedef struct gusset_net_validation_report {
      * How many of them are violations; they come first.
      */
     size_t violation_count;
-} gusset_net_validation_report;
+} gusset_net_validation_view;
 
 /**
  * How to orient; all zero is the default.
@@ -4550,9 +3789,9 @@ typedef struct gusset_orient_options {
 /**
  * What was turned, and what could not be oriented. Pointers are valid until the handle is destroyed.
  */
-typedef struct gusset_orient_parts {
+typedef struct gusset_orient_view {
     /**
-     * sizeof(gusset_orient_parts), set by the caller.
+     * sizeof(gusset_orient_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4587,7 +3826,7 @@ typedef struct gusset_orient_parts {
      * 0.
      */
     uint32_t reserved;
-} gusset_orient_parts;
+} gusset_orient_view;
 
 /**
  * All curves in one. Pointers are valid until the outline is destroyed.
@@ -4596,9 +3835,9 @@ typedef struct gusset_orient_parts {
  * starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1],
  * both included, counted from the curve's first one. A closed curve repeats its first control point at its end.
  */
-typedef struct gusset_outline_parts {
+typedef struct gusset_outline_view {
     /**
-     * sizeof(gusset_outline_parts), set by the caller.
+     * sizeof(gusset_outline_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4637,7 +3876,7 @@ typedef struct gusset_outline_parts {
      * For each point what became of it: GUSSET_POINT_...
      */
     const uint8_t *statuses;
-} gusset_outline_parts;
+} gusset_outline_view;
 
 /**
  * What became of an outline. Lengths but size are relative to size.
@@ -4689,9 +3928,9 @@ typedef struct gusset_outline_report {
  * One section for each point: the quadratic from the point before over the control point to the point after. Pointers are
  * valid until the sections are destroyed.
  */
-typedef struct gusset_sections_parts {
+typedef struct gusset_sections_view {
     /**
-     * sizeof(gusset_sections_parts), set by the caller.
+     * sizeof(gusset_sections_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4710,7 +3949,12 @@ typedef struct gusset_sections_parts {
      * GUSSET_POINT_...
      */
     const uint8_t *statuses;
-} gusset_sections_parts;
+} gusset_sections_view;
+
+/**
+ * How the surface is drawn through nodes.
+ */
+typedef uint32_t gusset_scheme;
 
 /**
  * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride bytes, one after the other.
@@ -4761,9 +4005,9 @@ typedef struct gusset_nodes {
 /**
  * What a sheet is.
  */
-typedef struct gusset_sheet_parts {
+typedef struct gusset_sheet_report {
     /**
-     * sizeof(gusset_sheet_parts), set by the caller.
+     * sizeof(gusset_sheet_report), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4806,7 +4050,7 @@ typedef struct gusset_sheet_parts {
      * 1: the side v = columns is.
      */
     uint32_t pole_v1;
-} gusset_sheet_parts;
+} gusset_sheet_report;
 
 /**
  * How the mixed derivatives S_uv at nodes are found, which tangents leave open.
@@ -4970,11 +4214,41 @@ typedef struct gusset_sheet_mesh_options {
 } gusset_sheet_mesh_options;
 
 /**
+ * A place on a surface.
+ */
+typedef struct gusset_surface_place {
+    /**
+     * The sheet, counted from 0 as they were given.
+     */
+    uint32_t sheet;
+    /**
+     * The row of the cell: between node rows row and row + 1.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The parameter within the cell, 0 to 1, from row to row; that of the sheet is row + u.
+     */
+    double u;
+    /**
+     * The same from column to column.
+     */
+    double v;
+} gusset_surface_place;
+
+/**
  * What belongs to the mesh of a sheet. Pointers are valid until it is destroyed.
  */
-typedef struct gusset_sheet_mesh_parts {
+typedef struct gusset_sheet_mesh_view {
     /**
-     * sizeof(gusset_sheet_mesh_parts), set by the caller.
+     * sizeof(gusset_sheet_mesh_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -4993,14 +4267,14 @@ typedef struct gusset_sheet_mesh_parts {
      * A bound of the distance between the surface and the triangles, or either pair of triangles of quads.
      */
     double deviation;
-} gusset_sheet_mesh_parts;
+} gusset_sheet_mesh_view;
 
 /**
  * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
  */
-typedef struct gusset_stitch_parts {
+typedef struct gusset_stitch_view {
     /**
-     * sizeof(gusset_stitch_parts), set by the caller.
+     * sizeof(gusset_stitch_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -5075,7 +4349,7 @@ typedef struct gusset_stitch_parts {
      * 0.
      */
     uint32_t reserved;
-} gusset_stitch_parts;
+} gusset_stitch_view;
 
 /**
  * How a strip is made; all zero is the default.
@@ -5106,9 +4380,9 @@ typedef struct gusset_strip_options {
 /**
  * The parts of a strip. Pointers are valid until it is destroyed.
  */
-typedef struct gusset_strip_parts {
+typedef struct gusset_strip_view {
     /**
-     * sizeof(gusset_strip_parts), set by the caller.
+     * sizeof(gusset_strip_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -5125,15 +4399,741 @@ typedef struct gusset_strip_parts {
      * against polyline A, and along B. Where both sides advance at once a quad is split by its shorter diagonal.
      */
     struct gusset_indices triangles;
-} gusset_strip_parts;
+} gusset_strip_view;
+
+/**
+ * How a surface is built.
+ */
+typedef struct gusset_surface_options {
+    /**
+     * sizeof(gusset_surface_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
+     */
+    double tolerance;
+    /**
+     * 1: with the cones of normals that gusset_surface_isophotes_create and gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first
+     * such question builds them.
+     */
+    uint32_t cones;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_options;
+
+/**
+ * The curves. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_paths_view {
+    /**
+     * sizeof(gusset_surface_paths_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many curves.
+     */
+    size_t path_count;
+    /**
+     * How many points there are in all.
+     */
+    size_t point_count;
+    /**
+     * 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
+     */
+    struct gusset_indices ends;
+    /**
+     * By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and gusset_curve_through_create have it again at the end.)
+     */
+    const uint32_t *closed;
+    /**
+     * By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
+     */
+    const uint32_t *levels;
+    /**
+     * x, y, z of each point, on the surface.
+     */
+    const double *points;
+    /**
+     * The unit normals there, x, y, z of each; 0 where there is none.
+     */
+    const double *normals;
+    /**
+     * Where the points are on the surface.
+     */
+    const struct gusset_surface_place *places;
+    /**
+     * Of intersections of two surfaces: where they are on the second; else NULL.
+     */
+    const struct gusset_surface_place *others;
+    /**
+     * Cells in which something may be that could not be resolved: tangency, coincidence, or pieces smaller than the tolerance.
+     */
+    const struct gusset_surface_place *unresolved;
+    /**
+     * How many.
+     */
+    size_t unresolved_count;
+} gusset_surface_paths_view;
+
+/**
+ * What is looked for.
+ */
+typedef struct gusset_nearest_options {
+    /**
+     * sizeof(gusset_nearest_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
+     */
+    double limit;
+    /**
+     * Of minima: as many of the nearest; 0: all.
+     */
+    size_t most;
+    /**
+     * 1: limit is read.
+     */
+    uint32_t limited;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_nearest_options;
+
+/**
+ * A point of a surface that was found for a query.
+ */
+typedef struct gusset_surface_nearest_point {
+    /**
+     * Where it is on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal there, or its limit at a pole; 0 where there is none. The query is on its side if (query - point) . normal > 0.
+     */
+    double normal[3];
+    /**
+     * The distance from the query.
+     */
+    double distance;
+    /**
+     * No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
+     */
+    double bound;
+    /**
+     * GUSSET_SURFACE_CLOSEST_...
+     */
+    uint32_t flags;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_nearest_point;
+
+/**
+ * What was found. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_points_view {
+    /**
+     * sizeof(gusset_surface_points_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The points, the nearest first.
+     */
+    const struct gusset_surface_nearest_point *points;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * None is missing that is nearer than this.
+     */
+    double bound;
+    /**
+     * 1, or 0 if the search gave up at that distance, as it may where the distance is the same all over the surface.
+     */
+    uint32_t complete;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_points_view;
+
+/**
+ * A cell of a region.
+ */
+typedef struct gusset_surface_cell {
+    /**
+     * The sheet.
+     */
+    uint32_t sheet;
+    /**
+     * The row of the cell.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+    /**
+     * 1 if all of the cell is within the radius.
+     */
+    uint32_t whole;
+} gusset_surface_cell;
+
+/**
+ * The cells. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_region_view {
+    /**
+     * sizeof(gusset_surface_region_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The cells, rising by sheet, row, column.
+     */
+    const struct gusset_surface_cell *cells;
+    /**
+     * How many.
+     */
+    size_t cell_count;
+    /**
+     * A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet k, which has c columns, is
+     * b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
+     */
+    const uint64_t *mask;
+    /**
+     * How many words.
+     */
+    size_t word_count;
+    /**
+     * By sheet: its first bit; then the number of bits.
+     */
+    const uint64_t *first;
+    /**
+     * How many sheets.
+     */
+    size_t sheet_count;
+} gusset_surface_region_view;
+
+/**
+ * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+ */
+typedef struct gusset_line {
+    /**
+     * x, y, z of the point where t is 0; finite.
+     */
+    double origin[3];
+    /**
+     * x, y, z of the direction; of a length from 1e-150 to 1e150. t counts lengths of it.
+     */
+    double direction[3];
+    /**
+     * The least t: -INFINITY for lines, 0 for rays and segments.
+     */
+    double from;
+    /**
+     * The greatest t: INFINITY for lines and rays; not below `from`.
+     */
+    double to;
+} gusset_line;
+
+/**
+ * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
+ */
+typedef struct gusset_surface_point {
+    /**
+     * The point.
+     */
+    double point[3];
+    /**
+     * S_u.
+     */
+    double u[3];
+    /**
+     * S_v.
+     */
+    double v[3];
+    /**
+     * S_uu.
+     */
+    double uu[3];
+    /**
+     * S_uv.
+     */
+    double uv[3];
+    /**
+     * S_vv.
+     */
+    double vv[3];
+    /**
+     * The unit normal, to the side of S_u x S_v; 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
+     * tip of a cone, which has no normal.
+     */
+    double spread;
+    /**
+     * The principal curvatures, the greater first: positive where the surface bends towards the normal.
+     */
+    double principal[2];
+    /**
+     * Their directions: two unit tangents, x, y, z each.
+     */
+    double directions[6];
+    /**
+     * The mean curvature.
+     */
+    double mean;
+    /**
+     * The Gaussian curvature.
+     */
+    double gaussian;
+    /**
+     * GUSSET_NORMAL_...
+     */
+    uint32_t normal_kind;
+    /**
+     * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
+     */
+    uint32_t is_curved;
+} gusset_surface_point;
+
+/**
+ * What a surface is.
+ */
+typedef struct gusset_surface_report {
+    /**
+     * sizeof(gusset_surface_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many sheets.
+     */
+    size_t sheet_count;
+    /**
+     * How many cells, of all sheets.
+     */
+    size_t cell_count;
+    /**
+     * How many corners of cells: of sheets from nodes, the nodes.
+     */
+    size_t node_count;
+    /**
+     * Bytes of the index without the cones of normals; the nodes are not counted.
+     */
+    size_t index_bytes;
+    /**
+     * The length to which answers are proved.
+     */
+    double tolerance;
+    /**
+     * A corner of a box round the surface and the control nets of its cells, which may be larger than the surface: the least x, y, z.
+     */
+    double low[3];
+    /**
+     * The greatest.
+     */
+    double high[3];
+    /**
+     * Bytes of the cones of normals; 0 as long as there are none: see gusset_surface_options.
+     */
+    size_t cone_bytes;
+} gusset_surface_report;
+
+/**
+ * What a sheet of a surface is.
+ */
+typedef struct gusset_surface_sheet_report {
+    /**
+     * sizeof(gusset_surface_sheet_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Cells in u: u runs from 0 to this. There is one more row of corners.
+     */
+    size_t rows;
+    /**
+     * Cells in v.
+     */
+    size_t columns;
+    /**
+     * The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each row after row: of cell (i, j) it is
+     * first_cell + i * columns + j, the bit of masks of gusset_surface_region_view.
+     */
+    uint64_t first_cell;
+    /**
+     * The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each: where its values begin for
+     * gusset_surface_contours_create.
+     */
+    uint64_t first_node;
+    /**
+     * 1: closed in u.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: closed in v.
+     */
+    uint32_t closed_v;
+} gusset_surface_sheet_report;
+
+/**
+ * What a cell region is like.
+ */
+typedef struct gusset_mask_report {
+    /**
+     * sizeof(gusset_mask_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells it has.
+     */
+    uint64_t cells;
+    /**
+     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
+     * is in several parts.
+     */
+    uint64_t integer_diameter;
+    /**
+     * Vertices less edges plus cells: 1 for a region in one part without holes.
+     */
+    int64_t euler;
+    /**
+     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
+     * infinite if the region is in several parts.
+     */
+    double diameter;
+} gusset_mask_report;
+
+/**
+ * What distances are measured from, or angles.
+ */
+typedef uint32_t gusset_reference_object;
+
+/**
+ * What the paper's search looks for, and how.
+ */
+typedef struct gusset_reference_task {
+    /**
+     * sizeof(gusset_reference_task), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MASK_...
+     */
+    gusset_reference_object object;
+    /**
+     * 0: cells that may have something within `within`. 1: cells that may have the nearest.
+     */
+    uint32_t least;
+    /**
+     * A point of the object; not read for angles.
+     */
+    double point[3];
+    /**
+     * Its direction, of any length but 0; not read for points.
+     */
+    double direction[3];
+    /**
+     * A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
+     */
+    double within;
+    /**
+     * Of GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
+     */
+    double angle;
+    /**
+     * Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
+     * gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
+     */
+    double curvature;
+    /**
+     * Of GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
+     */
+    uint32_t by_rings;
+    /**
+     * 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
+     */
+    uint32_t by_rows;
+    /**
+     * 1: lines of nodes that a block covers from side to side are not left out at once.
+     */
+    uint32_t keep_lines;
+} gusset_reference_task;
+
+/**
+ * What the search did.
+ */
+typedef struct gusset_reference_report {
+    /**
+     * sizeof(gusset_reference_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells are left.
+     */
+    uint64_t cells;
+    /**
+     * How many nodes were looked at.
+     */
+    uint64_t evaluations;
+    /**
+     * How many blocks of cells were excluded.
+     */
+    uint64_t blocks;
+    /**
+     * How many lines of cells were left out at once.
+     */
+    uint64_t dropped;
+    /**
+     * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
+     */
+    double least;
+    /**
+     * The row of that node.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+} gusset_reference_report;
+
+/**
+ * What is between the points where a curve crosses the lines of the surface.
+ */
+typedef uint32_t gusset_point_spacing;
+
+/**
+ * How curves of a surface are given.
+ */
+typedef struct gusset_contour_options {
+    /**
+     * sizeof(gusset_contour_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the surface. Otherwise not read. (In
+     * gusset_intersection_options, which has no `between`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
+     */
+    double chord;
+    /**
+     * GUSSET_BETWEEN_...
+     */
+    gusset_point_spacing between;
+    /**
+     * With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
+     */
+    uint32_t points;
+    /**
+     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_contour_options;
+
+/**
+ * Where the angle of a normal is nearest to the one asked for.
+ */
+typedef struct gusset_nearest_angle_report {
+    /**
+     * sizeof(gusset_nearest_angle_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Where it is.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal.
+     */
+    double normal[3];
+    /**
+     * Its angle with the direction, in radians.
+     */
+    double angle;
+    /**
+     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+     */
+    double deviation;
+    /**
+     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+     */
+    double bound;
+} gusset_nearest_angle_report;
+
+/**
+ * Which hits are wanted.
+ */
+typedef uint32_t gusset_hit_selection;
+
+/**
+ * What a hit is.
+ */
+typedef uint32_t gusset_hit_kind;
+
+/**
+ * A point that a line or a curve and a surface have in common.
+ */
+typedef struct gusset_surface_hit {
+    /**
+     * Where on the line; of a curve the number of the segment and the parameter on it, added.
+     */
+    double t;
+    /**
+     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
+     */
+    double span[2];
+    /**
+     * Where on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z of the point of the surface.
+     */
+    double point[3];
+    /**
+     * x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * GUSSET_HIT_...
+     */
+    gusset_hit_kind kind;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_hit;
+
+/**
+ * The hits. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_hits_view {
+    /**
+     * sizeof(gusset_surface_hits_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many lines were asked for; 1 for a curve.
+     */
+    size_t line_count;
+    /**
+     * How many hits there are in all.
+     */
+    size_t hit_count;
+    /**
+     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
+     */
+    const uint64_t *ends;
+    /**
+     * The hits, those of a line by rising t.
+     */
+    const struct gusset_surface_hit *hits;
+    /**
+     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
+     */
+    const struct gusset_place *on_curve;
+} gusset_surface_hits_view;
+
+/**
+ * How intersections are wanted.
+ */
+typedef struct gusset_intersection_options {
+    /**
+     * sizeof(gusset_intersection_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
+     * INFINITY: points are only where it crosses sides of cells of either surface. (In gusset_contour_options `between` says which of these is
+     * meant, GUSSET_POINT_SPACING_AUTO, _CHORD or _NOTHING, and chord is read for the second only.)
+     */
+    double chord;
+    /**
+     * A length, finite: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0:
+     * the smaller one of the tolerances of the two surfaces.
+     */
+    double tolerance;
+} gusset_intersection_options;
+
+/**
+ * A cell of one surface and a cell of another.
+ */
+typedef struct gusset_cell_pair {
+    /**
+     * The sheet of the first surface.
+     */
+    uint32_t sheet_a;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_a;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_a;
+    /**
+     * The sheet of the second surface.
+     */
+    uint32_t sheet_b;
+    /**
+     * The row of its cell.
+     */
+    uint32_t row_b;
+    /**
+     * The column of its cell.
+     */
+    uint32_t column_b;
+} gusset_cell_pair;
+
+/**
+ * The pairs. The pointer is valid until the handle is destroyed.
+ */
+typedef struct gusset_cell_pairs_view {
+    /**
+     * sizeof(gusset_cell_pairs_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The pairs, by sheets, then by the first surface's cells.
+     */
+    const struct gusset_cell_pair *pairs;
+    /**
+     * How many.
+     */
+    size_t count;
+} gusset_cell_pairs_view;
 
 /**
  * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is
  * destroyed.
  */
-typedef struct gusset_weld_parts {
+typedef struct gusset_weld_view {
     /**
-     * sizeof(gusset_weld_parts), set by the caller.
+     * sizeof(gusset_weld_view), set by the caller.
      */
     size_t struct_size;
     /**
@@ -5169,7 +5169,7 @@ typedef struct gusset_weld_parts {
      * 0.
      */
     uint32_t reserved;
-} gusset_weld_parts;
+} gusset_weld_view;
 
 /**
  * How tables are made; all zero is the default.
@@ -5272,87 +5272,6 @@ typedef struct gusset_winged_view {
      */
     struct gusset_indices loop_offsets;
 } gusset_winged_view;
-
-/**
- * The point.
- */
-#define GUSSET_MASK_POINT 0
-
-/**
- * The plane through the point, across the direction.
- */
-#define GUSSET_MASK_PLANE 1
-
-/**
- * The line through the point, along the direction.
- */
-#define GUSSET_MASK_LINE 2
-
-/**
- * The segment from the point to the point and the direction.
- */
-#define GUSSET_MASK_SEGMENT 3
-
-/**
- * Normals at an angle to the direction; distances are deviations from the angle, in radians.
- */
-#define GUSSET_MASK_ANGLE 4
-
-/**
- * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
- */
-#define GUSSET_BETWEEN_AUTO 0
-
-/**
- * As many points of the surface as keep the chords within `chord`.
- */
-#define GUSSET_BETWEEN_CHORD 1
-
-/**
- * Nothing.
- */
-#define GUSSET_BETWEEN_NOTHING 2
-
-/**
- * `points` points of the paper's approximation: on the cubic through four crossings. They are near the surface, not on it, and have the
- * place of the crossing before them. Order four where crossings are evenly spaced.
- */
-#define GUSSET_BETWEEN_LEUS 3
-
-/**
- * All, in the order of the line.
- */
-#define GUSSET_WHICH_ALL 0
-
-/**
- * The first one.
- */
-#define GUSSET_WHICH_FIRST 1
-
-/**
- * Any one: whether there is one.
- */
-#define GUSSET_WHICH_ANY 2
-
-/**
- * None.
- */
-#define GUSSET_HIT_NONE 0
-
-/**
- * It passes through the surface: proved, but for poles, where the surface is not regular.
- */
-#define GUSSET_HIT_CROSSING 1
-
-/**
- * It touches the surface within the tolerance: one point, two close to each other, or none.
- */
-#define GUSSET_HIT_TOUCH 2
-
-/**
- * It runs in the surface, within the tolerance, all over the span.
- */
-#define GUSSET_HIT_INSIDE 3
 
 /**
  * Along rows, from column to column.
@@ -6062,6 +5981,87 @@ typedef struct gusset_winged_view {
  */
 #define GUSSET_ELEMENT_ROW 31
 
+/**
+ * The point.
+ */
+#define GUSSET_REFERENCE_POINT 0
+
+/**
+ * The plane through the point, across the direction.
+ */
+#define GUSSET_REFERENCE_PLANE 1
+
+/**
+ * The line through the point, along the direction.
+ */
+#define GUSSET_REFERENCE_LINE 2
+
+/**
+ * The segment from the point to the point and the direction.
+ */
+#define GUSSET_REFERENCE_SEGMENT 3
+
+/**
+ * Normals at an angle to the direction; distances are deviations from the angle, in radians.
+ */
+#define GUSSET_REFERENCE_ANGLE 4
+
+/**
+ * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+ */
+#define GUSSET_POINT_SPACING_AUTO 0
+
+/**
+ * As many points of the surface as keep the chords within `chord`.
+ */
+#define GUSSET_POINT_SPACING_CHORD 1
+
+/**
+ * Nothing.
+ */
+#define GUSSET_POINT_SPACING_CELL_EDGES 2
+
+/**
+ * `points` points of the paper's approximation: on the cubic through four crossings. They are near the surface, not on it, and have the
+ * place of the crossing before them. Order four where crossings are evenly spaced.
+ */
+#define GUSSET_POINT_SPACING_LEUS 3
+
+/**
+ * All, in the order of the line.
+ */
+#define GUSSET_HITS_ALL 0
+
+/**
+ * The first one.
+ */
+#define GUSSET_HITS_FIRST 1
+
+/**
+ * Any one: whether there is one.
+ */
+#define GUSSET_HITS_ANY 2
+
+/**
+ * None.
+ */
+#define GUSSET_HIT_NONE 0
+
+/**
+ * It passes through the surface: proved, but for poles, where the surface is not regular.
+ */
+#define GUSSET_HIT_CROSSING 1
+
+/**
+ * It touches the surface within the tolerance: one point, two close to each other, or none.
+ */
+#define GUSSET_HIT_TOUCH 2
+
+/**
+ * It runs in the surface, within the tolerance, all over the span.
+ */
+#define GUSSET_HIT_INSIDE 3
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -6108,16 +6108,16 @@ GUSSET_API void gusset_assembly_destroy(struct gusset_assembly *assembly);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_assembly_mesh(const struct gusset_assembly *assembly,
-                                   struct gusset_mesh_view *view);
+gusset_status gusset_assembly_get_mesh(const struct gusset_assembly *assembly,
+                                       struct gusset_mesh_view *view);
 
 /**
- * Lends the account. Errors and validity as for gusset_assembly_mesh.
+ * Lends the account. Errors and validity as for gusset_assembly_get_mesh.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_assembly_view(const struct gusset_assembly *assembly,
-                                   struct gusset_assembly_parts *parts);
+gusset_status gusset_assembly_get_view(const struct gusset_assembly *assembly,
+                                       struct gusset_assembly_view *parts);
 
 /**
  * Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only.
@@ -6127,7 +6127,7 @@ gusset_status gusset_assembly_view(const struct gusset_assembly *assembly,
  * its vertices once: where the boundary touches itself it is cut into several loops. Loops come in the order of their
  * smallest half-edges. A loop has at least one edge with exactly one face: walks along edges with three or more faces alone
  * are left out. A face of fewer than three sides of different ends has no border; its neighbours are taken to touch each
- * other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
+ * other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_get_defects.
  *
  * options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure. Errors: those
  * of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex,
@@ -6163,9 +6163,9 @@ GUSSET_API size_t gusset_boundary_walk_count(const struct gusset_boundary *bound
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_boundary_loop(const struct gusset_boundary *boundary,
-                                   size_t index,
-                                   struct gusset_loop_view *view);
+gusset_status gusset_boundary_get_loop(const struct gusset_boundary *boundary,
+                                       size_t index,
+                                       struct gusset_loop_view *view);
 
 /**
  * Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh,
@@ -6175,560 +6175,9 @@ gusset_status gusset_boundary_loop(const struct gusset_boundary *boundary,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_boundary_defects(const struct gusset_boundary *boundary,
-                                      const struct gusset_defect **defects,
-                                      size_t *count);
-
-/**
- * Builds the index of one sheet or several, which together are one surface.
- *
- * sheets: count handles, none NULL, the array at any alignment; they may be destroyed afterwards. The greatest absolute
- * coordinate of each is from 1e-30 to 1e37, or 0, control points included: boxes are in single precision. options: NULL for the
- * defaults. carcass: receives the result, for gusset_carcass_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
- * its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
- * OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
- * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 7 bytes a node, and 0.7 with cones; threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_create(const struct gusset_context *context,
-                                    const struct gusset_sheet *const *sheets,
-                                    size_t count,
-                                    const struct gusset_carcass_options *options,
-                                    struct gusset_carcass **carcass);
-
-/**
- * Frees a carcass; NULL is allowed. What was found with it stays.
- */
-GUSSET_API void gusset_carcass_destroy(struct gusset_carcass *carcass);
-
-/**
- * The curves, lent until they are destroyed.
- *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_paths_view(const struct gusset_surface_paths *paths,
-                                        struct gusset_surface_paths_parts *parts);
-
-/**
- * Frees curves; NULL is allowed.
- */
-GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
-
-/**
- * The nearest points of a surface to queries, one or many.
- *
- * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit.
- * points: room for count answers, in the order of the queries; none is found on failure: no flags, and infinite distances. Each
- * answer is the same to the bit whether it is asked for alone or among others, in any order, on any number of threads; of
- * several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
- * no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
- * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
- * for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Carcasses on smooth
- * surfaces", task a, by branch and bound.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_closest(const struct gusset_context *context,
-                                     const struct gusset_carcass *carcass,
-                                     const double *queries,
-                                     size_t count,
-                                     size_t stride,
-                                     const struct gusset_closest_options *options,
-                                     struct gusset_surface_closest *points);
-
-/**
- * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
- *
- * query: x, y, z, at any alignment. options: NULL for the defaults: all. points: receives the result, the nearest first, for
- * gusset_surface_points_destroy; NULL on failure. None is missed: where it cannot be proved whether there is one (the distance
- * is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_SURFACE_CLOSEST_PROVEN and
- * with GUSSET_SURFACE_CLOSEST_MANY. On open borders and creases, places count from which no way on the surface leads nearer.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
- * CANCELLED. O(cells within the limit); with most, those no farther than the last. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_minima(const struct gusset_context *context,
-                                    const struct gusset_carcass *carcass,
-                                    const double *query,
-                                    const struct gusset_closest_options *options,
-                                    struct gusset_surface_points **points);
-
-/**
- * The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_points_view(const struct gusset_surface_points *points,
-                                         struct gusset_surface_points_parts *parts);
-
-/**
- * Frees points; NULL is allowed.
- */
-GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
-
-/**
- * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
- *
- * query: x, y, z, at any alignment; radius: at least 0; INFINITY: all cells. region: receives all cells that have such a point,
- * and no others but such as come within the tolerance of the radius or could not be decided in bounded work; for
- * gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (radius),
- * OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_region(const struct gusset_context *context,
-                                    const struct gusset_carcass *carcass,
-                                    const double *query,
-                                    double radius,
-                                    struct gusset_surface_region **region);
-
-/**
- * The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_region_view(const struct gusset_surface_region *region,
-                                         struct gusset_surface_region_parts *parts);
-
-/**
- * Frees a region; NULL is allowed.
- */
-GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
-
-/**
- * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
- *
- * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one
- * again: closed paths of a surface do not repeat it, and need it added. closed: 0 or 1. scheme: GUSSET_SCHEME_... curve:
- * receives the result, for gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve),
- * NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE, SIZE_OVERFLOW,
- * OUT_OF_MEMORY, CANCELLED. O(count). From any thread. Source: Leus, "Carcasses on smooth surfaces": points are the carcass of a
- * curve.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_through(const struct gusset_context *context,
-                                   const double *nodes,
-                                   size_t count,
-                                   uint32_t closed,
-                                   gusset_scheme scheme,
-                                   struct gusset_curve **curve);
-
-/**
- * A coordinate curve of a sheet, exactly: a segment for each cell.
- *
- * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round.
- * parameter: 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for
- * gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter),
- * OUT_OF_MEMORY, CANCELLED. O(cells along the curve). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_curve(const struct gusset_context *context,
-                                 const struct gusset_sheet *sheet,
-                                 uint32_t along,
-                                 double parameter,
-                                 struct gusset_curve **curve);
-
-/**
- * Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
- *
- * within: a length, 0 or more and finite; below 1e-12 of the curves' size that is taken. places: receives the places on the
- * first curve, those on the other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be
- * told apart; undecided is 1 if something was given up that may be near enough. For gusset_places_destroy; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for
- * each pair of segments whose boxes are near. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_approach(const struct gusset_context *context,
-                                    const struct gusset_curve *curve,
-                                    const struct gusset_curve *other,
-                                    double within,
-                                    struct gusset_places **places);
-
-/**
- * Where a curve in space comes as near to a line, ray or segment as `within`.
- *
- * line: one, at any alignment. The others among the places have segment 0, and the line's own parameter as t. All else as for
- * gusset_curve_approach; also OUT_OF_RANGE for a line that is not finite or has no direction. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_approach_line(const struct gusset_context *context,
-                                         const struct gusset_curve *curve,
-                                         const struct gusset_line *line,
-                                         double within,
-                                         struct gusset_places **places);
-
-/**
- * Points, derivatives, normals and curvatures at places.
- *
- * places: count of them, at any alignment. results: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
- * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
- * CANCELLED. O(1) a place, at a pole O(cells round it); threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_evaluate(const struct gusset_context *context,
-                                      const struct gusset_carcass *carcass,
-                                      const struct gusset_surface_place *places,
-                                      size_t count,
-                                      struct gusset_surface_point *results);
-
-/**
- * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round;
- * what is beyond an open side is on it. The other way the parameters of a place are row + u and column + v.
- *
- * sheet: its number, counted from 0. parameters: u, v of each, packed, at any alignment. places: room for count; all 0
- * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is
- * not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_locate(const struct gusset_context *context,
-                                    const struct gusset_carcass *carcass,
-                                    uint32_t sheet,
-                                    const double *parameters,
-                                    size_t count,
-                                    struct gusset_surface_place *places);
-
-/**
- * What a carcass is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(sheets). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_info(const struct gusset_carcass *carcass,
-                                  struct gusset_carcass_facts *facts);
-
-/**
- * What a sheet of a carcass is.
- *
- * sheet: its number, as in places. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT (sheet). O(sheets). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_sheet(const struct gusset_carcass *carcass,
-                                   size_t sheet,
-                                   struct gusset_carcass_sheet_facts *facts);
-
-/**
- * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
- *
- * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
- * of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
- * room for; either may be NULL, both with capacity 0. written: receives the number of cells. greatest: receives two
- * numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
- * for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_diameters(const struct gusset_context *context,
-                                     const struct gusset_sheet *sheet,
-                                     double *euclidean,
-                                     double *intrinsic,
-                                     size_t capacity,
-                                     size_t *written,
-                                     double *greatest);
-
-/**
- * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
- *
- * bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
-                                           const struct gusset_sheet *sheet,
-                                           double *bound);
-
-/**
- * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
- *
- * words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
- * j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
- * column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
- * from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
- * written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
- * distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
- * NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_chain(const struct gusset_context *context,
-                                 const struct gusset_sheet *sheet,
-                                 const uint64_t *words,
-                                 size_t count,
-                                 const uint32_t *from,
-                                 const uint32_t *to,
-                                 uint32_t *cells,
-                                 size_t capacity,
-                                 size_t *written);
-
-/**
- * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
- *
- * words, count: the region, as for gusset_sheet_chain. report: struct_size set by the caller; all else is overwritten. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
- * for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_region(const struct gusset_context *context,
-                                  const struct gusset_sheet *sheet,
-                                  const uint64_t *words,
-                                  size_t count,
-                                  struct gusset_region_report *report);
-
-/**
- * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
- * the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
- * carcass (gusset_carcass_create) answers the same and more from its index, much faster.
- *
- * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_chain; NULL with capacity 0 for the
- * size and the report alone; all words are 0 on failure. capacity: how many words it has room for. written: receives the number of
- * words. report: what was
- * done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
- * (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
- * BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
- * at for the search. From any thread. Source: Leus; its errata are listed with the Rust module carcass::leus.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_mask(const struct gusset_context *context,
-                                const struct gusset_sheet *sheet,
-                                const struct gusset_mask_task *task,
-                                uint64_t *words,
-                                size_t capacity,
-                                size_t *written,
-                                struct gusset_mask_report *report);
-
-/**
- * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
- * cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
- * size of cells; the exact normals of the surface are had from a carcass.
- *
- * places: count places of the sheet, whose own number is not read, at any alignment; u and v 0 to 1. normals: receives x, y, z of
- * each; 0 where there is none, and everywhere on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
- * (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell, parameters that are not 0 to 1;
- * OUT_OF_MEMORY, CANCELLED. Bounded work for each. From any thread. Source: Leus, fig. 1.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *context,
-                                               const struct gusset_sheet *sheet,
-                                               const struct gusset_surface_place *places,
-                                               size_t count,
-                                               double *normals);
-
-/**
- * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
- * normal and the surface's.
- *
- * point: x, y, z of a point of the plane of offset 0, at any alignment, as normal and offsets are. normal: x, y, z, not 0, of
- * any length. offsets: count of them, rising, distances of the planes from the point along the normal. options: NULL for the
- * defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL on failure. Every curve is found, also one within
- * a cell, and on a closed surface all are closed; a corner on a plane counts as above it. Cells where a plane touches or
- * contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
- * tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a
- * normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About O(count +
- * cells that are cut); threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task d.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_section(const struct gusset_context *context,
-                                     const struct gusset_carcass *carcass,
-                                     const double *point,
-                                     const double *normal,
-                                     const double *offsets,
-                                     size_t count,
-                                     const struct gusset_level_options *options,
-                                     struct gusset_surface_paths **paths);
-
-/**
- * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
- * surface is; greater values are to the left, seen from where the normals point to.
- *
- * values: value_count of them, finite, at any alignment, as levels are: of all sheets, one after the other, each row after row,
- * one more row and column than there are cells; the last line of a closed direction repeats the first and is not used. levels:
- * level_count of them, rising. Otherwise as gusset_carcass_section. Errors: as there; SIZE_OVERFLOW if there are too few values,
- * TOO_LARGE if too many, NOT_FINITE with the number of the value. O(values + cells that are crossed); threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_contours(const struct gusset_context *context,
-                                      const struct gusset_carcass *carcass,
-                                      const double *values,
-                                      size_t value_count,
-                                      const double *levels,
-                                      size_t level_count,
-                                      const struct gusset_level_options *options,
-                                      struct gusset_surface_paths **paths);
-
-/**
- * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
- * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
- *
- * direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
- * / 2 if normals are unsigned. Otherwise as gusset_carcass_section. Where normals jump between cells (patches,
- * GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
- * Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. About
- * O(cells that are crossed), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_isophotes(const struct gusset_context *context,
-                                       const struct gusset_carcass *carcass,
-                                       const double *direction,
-                                       const double *angles,
-                                       size_t count,
-                                       const struct gusset_level_options *options,
-                                       struct gusset_surface_paths **paths);
-
-/**
- * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
- *
- * direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
- * for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. About
- * O(cells that come near to the angle), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_nearest_angle(const struct gusset_context *context,
-                                           const struct gusset_carcass *carcass,
-                                           const double *direction,
-                                           double angle,
-                                           const struct gusset_level_options *options,
-                                           struct gusset_nearest_angle *nearest);
-
-/**
- * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
- *
- * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
- * touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
- * which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
- * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
- * threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_lines(const struct gusset_context *context,
-                                   const struct gusset_carcass *carcass,
-                                   const struct gusset_line *lines,
-                                   size_t count,
-                                   gusset_hits_wanted which,
-                                   struct gusset_surface_hits **hits);
-
-/**
- * The first hit of each of many lines, rays or segments: that of least t, which gusset_carcass_lines gives first.
- *
- * lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
- * where there is none, and everywhere on failure. Errors: as for gusset_carcass_lines, and MISALIGNED_ARGUMENT (hits). About
- * O(log cells) a line; threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_first_hits(const struct gusset_context *context,
-                                        const struct gusset_carcass *carcass,
-                                        const struct gusset_line *lines,
-                                        size_t count,
-                                        struct gusset_surface_hit *hits);
-
-/**
- * Where a curve in space meets a surface, in the order of the curve.
- *
- * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
- * receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
- * comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_curve(const struct gusset_context *context,
-                                   const struct gusset_carcass *carcass,
-                                   const struct gusset_curve *curve,
-                                   gusset_hits_wanted which,
-                                   struct gusset_surface_hits **hits);
-
-/**
- * The hits, lent until they are destroyed.
- *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
- * any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_hits_view(const struct gusset_surface_hits *hits,
-                                       struct gusset_surface_hits_parts *parts);
-
-/**
- * Frees hits; NULL is allowed.
- */
-GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
-
-/**
- * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
- *
- * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths:
- * receives the curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at
- * `others` are the same but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared;
- * cells of a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves may end there.
- * Intersections of one surface with itself are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
- * OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of
- * cells that may meet, with a limit for each; threads; the same bits for any number of them. From any thread. Source: Leus,
- * "Carcasses on smooth surfaces", task e; the proofs are ours.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_intersect(const struct gusset_context *context,
-                                       const struct gusset_carcass *a,
-                                       const struct gusset_carcass *b,
-                                       const struct gusset_intersect_options *options,
-                                       struct gusset_surface_paths **paths);
-
-/**
- * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
- *
- * within: a length, finite; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In
- * proportion to the pairs, and some for each level of the indices; 24 bytes a pair. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_carcass_candidates(const struct gusset_context *context,
-                                        const struct gusset_carcass *a,
-                                        const struct gusset_carcass *b,
-                                        double within,
-                                        struct gusset_cell_pairs **pairs);
-
-/**
- * The pairs, lent until they are destroyed.
- *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
- * any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_cell_pairs_view(const struct gusset_cell_pairs *pairs,
-                                     struct gusset_cell_pairs_parts *parts);
-
-/**
- * Frees pairs of cells; NULL is allowed.
- */
-GUSSET_API void gusset_cell_pairs_destroy(struct gusset_cell_pairs *pairs);
+gusset_status gusset_boundary_get_defects(const struct gusset_boundary *boundary,
+                                          const struct gusset_defect **defects,
+                                          size_t *count);
 
 /**
  * Checks a mesh. What it finds is no error.
@@ -6752,8 +6201,8 @@ GUSSET_API void gusset_check_destroy(struct gusset_check *check);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_check_view(const struct gusset_check *check,
-                                struct gusset_check_report *report);
+gusset_status gusset_check_get_view(const struct gusset_check *check,
+                                    struct gusset_check_view *report);
 
 /**
  * Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy. Errors:
@@ -6800,19 +6249,21 @@ GUSSET_API void gusset_context_reset(const struct gusset_context *context);
 /**
  * How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread. O(1).
  */
-GUSSET_API double gusset_context_progress(const struct gusset_context *context);
+GUSSET_API double gusset_context_get_progress(const struct gusset_context *context);
 
 /**
  * What went wrong in the last call with this context, as an English sentence; empty after a success. Never NULL. Valid
  * until the next call with the context. Empty too for NULL, and while a call is running. O(1).
  */
-GUSSET_API const char *gusset_context_message(const struct gusset_context *context);
+GUSSET_API const char *gusset_context_get_message(const struct gusset_context *context);
 
 /**
  * What went wrong in the last call with this context, as numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
  * BAD_STRUCT_SIZE, CONTEXT_BUSY. O(1).
  */
-GUSSET_API gusset_status gusset_context_report(const struct gusset_context *context, struct gusset_report *report);
+GUSSET_API
+gusset_status gusset_context_get_report(const struct gusset_context *context,
+                                        struct gusset_error_report *report);
 
 /**
  * Makes a curve from its control points.
@@ -6845,8 +6296,8 @@ GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_view(const struct gusset_curve *curve,
-                                struct gusset_curve_parts *parts);
+gusset_status gusset_curve_get_view(const struct gusset_curve *curve,
+                                    struct gusset_curve_view *parts);
 
 /**
  * Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
@@ -6898,7 +6349,7 @@ gusset_status gusset_curve_nearest(const struct gusset_context *context,
                                    const struct gusset_curve *curve,
                                    const double *points,
                                    size_t count,
-                                   struct gusset_nearest *out);
+                                   struct gusset_curve_nearest_point *out);
 
 /**
  * The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to
@@ -6961,20 +6412,20 @@ gusset_status gusset_curve_area_vector(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_enclosed(const struct gusset_context *context,
-                                    const struct gusset_curve *curve,
-                                    struct gusset_curve_moments *moments);
+gusset_status gusset_curve_moments(const struct gusset_context *context,
+                                   const struct gusset_curve *curve,
+                                   struct gusset_curve_moment_report *moments);
 
 /**
  * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
  * the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce), OUT_OF_MEMORY. O(points).
+ * MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY. O(points).
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_svg(const struct gusset_context *context,
-                               const struct gusset_curve *curve,
-                               struct gusset_curve_form **form);
+gusset_status gusset_curve_svg_create(const struct gusset_context *context,
+                                      const struct gusset_curve *curve,
+                                      struct gusset_curve_form **form);
 
 /**
  * The contour of a TrueType font: control points, and those joints that are not in the middle between two of them.
@@ -6984,10 +6435,10 @@ gusset_status gusset_curve_svg(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_contour(const struct gusset_context *context,
-                                   const struct gusset_curve *curve,
-                                   double tolerance,
-                                   struct gusset_curve_form **form);
+gusset_status gusset_curve_contour_create(const struct gusset_context *context,
+                                          const struct gusset_curve *curve,
+                                          double tolerance,
+                                          struct gusset_curve_form **form);
 
 /**
  * The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity
@@ -6996,9 +6447,9 @@ gusset_status gusset_curve_contour(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_spline(const struct gusset_context *context,
-                                  const struct gusset_curve *curve,
-                                  struct gusset_curve_form **form);
+gusset_status gusset_curve_spline_create(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         struct gusset_curve_form **form);
 
 /**
  * Destroys a form; NULL is allowed.
@@ -7010,8 +6461,8 @@ GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_form_parts(const struct gusset_curve_form *form,
-                                      struct gusset_curve_form_view *parts);
+gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
+                                         struct gusset_curve_form_view *parts);
 
 /**
  * Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length
@@ -7021,23 +6472,23 @@ gusset_status gusset_curve_form_parts(const struct gusset_curve_form *form,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_cross_plane(const struct gusset_context *context,
-                                       const struct gusset_curve *curve,
-                                       const double *point,
-                                       const double *normal,
-                                       struct gusset_places **places);
+gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *context,
+                                                  const struct gusset_curve *curve,
+                                                  const double *point,
+                                                  const double *normal,
+                                                  struct gusset_places **places);
 
 /**
  * Where a plane curve crosses or touches a line. point: x, y of a point of the line; direction: x, y along it, not 0. Errors:
- * CURVE_NOT_PLANE, and those of gusset_curve_cross_plane.
+ * CURVE_NOT_PLANE, and those of gusset_curve_intersect_plane_create.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_cross_line(const struct gusset_context *context,
-                                      const struct gusset_curve *curve,
-                                      const double *point,
-                                      const double *direction,
-                                      struct gusset_places **places);
+gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
+                                                 const struct gusset_curve *curve,
+                                                 const double *point,
+                                                 const double *direction,
+                                                 struct gusset_places **places);
 
 /**
  * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do
@@ -7046,10 +6497,10 @@ gusset_status gusset_curve_cross_line(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_intersect(const struct gusset_context *context,
-                                     const struct gusset_curve *curve,
-                                     const struct gusset_curve *other,
-                                     struct gusset_places **places);
+gusset_status gusset_curve_intersect_create(const struct gusset_context *context,
+                                            const struct gusset_curve *curve,
+                                            const struct gusset_curve *other,
+                                            struct gusset_places **places);
 
 /**
  * Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...;
@@ -7058,11 +6509,11 @@ gusset_status gusset_curve_intersect(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_sample(const struct gusset_context *context,
-                                  const struct gusset_curve *curve,
-                                  uint32_t rule,
-                                  double amount,
-                                  struct gusset_places **places);
+gusset_status gusset_curve_sample_create(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         uint32_t rule,
+                                         double amount,
+                                         struct gusset_places **places);
 
 /**
  * Destroys what was found; NULL is allowed.
@@ -7074,8 +6525,8 @@ GUSSET_API void gusset_places_destroy(struct gusset_places *places);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_places_found(const struct gusset_places *places,
-                                  struct gusset_places_view *view);
+gusset_status gusset_places_get_view(const struct gusset_places *places,
+                                     struct gusset_places_view *view);
 
 /**
  * The part of a curve from one place to another, open. from: where it begins. to: where it ends. On a closed curve it
@@ -7086,32 +6537,32 @@ gusset_status gusset_places_found(const struct gusset_places *places,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_part(const struct gusset_context *context,
-                                const struct gusset_curve *curve,
-                                struct gusset_place from,
-                                struct gusset_place to,
-                                struct gusset_curve **part);
+gusset_status gusset_curve_part_create(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       struct gusset_place from,
+                                       struct gusset_place to,
+                                       struct gusset_curve **part);
 
 /**
  * The part of a curve before a place, or the part after it; both are open. at: the place. after: 0 for the part before
- * it, 1 for the part after it. Otherwise as gusset_curve_part.
+ * it, 1 for the part after it. Otherwise as gusset_curve_part_create.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_split(const struct gusset_context *context,
-                                 const struct gusset_curve *curve,
-                                 struct gusset_place at,
-                                 uint32_t after,
-                                 struct gusset_curve **part);
+gusset_status gusset_curve_split_create(const struct gusset_context *context,
+                                        const struct gusset_curve *curve,
+                                        struct gusset_place at,
+                                        uint32_t after,
+                                        struct gusset_curve **part);
 
 /**
  * The same curve run through from its end to its start. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points).
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_reverse(const struct gusset_context *context,
-                                   const struct gusset_curve *curve,
-                                   struct gusset_curve **reversed);
+gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
+                                          const struct gusset_curve *curve,
+                                          struct gusset_curve **reversed);
 
 /**
  * The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below `to` raised to it. Errors:
@@ -7120,11 +6571,11 @@ gusset_status gusset_curve_reverse(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_elevate(const struct gusset_context *context,
-                                   const struct gusset_curve *curve,
-                                   uint32_t by,
-                                   uint32_t to,
-                                   struct gusset_curve **elevated);
+gusset_status gusset_curve_elevate_create(const struct gusset_context *context,
+                                          const struct gusset_curve *curve,
+                                          uint32_t by,
+                                          uint32_t to,
+                                          struct gusset_curve **elevated);
 
 /**
  * The curve with segments of a lower degree, by least squares with fixed ends. degree: of each at most, 1 to 64.
@@ -7135,12 +6586,12 @@ gusset_status gusset_curve_elevate(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_reduce(const struct gusset_context *context,
-                                  const struct gusset_curve *curve,
-                                  uint32_t degree,
-                                  double tolerance,
-                                  double *deviations,
-                                  struct gusset_curve **reduced);
+gusset_status gusset_curve_reduce_create(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         uint32_t degree,
+                                         double tolerance,
+                                         double *deviations,
+                                         struct gusset_curve **reduced);
 
 /**
  * The curve beside a plane curve, re-fitted by segments with common tangents. Places where it crosses itself are not
@@ -7151,12 +6602,12 @@ gusset_status gusset_curve_reduce(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_curve_offset(const struct gusset_context *context,
-                                  const struct gusset_curve *curve,
-                                  double distance,
-                                  const struct gusset_offset_options *options,
-                                  struct gusset_offset_report *report,
-                                  struct gusset_curve **offset);
+gusset_status gusset_curve_offset_create(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         double distance,
+                                         const struct gusset_offset_options *options,
+                                         struct gusset_offset_report *report,
+                                         struct gusset_curve **offset);
 
 /**
  * Finds which vertices of two loops face each other.
@@ -7187,8 +6638,8 @@ GUSSET_API void gusset_facing_destroy(struct gusset_facing *facing);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_facing_arcs(const struct gusset_facing *facing,
-                                 struct gusset_facing_view *view);
+gusset_status gusset_facing_get_view(const struct gusset_facing *facing,
+                                     struct gusset_facing_view *view);
 
 /**
  * The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones the
@@ -7245,16 +6696,16 @@ GUSSET_API void gusset_fill_destroy(struct gusset_fill *fill);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_fill_mesh(const struct gusset_fill *fill,
-                               struct gusset_mesh_view *view);
+gusset_status gusset_fill_get_mesh(const struct gusset_fill *fill,
+                                   struct gusset_mesh_view *view);
 
 /**
- * Lends the accounts of the loops. Errors and validity as for gusset_fill_mesh.
+ * Lends the accounts of the loops. Errors and validity as for gusset_fill_get_mesh.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_fill_view(const struct gusset_fill *fill,
-                               struct gusset_fill_parts *parts);
+gusset_status gusset_fill_get_view(const struct gusset_fill *fill,
+                                   struct gusset_fill_view *parts);
 
 /**
  * Measures of the new faces and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
@@ -7262,8 +6713,8 @@ gusset_status gusset_fill_view(const struct gusset_fill *fill,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_fill_quality(const struct gusset_fill *fill,
-                                  struct gusset_quality *quality);
+gusset_status gusset_fill_get_quality(const struct gusset_fill *fill,
+                                      struct gusset_quality_report *quality);
 
 /**
  * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of
@@ -7293,8 +6744,8 @@ GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_frame_view(const struct gusset_frame *frame,
-                                struct gusset_frame_parts *parts);
+gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
+                                    struct gusset_frame_view *parts);
 
 /**
  * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i
@@ -7303,9 +6754,9 @@ gusset_status gusset_frame_view(const struct gusset_frame *frame,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_frame_curves(const struct gusset_frame *frame,
-                                  const struct gusset_outline **across,
-                                  const struct gusset_outline **along);
+gusset_status gusset_frame_curves_create(const struct gusset_frame *frame,
+                                         const struct gusset_outline **across,
+                                         const struct gusset_outline **along);
 
 /**
  * Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves
@@ -7318,11 +6769,11 @@ gusset_status gusset_frame_curves(const struct gusset_frame *frame,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_frame_slice(const struct gusset_context *context,
-                                 const struct gusset_frame *frame,
-                                 const double *point,
-                                 const double *normal,
-                                 struct gusset_outline **section);
+gusset_status gusset_frame_slice_create(const struct gusset_context *context,
+                                        const struct gusset_frame *frame,
+                                        const double *point,
+                                        const double *normal,
+                                        struct gusset_outline **section);
 
 /**
  * Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT,
@@ -7330,9 +6781,9 @@ gusset_status gusset_frame_slice(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outline_measure(const struct gusset_outline *outline,
-                                     size_t index,
-                                     struct gusset_measure *measure);
+gusset_status gusset_outline_get_section(const struct gusset_outline *outline,
+                                         size_t index,
+                                         struct gusset_section_report *measure);
 
 /**
  * Makes a net of a copy of the caller's coordinates.
@@ -7346,7 +6797,7 @@ gusset_status gusset_outline_measure(const struct gusset_outline *outline,
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_create(const struct gusset_context *context,
-                                const struct gusset_net_arrays *arrays,
+                                const struct gusset_net_view *arrays,
                                 const struct gusset_net_gluing *gluing,
                                 struct gusset_net **net);
 
@@ -7360,10 +6811,10 @@ gusset_status gusset_net_create(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_borrow(const struct gusset_context *context,
-                                const struct gusset_net_arrays *arrays,
-                                const struct gusset_net_gluing *gluing,
-                                struct gusset_net **net);
+gusset_status gusset_net_borrow_create(const struct gusset_context *context,
+                                       const struct gusset_net_view *arrays,
+                                       const struct gusset_net_gluing *gluing,
+                                       struct gusset_net **net);
 
 /**
  * Makes a copy of a net, with its bridges, in memory of the library's. net: unchanged. copy: receives it. O(nodes), or O(1) where nobody
@@ -7371,9 +6822,9 @@ gusset_status gusset_net_borrow(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_clone(const struct gusset_context *context,
-                               const struct gusset_net *net,
-                               struct gusset_net **copy);
+gusset_status gusset_net_clone_create(const struct gusset_context *context,
+                                      const struct gusset_net *net,
+                                      struct gusset_net **copy);
 
 /**
  * Makes a copy of a net, with its gluing and its bridges, with coordinates of another type. scalar: GUSSET_F32 or GUSSET_F64. converted:
@@ -7398,19 +6849,19 @@ GUSSET_API void gusset_net_destroy(struct gusset_net *net);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_view(const struct gusset_net *net,
-                              struct gusset_net_arrays *arrays);
+gusset_status gusset_net_get_view(const struct gusset_net *net,
+                                  struct gusset_net_view *arrays);
 
 /**
  * Lends the coordinates to be written, valid until the next call with this net. Nodes that are glued must be kept equal: see
- * gusset_net_snap. Memory shared with a copy or a scene is copied first: O(nodes) then, else O(1). Errors: as gusset_net_view,
+ * gusset_net_snap. Memory shared with a copy or a scene is copied first: O(nodes) then, else O(1). Errors: as gusset_net_get_view,
  * OUT_OF_MEMORY.
  */
 GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_edit(const struct gusset_context *context,
                               struct gusset_net *net,
-                              struct gusset_net_arrays *arrays);
+                              struct gusset_net_view *arrays);
 
 /**
  * Copies the coordinates of a net to the caller's matrices. arrays: where they go, of the net's rows and columns, in any layout and of either
@@ -7421,7 +6872,7 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_read(const struct gusset_context *context,
                               const struct gusset_net *net,
-                              const struct gusset_net_arrays *arrays);
+                              const struct gusset_net_view *arrays);
 
 /**
  * Compares a net after a deformation with what it was before: what is newly glued, torn, folded over, stretched.
@@ -7434,27 +6885,27 @@ gusset_status gusset_net_read(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_analyse_create(const struct gusset_context *context,
-                                        const struct gusset_net *before,
-                                        const struct gusset_net *after,
-                                        double tolerance,
-                                        struct gusset_net_analysis **analysis);
+gusset_status gusset_net_analysis_create(const struct gusset_context *context,
+                                         const struct gusset_net *before,
+                                         const struct gusset_net *after,
+                                         double tolerance,
+                                         struct gusset_net_analysis **analysis);
 
 /**
  * The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
- * count, time: as for gusset_net_deform. tolerance: as for gusset_net_analyse_create. Errors: those of
- * gusset_net_analyse_create and of gusset_net_deform. O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy
+ * count, time: as for gusset_net_deform. tolerance: as for gusset_net_analysis_create. Errors: those of
+ * gusset_net_analysis_create and of gusset_net_deform. O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy
  * of the net. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_analyse_fields_create(const struct gusset_context *context,
-                                               const struct gusset_net *net,
-                                               const struct gusset_field *fields,
-                                               size_t count,
-                                               double time,
-                                               double tolerance,
-                                               struct gusset_net_analysis **analysis);
+gusset_status gusset_net_analysis_of_fields_create(const struct gusset_context *context,
+                                                   const struct gusset_net *net,
+                                                   const struct gusset_field *fields,
+                                                   size_t count,
+                                                   double time,
+                                                   double tolerance,
+                                                   struct gusset_net_analysis **analysis);
 
 /**
  * Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
@@ -7462,8 +6913,8 @@ gusset_status gusset_net_analyse_fields_create(const struct gusset_context *cont
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_analysis_view(const struct gusset_net_analysis *analysis,
-                                       struct gusset_net_analysis_parts *parts);
+gusset_status gusset_net_analysis_get_view(const struct gusset_net_analysis *analysis,
+                                           struct gusset_net_analysis_view *parts);
 
 /**
  * Destroys an analysis; NULL is allowed.
@@ -7587,8 +7038,8 @@ gusset_status gusset_net_complex_create(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_complex_view(const struct gusset_net_complex *complex,
-                                      struct gusset_net_complex_report *report);
+gusset_status gusset_net_complex_get_view(const struct gusset_net_complex *complex,
+                                          struct gusset_net_complex_view *report);
 
 /**
  * Destroys a complex; NULL is allowed.
@@ -7724,9 +7175,9 @@ gusset_status gusset_net_groups_create(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_groups_view(const struct gusset_net_groups *groups,
-                                     struct gusset_indices *offsets,
-                                     struct gusset_indices *members);
+gusset_status gusset_net_groups_get_view(const struct gusset_net_groups *groups,
+                                         struct gusset_indices *offsets,
+                                         struct gusset_indices *members);
 
 /**
  * Destroys groups; NULL is allowed.
@@ -7783,15 +7234,15 @@ gusset_status gusset_net_set_gluing(const struct gusset_context *context,
 
 /**
  * How a net is glued, in its one form. sides: receives the sides if they say all about its links, else UINT32_MAX: then see
- * gusset_net_matrix. seam_count: receives the number of seams. reversed: receives 1 if faces are taken the other way round. NULL for what is
+ * gusset_net_get_matrix. seam_count: receives the number of seams. reversed: receives 1 if faces are taken the other way round. NULL for what is
  * not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_topology(const struct gusset_net *net,
-                                  gusset_sides *sides,
-                                  size_t *seam_count,
-                                  uint32_t *reversed);
+gusset_status gusset_net_get_topology(const struct gusset_net *net,
+                                      gusset_sides *sides,
+                                      size_t *seam_count,
+                                      uint32_t *reversed);
 
 /**
  * Writes the characteristic matrix of a net as gusset_net_gluing has it. matrix: room for capacity bytes, of which 2 * rows * columns are
@@ -7799,10 +7250,10 @@ gusset_status gusset_net_topology(const struct gusset_net *net,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_matrix(const struct gusset_net *net,
-                                uint8_t *matrix,
-                                size_t capacity,
-                                size_t *written);
+gusset_status gusset_net_get_matrix(const struct gusset_net *net,
+                                    uint8_t *matrix,
+                                    size_t capacity,
+                                    size_t *written);
 
 /**
  * Writes the seams of a net. seams: room for capacity of them; written: receives their number. NULL and 0 ask for it. Errors:
@@ -7810,15 +7261,15 @@ gusset_status gusset_net_matrix(const struct gusset_net *net,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_seams(const struct gusset_net *net,
-                               struct gusset_seam *seams,
-                               size_t capacity,
-                               size_t *written);
+gusset_status gusset_net_get_seams(const struct gusset_net *net,
+                                   struct gusset_seam *seams,
+                                   size_t capacity,
+                                   size_t *written);
 
 /**
  * Joins nets side by side to one, in one pass. Each net keeps what it is glued to: links that led back across the direction become
  * seams. Its bridges are kept; each net but the first gets a new one, between it and the one before, behind its own. All can be undone:
- * see gusset_net_split.
+ * see gusset_net_split_create.
  *
  * nets: net_count handles, at least one, of one scalar type; the same one may come several times. options: NULL for the defaults.
  * joined: receives the result, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no
@@ -7845,11 +7296,11 @@ gusset_status gusset_net_concatenate_create(const struct gusset_context *context
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_split(const struct gusset_context *context,
-                               const struct gusset_net *net,
-                               size_t bridge,
-                               struct gusset_net **first,
-                               struct gusset_net **second);
+gusset_status gusset_net_split_create(const struct gusset_context *context,
+                                      const struct gusset_net *net,
+                                      size_t bridge,
+                                      struct gusset_net **first,
+                                      struct gusset_net **second);
 
 /**
  * The number of bridges of a net. count: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
@@ -7865,9 +7316,9 @@ gusset_status gusset_net_bridge_count(const struct gusset_net *net,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_bridge(const struct gusset_net *net,
-                                size_t index,
-                                struct gusset_bridge *bridge);
+gusset_status gusset_net_get_bridge(const struct gusset_net *net,
+                                    size_t index,
+                                    struct gusset_bridge *bridge);
 
 /**
  * Does something else with the cells of a bridge, and gives it other properties.
@@ -7897,7 +7348,7 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_measure(const struct gusset_context *context,
                                  const struct gusset_net *net,
-                                 struct gusset_measures *measures);
+                                 struct gusset_net_measure_report *measures);
 
 /**
  * Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for
@@ -7908,7 +7359,7 @@ GUSSET_API
 GUSSET_MUST_USE
 gusset_status gusset_net_moments(const struct gusset_context *context,
                                  const struct gusset_net *net,
-                                 struct gusset_moments *moments);
+                                 struct gusset_net_moment_report *moments);
 
 /**
  * Tells how plane the cells of a net are: whether it can be clad with plane quads.
@@ -7928,7 +7379,7 @@ gusset_status gusset_net_planarity(const struct gusset_context *context,
                                    double *cells,
                                    size_t capacity,
                                    size_t *written,
-                                   struct gusset_planarity *summary);
+                                   struct gusset_net_planarity_report *summary);
 
 /**
  * Makes the mesh of a net. Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so that
@@ -7956,16 +7407,16 @@ GUSSET_API void gusset_net_mesh_destroy(struct gusset_net_mesh *mesh);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_mesh_view(const struct gusset_net_mesh *mesh,
-                                   struct gusset_mesh_view *view);
+gusset_status gusset_net_mesh_get_mesh(const struct gusset_net_mesh *mesh,
+                                       struct gusset_mesh_view *view);
 
 /**
- * Lends what became what. Errors and validity as for gusset_net_mesh_view.
+ * Lends what became what. Errors and validity as for gusset_net_mesh_get_mesh.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_mesh_parts(const struct gusset_net_mesh *mesh,
-                                    struct gusset_net_mesh_maps *maps);
+gusset_status gusset_net_mesh_get_view(const struct gusset_net_mesh *mesh,
+                                       struct gusset_net_mesh_view *maps);
 
 /**
  * Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin + height. Missing heights become
@@ -8006,17 +7457,17 @@ GUSSET_API void gusset_net_grid_destroy(struct gusset_net_grid *grid);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_grid_net(const struct gusset_context *context,
-                                  const struct gusset_net_grid *grid,
-                                  struct gusset_net **net);
+gusset_status gusset_net_grid_net_create(const struct gusset_context *context,
+                                         const struct gusset_net_grid *grid,
+                                         struct gusset_net **net);
 
 /**
  * Lends where the net was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_grid_view(const struct gusset_net_grid *grid,
-                                   struct gusset_net_grid_parts *parts);
+gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
+                                       struct gusset_net_grid_view *parts);
 
 /**
  * Computes the unit normal of every node of a net.
@@ -8222,9 +7673,9 @@ gusset_status gusset_scene_set_visible(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_scene_entry_view(const struct gusset_scene *scene,
-                                      uint32_t entry,
-                                      struct gusset_scene_entry *out);
+gusset_status gusset_scene_get_entry(const struct gusset_scene *scene,
+                                     uint32_t entry,
+                                     struct gusset_scene_entry_report *out);
 
 /**
  * The net of an entry, as a handle that shares its memory until it is changed. entry: its index. net: receives it, for
@@ -8233,10 +7684,10 @@ gusset_status gusset_scene_entry_view(const struct gusset_scene *scene,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_scene_net(const struct gusset_context *context,
-                               const struct gusset_scene *scene,
-                               uint32_t entry,
-                               struct gusset_net **net);
+gusset_status gusset_scene_net_create(const struct gusset_context *context,
+                                      const struct gusset_scene *scene,
+                                      uint32_t entry,
+                                      struct gusset_net **net);
 
 /**
  * The entries in a group, in order. group: its index. children: room for capacity indices, or NULL with capacity 0 to
@@ -8245,12 +7696,12 @@ gusset_status gusset_scene_net(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_scene_children(const struct gusset_context *context,
-                                    const struct gusset_scene *scene,
-                                    uint32_t group,
-                                    uint32_t *children,
-                                    size_t capacity,
-                                    size_t *written);
+gusset_status gusset_scene_get_children(const struct gusset_context *context,
+                                        const struct gusset_scene *scene,
+                                        uint32_t group,
+                                        uint32_t *children,
+                                        size_t capacity,
+                                        size_t *written);
 
 /**
  * How much is in a scene. counts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY.
@@ -8258,8 +7709,8 @@ gusset_status gusset_scene_children(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_scene_count(const struct gusset_scene *scene,
-                                 struct gusset_scene_counts *counts);
+gusset_status gusset_scene_get_report(const struct gusset_scene *scene,
+                                      struct gusset_scene_report *counts);
 
 /**
  * All instances and where they are: each behind the group that it is in, children in order.
@@ -8328,9 +7779,9 @@ gusset_status gusset_net_encode_create(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stream_view(const struct gusset_stream *stream,
-                                 const void **data,
-                                 size_t *size);
+gusset_status gusset_stream_get_view(const struct gusset_stream *stream,
+                                     const void **data,
+                                     size_t *size);
 
 /**
  * Destroys a stream; NULL is allowed.
@@ -8346,7 +7797,7 @@ GUSSET_MUST_USE
 gusset_status gusset_stream_inspect(const struct gusset_context *context,
                                     const void *data,
                                     size_t size,
-                                    struct gusset_stream_info *info);
+                                    struct gusset_stream_report *info);
 
 /**
  * Makes the net of a stream. data: all its bytes, at any alignment; size: how many. net: receives the net, for gusset_net_destroy;
@@ -8392,9 +7843,9 @@ gusset_status gusset_stream_decoder_push(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stream_decoder_preview(const struct gusset_context *context,
-                                            const struct gusset_stream_decoder *decoder,
-                                            struct gusset_net **net);
+gusset_status gusset_stream_decoder_preview_create(const struct gusset_context *context,
+                                                   const struct gusset_stream_decoder *decoder,
+                                                   struct gusset_net **net);
 
 /**
  * Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing had been pushed. net: receives it.
@@ -8402,9 +7853,9 @@ gusset_status gusset_stream_decoder_preview(const struct gusset_context *context
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stream_decoder_finish(const struct gusset_context *context,
-                                           struct gusset_stream_decoder *decoder,
-                                           struct gusset_net **net);
+gusset_status gusset_stream_decoder_finish_create(const struct gusset_context *context,
+                                                  struct gusset_stream_decoder *decoder,
+                                                  struct gusset_net **net);
 
 /**
  * Destroys a decoder; NULL is allowed.
@@ -8434,34 +7885,34 @@ gusset_status gusset_net_transform(const struct gusset_context *context,
  * Checks that glued nodes lie together, and looks for what is suspicious. What it finds is no error.
  *
  * tolerance: how far two nodes may be apart, at least 0; for 0 their coordinates must be equal (0 and -0 are). Two missing nodes are no
- * violation. validation: receives the result, for gusset_net_validate_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * violation. validation: receives the result, for gusset_net_validation_destroy; NULL on failure. Errors: NULL_ARGUMENT,
  * MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the findings. Source: Deryagin, "Non-spatial operations".
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_validate_create(const struct gusset_context *context,
-                                         const struct gusset_net *net,
-                                         double tolerance,
-                                         struct gusset_net_validation **validation);
+gusset_status gusset_net_validation_create(const struct gusset_context *context,
+                                           const struct gusset_net *net,
+                                           double tolerance,
+                                           struct gusset_net_validation **validation);
 
 /**
  * Lends the findings. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(log findings). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_net_validate_view(const struct gusset_net_validation *validation,
-                                       struct gusset_net_validation_report *report);
+gusset_status gusset_net_validation_get_view(const struct gusset_net_validation *validation,
+                                             struct gusset_net_validation_view *report);
 
 /**
  * Destroys a validation; NULL is allowed.
  */
-GUSSET_API void gusset_net_validate_destroy(struct gusset_net_validation *validation);
+GUSSET_API void gusset_net_validation_destroy(struct gusset_net_validation *validation);
 
 /**
  * Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more nodes of its sides that do, forwards or backwards.
  *
  * It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are taken stays. tolerance: as for
- * gusset_net_validate_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+ * gusset_net_validation_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
  * CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the nodes of the sides.
  */
 GUSSET_API
@@ -8500,16 +7951,16 @@ GUSSET_API void gusset_orient_destroy(struct gusset_orient *orient);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_orient_mesh(const struct gusset_orient *orient,
-                                 struct gusset_mesh_view *view);
+gusset_status gusset_orient_get_mesh(const struct gusset_orient *orient,
+                                     struct gusset_mesh_view *view);
 
 /**
- * Lends the flags, lists and counts. Errors and validity as for gusset_orient_mesh.
+ * Lends the flags, lists and counts. Errors and validity as for gusset_orient_get_mesh.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_orient_view(const struct gusset_orient *orient,
-                                 struct gusset_orient_parts *parts);
+gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
+                                     struct gusset_orient_view *parts);
 
 /**
  * Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its
@@ -8543,8 +7994,8 @@ GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outline_view(const struct gusset_outline *outline,
-                                  struct gusset_outline_parts *parts);
+gusset_status gusset_outline_get_view(const struct gusset_outline *outline,
+                                      struct gusset_outline_view *parts);
 
 /**
  * The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From
@@ -8552,9 +8003,9 @@ gusset_status gusset_outline_view(const struct gusset_outline *outline,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outline_account(const struct gusset_outline *outline,
-                                     size_t index,
-                                     struct gusset_outline_report *report);
+gusset_status gusset_outline_get_report(const struct gusset_outline *outline,
+                                        size_t index,
+                                        struct gusset_outline_report *report);
 
 /**
  * Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy;
@@ -8562,10 +8013,10 @@ gusset_status gusset_outline_account(const struct gusset_outline *outline,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outline_curve(const struct gusset_context *context,
-                                   const struct gusset_outline *outline,
-                                   size_t index,
-                                   struct gusset_curve **curve);
+gusset_status gusset_outline_curve_create(const struct gusset_context *context,
+                                          const struct gusset_outline *outline,
+                                          size_t index,
+                                          struct gusset_curve **curve);
 
 /**
  * Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the
@@ -8596,13 +8047,13 @@ GUSSET_API void gusset_sections_destroy(struct gusset_sections *sections);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sections_view(const struct gusset_sections *sections,
-                                   struct gusset_sections_parts *parts);
+gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
+                                       struct gusset_sections_view *parts);
 
 /**
  * Makes a surface through a copy of nodes.
  *
- * nodes: at any alignment, finite; of sheets for a carcass the greatest coordinate in absolute terms is from 1e-30 to 1e37, or
+ * nodes: at any alignment, finite; of sheets for a surface the greatest coordinate in absolute terms is from 1e-30 to 1e37, or
  * 0, however the sheet is made; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
  * gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet), BAD_STRUCT_SIZE,
  * NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE with the node, SIDES_DIFFER if a closed
@@ -8611,23 +8062,23 @@ gusset_status gusset_sections_view(const struct gusset_sections *sections,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_from_nodes(const struct gusset_context *context,
-                                      const struct gusset_nodes *nodes,
-                                      struct gusset_sheet **sheet);
+gusset_status gusset_sheet_from_nodes_create(const struct gusset_context *context,
+                                             const struct gusset_nodes *nodes,
+                                             struct gusset_sheet **sheet);
 
 /**
  * Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged until the sheet and all that was made
  * of it are destroyed.
  *
- * nodes: as for gusset_sheet_from_nodes, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there;
+ * nodes: as for gusset_sheet_from_nodes_create, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there;
  * MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32 and for strides that are no multiples of 8; CANCELLED. O(nodes); no memory
  * a node. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_borrow(const struct gusset_context *context,
-                                  const struct gusset_nodes *nodes,
-                                  struct gusset_sheet **sheet);
+gusset_status gusset_sheet_borrow_create(const struct gusset_context *context,
+                                         const struct gusset_nodes *nodes,
+                                         struct gusset_sheet **sheet);
 
 /**
  * Frees a sheet; NULL is allowed. What was made of it keeps what it needs.
@@ -8642,8 +8093,8 @@ GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_info(const struct gusset_sheet *sheet,
-                                struct gusset_sheet_parts *parts);
+gusset_status gusset_sheet_get_report(const struct gusset_sheet *sheet,
+                                      struct gusset_sheet_report *parts);
 
 /**
  * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
@@ -8679,18 +8130,18 @@ gusset_status gusset_sheet_crease(const struct gusset_context *context,
 /**
  * Makes the bicubic Hermite surface through nodes with given tangents: C1.
  *
- * nodes: as for gusset_sheet_from_nodes; the scheme is not used. tangents: rows x columns vectors each; those of the repeated
+ * nodes: as for gusset_sheet_from_nodes_create; the scheme is not used. tangents: rows x columns vectors each; those of the repeated
  * line of a closed direction are not read as tangents, but must be there; at any alignment. sheet: receives the surface, for
- * gusset_sheet_destroy; NULL on failure. Errors: those of gusset_sheet_from_nodes, among them NULL_ARGUMENT, BAD_STRUCT_SIZE and
+ * gusset_sheet_destroy; NULL on failure. Errors: those of gusset_sheet_from_nodes_create, among them NULL_ARGUMENT, BAD_STRUCT_SIZE and
  * UNKNOWN_VALUE (twist, reserved) for the tangents, and NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW,
  * OUT_OF_MEMORY, CANCELLED. O(nodes); 384 bytes a cell. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_from_tangents(const struct gusset_context *context,
-                                         const struct gusset_nodes *nodes,
-                                         const struct gusset_tangents *tangents,
-                                         struct gusset_sheet **sheet);
+gusset_status gusset_sheet_from_tangents_create(const struct gusset_context *context,
+                                                const struct gusset_nodes *nodes,
+                                                const struct gusset_tangents *tangents,
+                                                struct gusset_sheet **sheet);
 
 /**
  * Makes a surface of Bézier patches in rows and columns, neighbours of which should share their sides.
@@ -8704,13 +8155,13 @@ gusset_status gusset_sheet_from_tangents(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_from_patches(const struct gusset_context *context,
-                                        const double *points,
-                                        uint32_t degree_u,
-                                        uint32_t degree_v,
-                                        size_t rows,
-                                        size_t columns,
-                                        struct gusset_sheet **sheet);
+gusset_status gusset_sheet_from_patches_create(const struct gusset_context *context,
+                                               const double *points,
+                                               uint32_t degree_u,
+                                               uint32_t degree_v,
+                                               size_t rows,
+                                               size_t columns,
+                                               struct gusset_sheet **sheet);
 
 /**
  * Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding: cells are its spans that are not empty, so that knots become
@@ -8724,9 +8175,9 @@ gusset_status gusset_sheet_from_patches(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_from_spline(const struct gusset_context *context,
-                                       const struct gusset_spline *spline,
-                                       struct gusset_sheet **sheet);
+gusset_status gusset_sheet_from_spline_create(const struct gusset_context *context,
+                                              const struct gusset_spline *spline,
+                                              struct gusset_sheet **sheet);
 
 /**
  * Makes Gordon's surface of a net of curves, which contains all of them; with two rows and two columns it is Coons's patch. Nodes are where
@@ -8746,9 +8197,9 @@ gusset_status gusset_sheet_from_spline(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_from_curves(const struct gusset_context *context,
-                                       const struct gusset_curve_net *net,
-                                       struct gusset_sheet **sheet);
+gusset_status gusset_sheet_from_curves_create(const struct gusset_context *context,
+                                              const struct gusset_curve_net *net,
+                                              struct gusset_sheet **sheet);
 
 /**
  * Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
@@ -8760,10 +8211,10 @@ gusset_status gusset_sheet_from_curves(const struct gusset_context *context,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_from_frame(const struct gusset_context *context,
-                                      const struct gusset_frame *frame,
-                                      uint32_t kind,
-                                      struct gusset_sheet **sheet);
+gusset_status gusset_sheet_from_frame_create(const struct gusset_context *context,
+                                             const struct gusset_frame *frame,
+                                             uint32_t kind,
+                                             struct gusset_sheet **sheet);
 
 /**
  * Makes a mesh of points of a sheet. Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit; seams of closed
@@ -8791,16 +8242,16 @@ GUSSET_API void gusset_sheet_mesh_destroy(struct gusset_sheet_mesh *mesh);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_mesh_view(const struct gusset_sheet_mesh *mesh,
-                                     struct gusset_mesh_view *view);
+gusset_status gusset_sheet_mesh_get_mesh(const struct gusset_sheet_mesh *mesh,
+                                         struct gusset_mesh_view *view);
 
 /**
- * Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_view. From any thread.
+ * Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_get_mesh. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_mesh_info(const struct gusset_sheet_mesh *mesh,
-                                     struct gusset_sheet_mesh_parts *parts);
+gusset_status gusset_sheet_mesh_get_view(const struct gusset_sheet_mesh *mesh,
+                                         struct gusset_sheet_mesh_view *parts);
 
 /**
  * What a status means, in a few English words. status: any number; for one that is no status, "unknown status". Never
@@ -8854,25 +8305,25 @@ GUSSET_API void gusset_stitch_destroy(struct gusset_stitch *stitch);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stitch_mesh(const struct gusset_stitch *stitch,
-                                 struct gusset_mesh_view *view);
+gusset_status gusset_stitch_get_mesh(const struct gusset_stitch *stitch,
+                                     struct gusset_mesh_view *view);
 
 /**
  * Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
- * gusset_stitch_mesh.
+ * gusset_stitch_get_mesh.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stitch_strip(const struct gusset_stitch *stitch,
-                                  struct gusset_mesh_view *view);
+gusset_status gusset_stitch_get_strip(const struct gusset_stitch *stitch,
+                                      struct gusset_mesh_view *view);
 
 /**
- * Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_mesh.
+ * Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_get_mesh.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stitch_view(const struct gusset_stitch *stitch,
-                                 struct gusset_stitch_parts *parts);
+gusset_status gusset_stitch_get_view(const struct gusset_stitch *stitch,
+                                     struct gusset_stitch_view *parts);
 
 /**
  * Measures of the strip and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
@@ -8880,8 +8331,8 @@ gusset_status gusset_stitch_view(const struct gusset_stitch *stitch,
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stitch_quality(const struct gusset_stitch *stitch,
-                                    struct gusset_quality *quality);
+gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
+                                        struct gusset_quality_report *quality);
 
 /**
  * Makes a strip of triangles between two polylines that run side by side: meridians and faces, without any mesh.
@@ -8913,8 +8364,559 @@ GUSSET_API void gusset_strip_destroy(struct gusset_strip *strip);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_strip_view(const struct gusset_strip *strip,
-                                struct gusset_strip_parts *parts);
+gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
+                                    struct gusset_strip_view *parts);
+
+/**
+ * Builds the index of one sheet or several, which together are one surface.
+ *
+ * sheets: count handles, none NULL, the array at any alignment; they may be destroyed afterwards. The greatest absolute
+ * coordinate of each is from 1e-30 to 1e37, or 0, control points included: boxes are in single precision. options: NULL for the
+ * defaults. surface: receives the result, for gusset_surface_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
+ * its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
+ * OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 7 bytes a node, and 0.7 with cones; threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_create(const struct gusset_context *context,
+                                    const struct gusset_sheet *const *sheets,
+                                    size_t count,
+                                    const struct gusset_surface_options *options,
+                                    struct gusset_surface **surface);
+
+/**
+ * Frees a surface; NULL is allowed. What was found with it stays.
+ */
+GUSSET_API void gusset_surface_destroy(struct gusset_surface *surface);
+
+/**
+ * The curves, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_paths_get_view(const struct gusset_surface_paths *paths,
+                                            struct gusset_surface_paths_view *parts);
+
+/**
+ * Frees curves; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
+
+/**
+ * The nearest points of a surface to queries, one or many.
+ *
+ * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit.
+ * points: room for count answers, in the order of the queries; none is found on failure: no flags, and infinite distances. Each
+ * answer is the same to the bit whether it is asked for alone or among others, in any order, on any number of threads; of
+ * several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
+ * no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
+ * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
+ * for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Surfaces on smooth
+ * surfaces", task a, by branch and bound.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_nearest(const struct gusset_context *context,
+                                     const struct gusset_surface *surface,
+                                     const double *queries,
+                                     size_t count,
+                                     size_t stride,
+                                     const struct gusset_nearest_options *options,
+                                     struct gusset_surface_nearest_point *points);
+
+/**
+ * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
+ *
+ * query: x, y, z, at any alignment. options: NULL for the defaults: all. points: receives the result, the nearest first, for
+ * gusset_surface_points_destroy; NULL on failure. None is missed: where it cannot be proved whether there is one (the distance
+ * is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_NEAREST_PROVEN and
+ * with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places count from which no way on the surface leads nearer.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
+ * CANCELLED. O(cells within the limit); with most, those no farther than the last. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_minima_create(const struct gusset_context *context,
+                                           const struct gusset_surface *surface,
+                                           const double *query,
+                                           const struct gusset_nearest_options *options,
+                                           struct gusset_surface_points **points);
+
+/**
+ * The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_points_get_view(const struct gusset_surface_points *points,
+                                             struct gusset_surface_points_view *parts);
+
+/**
+ * Frees points; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
+
+/**
+ * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
+ *
+ * query: x, y, z, at any alignment; radius: at least 0; INFINITY: all cells. region: receives all cells that have such a point,
+ * and no others but such as come within the tolerance of the radius or could not be decided in bounded work; for
+ * gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (radius),
+ * OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_region_create(const struct gusset_context *context,
+                                           const struct gusset_surface *surface,
+                                           const double *query,
+                                           double radius,
+                                           struct gusset_surface_region **region);
+
+/**
+ * The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_region_get_view(const struct gusset_surface_region *region,
+                                             struct gusset_surface_region_view *parts);
+
+/**
+ * Frees a region; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
+
+/**
+ * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
+ *
+ * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one
+ * again: closed paths of a surface do not repeat it, and need it added. closed: 0 or 1. scheme: GUSSET_SCHEME_... curve:
+ * receives the result, for gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve),
+ * NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE, SIZE_OVERFLOW,
+ * OUT_OF_MEMORY, CANCELLED. O(count). From any thread. Source: Leus, "Carcasses on smooth surfaces": points are the surface of a
+ * curve.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_through_create(const struct gusset_context *context,
+                                          const double *nodes,
+                                          size_t count,
+                                          uint32_t closed,
+                                          gusset_scheme scheme,
+                                          struct gusset_curve **curve);
+
+/**
+ * A coordinate curve of a sheet, exactly: a segment for each cell.
+ *
+ * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round.
+ * parameter: 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for
+ * gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter),
+ * OUT_OF_MEMORY, CANCELLED. O(cells along the curve). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
+                                        const struct gusset_sheet *sheet,
+                                        uint32_t along,
+                                        double parameter,
+                                        struct gusset_curve **curve);
+
+/**
+ * Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
+ *
+ * within: a length, 0 or more and finite; below 1e-12 of the curves' size that is taken. places: receives the places on the
+ * first curve, those on the other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be
+ * told apart; undecided is 1 if something was given up that may be near enough. For gusset_places_destroy; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for
+ * each pair of segments whose boxes are near. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_near_misses_create(const struct gusset_context *context,
+                                              const struct gusset_curve *curve,
+                                              const struct gusset_curve *other,
+                                              double within,
+                                              struct gusset_places **places);
+
+/**
+ * Where a curve in space comes as near to a line, ray or segment as `within`.
+ *
+ * line: one, at any alignment. The others among the places have segment 0, and the line's own parameter as t. All else as for
+ * gusset_curve_near_misses_create; also OUT_OF_RANGE for a line that is not finite or has no direction. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_line_near_misses_create(const struct gusset_context *context,
+                                                   const struct gusset_curve *curve,
+                                                   const struct gusset_line *line,
+                                                   double within,
+                                                   struct gusset_places **places);
+
+/**
+ * Points, derivatives, normals and curvatures at places.
+ *
+ * places: count of them, at any alignment. results: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
+ * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
+ * CANCELLED. O(1) a place, at a pole O(cells round it); threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_evaluate(const struct gusset_context *context,
+                                      const struct gusset_surface *surface,
+                                      const struct gusset_surface_place *places,
+                                      size_t count,
+                                      struct gusset_surface_point *results);
+
+/**
+ * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round;
+ * what is beyond an open side is on it. The other way the parameters of a place are row + u and column + v.
+ *
+ * sheet: its number, counted from 0. parameters: u, v of each, packed, at any alignment. places: room for count; all 0
+ * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is
+ * not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_locate(const struct gusset_context *context,
+                                    const struct gusset_surface *surface,
+                                    uint32_t sheet,
+                                    const double *parameters,
+                                    size_t count,
+                                    struct gusset_surface_place *places);
+
+/**
+ * What a surface is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(sheets). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_get_report(const struct gusset_surface *surface,
+                                        struct gusset_surface_report *facts);
+
+/**
+ * What a sheet of a surface is.
+ *
+ * sheet: its number, as in places. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT (sheet). O(sheets). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_get_sheet(const struct gusset_surface *surface,
+                                       size_t sheet,
+                                       struct gusset_surface_sheet_report *facts);
+
+/**
+ * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
+ *
+ * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
+ * of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
+ * room for; either may be NULL, both with capacity 0. written: receives the number of cells. greatest: receives two
+ * numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
+ * for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_diameters(const struct gusset_context *context,
+                                     const struct gusset_sheet *sheet,
+                                     double *euclidean,
+                                     double *intrinsic,
+                                     size_t capacity,
+                                     size_t *written,
+                                     double *greatest);
+
+/**
+ * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
+ *
+ * bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
+                                           const struct gusset_sheet *sheet,
+                                           double *bound);
+
+/**
+ * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
+ *
+ * words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
+ * j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
+ * column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
+ * from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
+ * written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
+ * distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
+ * NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask_chain(const struct gusset_context *context,
+                                      const struct gusset_sheet *sheet,
+                                      const uint64_t *words,
+                                      size_t count,
+                                      const uint32_t *from,
+                                      const uint32_t *to,
+                                      uint32_t *cells,
+                                      size_t capacity,
+                                      size_t *written);
+
+/**
+ * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
+ *
+ * words, count: the region, as for gusset_sheet_mask_chain. report: struct_size set by the caller; all else is overwritten. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
+ * for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask_measure(const struct gusset_context *context,
+                                        const struct gusset_sheet *sheet,
+                                        const uint64_t *words,
+                                        size_t count,
+                                        struct gusset_mask_report *report);
+
+/**
+ * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
+ * the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
+ * surface (gusset_surface_create) answers the same and more from its index, much faster.
+ *
+ * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL with capacity 0 for the
+ * size and the report alone; all words are 0 on failure. capacity: how many words it has room for. written: receives the number of
+ * words. report: what was
+ * done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
+ * (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
+ * BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
+ * at for the search. From any thread. Source: Leus; its errata are listed with the Rust module surface::leus.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_reference_mask(const struct gusset_context *context,
+                                          const struct gusset_sheet *sheet,
+                                          const struct gusset_reference_task *task,
+                                          uint64_t *words,
+                                          size_t capacity,
+                                          size_t *written,
+                                          struct gusset_reference_report *report);
+
+/**
+ * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
+ * cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
+ * size of cells; the exact normals of the surface are had from a surface.
+ *
+ * places: count places of the sheet, whose own number is not read, at any alignment; u and v 0 to 1. normals: receives x, y, z of
+ * each; 0 where there is none, and everywhere on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+ * (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell, parameters that are not 0 to 1;
+ * OUT_OF_MEMORY, CANCELLED. Bounded work for each. From any thread. Source: Leus, fig. 1.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *context,
+                                               const struct gusset_sheet *sheet,
+                                               const struct gusset_surface_place *places,
+                                               size_t count,
+                                               double *normals);
+
+/**
+ * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
+ * normal and the surface's.
+ *
+ * point: x, y, z of a point of the plane of offset 0, at any alignment, as normal and offsets are. normal: x, y, z, not 0, of
+ * any length. offsets: count of them, rising, distances of the planes from the point along the normal. options: NULL for the
+ * defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL on failure. Every curve is found, also one within
+ * a cell, and on a closed surface all are closed; a corner on a plane counts as above it. Cells where a plane touches or
+ * contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
+ * tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a
+ * normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About O(count +
+ * cells that are cut); threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task d.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_section_create(const struct gusset_context *context,
+                                            const struct gusset_surface *surface,
+                                            const double *point,
+                                            const double *normal,
+                                            const double *offsets,
+                                            size_t count,
+                                            const struct gusset_contour_options *options,
+                                            struct gusset_surface_paths **paths);
+
+/**
+ * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
+ * surface is; greater values are to the left, seen from where the normals point to.
+ *
+ * values: value_count of them, finite, at any alignment, as levels are: of all sheets, one after the other, each row after row,
+ * one more row and column than there are cells; the last line of a closed direction repeats the first and is not used. levels:
+ * level_count of them, rising. Otherwise as gusset_surface_section_create. Errors: as there; SIZE_OVERFLOW if there are too few values,
+ * TOO_LARGE if too many, NOT_FINITE with the number of the value. O(values + cells that are crossed); threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_contours_create(const struct gusset_context *context,
+                                             const struct gusset_surface *surface,
+                                             const double *values,
+                                             size_t value_count,
+                                             const double *levels,
+                                             size_t level_count,
+                                             const struct gusset_contour_options *options,
+                                             struct gusset_surface_paths **paths);
+
+/**
+ * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
+ * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
+ *
+ * direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
+ * / 2 if normals are unsigned. Otherwise as gusset_surface_section_create. Where normals jump between cells (patches,
+ * GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
+ * Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. About
+ * O(cells that are crossed), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_isophotes_create(const struct gusset_context *context,
+                                              const struct gusset_surface *surface,
+                                              const double *direction,
+                                              const double *angles,
+                                              size_t count,
+                                              const struct gusset_contour_options *options,
+                                              struct gusset_surface_paths **paths);
+
+/**
+ * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
+ *
+ * direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
+ * for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. About
+ * O(cells that come near to the angle), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_nearest_angle(const struct gusset_context *context,
+                                           const struct gusset_surface *surface,
+                                           const double *direction,
+                                           double angle,
+                                           const struct gusset_contour_options *options,
+                                           struct gusset_nearest_angle_report *nearest);
+
+/**
+ * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
+ *
+ * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
+ * touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
+ * which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
+ * threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_line_hits_create(const struct gusset_context *context,
+                                              const struct gusset_surface *surface,
+                                              const struct gusset_line *lines,
+                                              size_t count,
+                                              gusset_hit_selection which,
+                                              struct gusset_surface_hits **hits);
+
+/**
+ * The first hit of each of many lines, rays or segments: that of least t, which gusset_surface_line_hits_create gives first.
+ *
+ * lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
+ * where there is none, and everywhere on failure. Errors: as for gusset_surface_line_hits_create, and MISALIGNED_ARGUMENT (hits). About
+ * O(log cells) a line; threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_first_hits(const struct gusset_context *context,
+                                        const struct gusset_surface *surface,
+                                        const struct gusset_line *lines,
+                                        size_t count,
+                                        struct gusset_surface_hit *hits);
+
+/**
+ * Where a curve in space meets a surface, in the order of the curve.
+ *
+ * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
+ * receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
+ * comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_curve_hits_create(const struct gusset_context *context,
+                                               const struct gusset_surface *surface,
+                                               const struct gusset_curve *curve,
+                                               gusset_hit_selection which,
+                                               struct gusset_surface_hits **hits);
+
+/**
+ * The hits, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_hits_get_view(const struct gusset_surface_hits *hits,
+                                           struct gusset_surface_hits_view *parts);
+
+/**
+ * Frees hits; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
+
+/**
+ * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
+ *
+ * a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths:
+ * receives the curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at
+ * `others` are the same but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared;
+ * cells of a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves may end there.
+ * Intersections of one surface with itself are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+ * OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of
+ * cells that may meet, with a limit for each; threads; the same bits for any number of them. From any thread. Source: Leus,
+ * "Carcasses on smooth surfaces", task e; the proofs are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_intersection_create(const struct gusset_context *context,
+                                                 const struct gusset_surface *a,
+                                                 const struct gusset_surface *b,
+                                                 const struct gusset_intersection_options *options,
+                                                 struct gusset_surface_paths **paths);
+
+/**
+ * Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
+ *
+ * within: a length, finite; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In
+ * proportion to the pairs, and some for each level of the indices; 24 bytes a pair. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_cell_pairs_create(const struct gusset_context *context,
+                                               const struct gusset_surface *a,
+                                               const struct gusset_surface *b,
+                                               double within,
+                                               struct gusset_cell_pairs **pairs);
+
+/**
+ * The pairs, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_cell_pairs_get_view(const struct gusset_cell_pairs *pairs,
+                                         struct gusset_cell_pairs_view *parts);
+
+/**
+ * Frees pairs of cells; NULL is allowed.
+ */
+GUSSET_API void gusset_cell_pairs_destroy(struct gusset_cell_pairs *pairs);
 
 /**
  * The library's version, "major.minor.patch". Never NULL; static. O(1). From any thread.
@@ -8965,16 +8967,16 @@ GUSSET_API void gusset_weld_destroy(struct gusset_weld *weld);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_weld_mesh(const struct gusset_weld *weld,
-                               struct gusset_mesh_view *view);
+gusset_status gusset_weld_get_mesh(const struct gusset_weld *weld,
+                                   struct gusset_mesh_view *view);
 
 /**
- * Lends the maps, lists and counts. Errors and validity as for gusset_weld_mesh.
+ * Lends the maps, lists and counts. Errors and validity as for gusset_weld_get_mesh.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_weld_view(const struct gusset_weld *weld,
-                               struct gusset_weld_parts *parts);
+gusset_status gusset_weld_get_view(const struct gusset_weld *weld,
+                                   struct gusset_weld_view *parts);
 
 /**
  * Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
@@ -9004,8 +9006,8 @@ GUSSET_API void gusset_winged_destroy(struct gusset_winged *winged);
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_winged_tables(const struct gusset_winged *winged,
-                                   struct gusset_winged_view *view);
+gusset_status gusset_winged_get_view(const struct gusset_winged *winged,
+                                     struct gusset_winged_view *view);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -9,7 +9,7 @@
 
 #include <gusset/assembly.hpp>
 #include <gusset/base.hpp>
-#include <gusset/carcass.hpp>
+#include <gusset/surface.hpp>
 #include <gusset/curve.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/frame.hpp>
@@ -78,7 +78,7 @@ public:
     Loop operator[](std::size_t i) const {
         gusset_loop_view view{};
         view.struct_size = sizeof view;
-        detail::check(gusset_boundary_loop(boundary_.get(), i, &view));
+        detail::check(gusset_boundary_get_loop(boundary_.get(), i, &view));
         using detail::indices;
         return {indices(view.vertices), indices(view.half_edges), indices(view.faces),
                 {view.edge_flags, view.half_edges.count}, view.length, view.flags, view.walk};
@@ -87,7 +87,7 @@ public:
     Span<const gusset_defect> defects() const {
         const gusset_defect *data = nullptr;
         std::size_t count = 0;
-        detail::check(gusset_boundary_defects(boundary_.get(), &data, &count));
+        detail::check(gusset_boundary_get_defects(boundary_.get(), &data, &count));
         return {data, count};
     }
 
@@ -170,13 +170,13 @@ private:
     gusset_winged_view view() const {
         gusset_winged_view view{};
         view.struct_size = sizeof view;
-        detail::check(gusset_winged_tables(winged_.get(), &view));
+        detail::check(gusset_winged_get_view(winged_.get(), &view));
         return view;
     }
     std::unique_ptr<gusset_winged, Destroy> winged_;
 };
 
-/// What is wrong or unusual in a mesh; see gusset_check_report, whose lists live as long as this.
+/// What is wrong or unusual in a mesh; see gusset_check_view, whose lists live as long as this.
 class Check {
 public:
     explicit Check(const MeshView &mesh, const Context &context = Context()) {
@@ -184,10 +184,10 @@ public:
         context.call([&](gusset_context *c) { return gusset_check_create(c, &mesh.get(), &created); });
         check_.reset(created);
     }
-    gusset_check_report report() const {
-        gusset_check_report report{};
+    gusset_check_view report() const {
+        gusset_check_view report{};
         report.struct_size = sizeof report;
-        detail::check(gusset_check_view(check_.get(), &report));
+        detail::check(gusset_check_get_view(check_.get(), &report));
         return report;
     }
     /// Every edge has two faces or more.

@@ -34,7 +34,7 @@
 //! | [`fill`] | holes closed by new faces |
 //! | [`outline`] | Bézier curves through given points |
 //! | [`net`] | regular networks of quads, closed to surfaces by gluing; scenes of them |
-//! | [`carcass`] | surfaces through nets of curves, and what can be asked of them |
+//! | [`surface`] | surfaces through nets of curves, and what can be asked of them |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |
 //! | [`error`] | what can go wrong, each cause with the element it is about |
@@ -45,7 +45,6 @@
 
 mod alloc;
 pub mod boundary;
-pub mod carcass;
 pub mod check;
 pub mod error;
 mod fair;
@@ -63,6 +62,7 @@ pub mod repair;
 mod simd;
 mod sort;
 pub mod stitch;
+pub mod surface;
 pub mod winged;
 
 pub use error::{Error, Result, Side};

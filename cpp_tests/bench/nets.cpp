@@ -63,8 +63,8 @@ Net torus(std::size_t side) {
     return Net(net, &gusset_net_destroy);
 }
 
-gusset_net_arrays lent(gusset_net *net) {
-    gusset_net_arrays arrays{};
+gusset_net_view lent(gusset_net *net) {
+    gusset_net_view arrays{};
     arrays.struct_size = sizeof arrays;
     check(gusset_net_edit(nullptr, net, &arrays));
     return arrays;
@@ -78,7 +78,7 @@ struct Quads {
 
 Quads quads(std::size_t side) {
     const Net net = torus(side);
-    const gusset_net_arrays arrays = lent(net.get());
+    const gusset_net_view arrays = lent(net.get());
     const auto *x = static_cast<float *>(arrays.x), *y = static_cast<float *>(arrays.y), *z = static_cast<float *>(arrays.z);
     const std::size_t n = side - 1;
     Quads made;

@@ -125,7 +125,7 @@ public:
         for (std::size_t k = 0; k < given_.outline_count; ++k) {
             gusset_outline_report report{};
             report.struct_size = sizeof report;
-            check(gusset_outline_account(outline_, k, &report));
+            check(gusset_outline_get_report(outline_, k, &report));
             worst = std::max(worst, report.max_residual);
         }
         return worst;

@@ -8,8 +8,8 @@ static gusset_context *context;
 
 /* What the last call reported, against what it should have. */
 static void expect_report(int line, int32_t status, gusset_element element, uint64_t index, uint32_t input) {
-    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     if (report.status != status || report.element != element || report.index != index || report.input != input) {
         printf("%s:%d: report says %d %u %lu %u\n", __FILE__, line, (int)report.status, (unsigned)report.element,
                (unsigned long)report.index, (unsigned)report.input);
@@ -18,8 +18,8 @@ static void expect_report(int line, int32_t status, gusset_element element, uint
 }
 
 static double reported_value(void) {
-    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     return report.value;
 }
 
@@ -38,7 +38,7 @@ static const double above[4][3] = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
 static void strips_refused(void) {
     gusset_strip_options options = {sizeof options, 0, 0, 0, 1};
-    gusset_strip_parts parts = {0};
+    gusset_strip_view parts = {0};
     gusset_strip *strip = NULL;
     const double *a = square[0], *b = above[0];
     double wrong[4][3];
@@ -91,11 +91,11 @@ static void strips_refused(void) {
     FAILS(GUSSET_ERROR_CANCELLED, strip, gusset_strip_create(context, a, 4, b, 4, &options, &strip));
     gusset_context_reset(context);
 
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_strip_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_strip_get_view(NULL, &parts));
     parts.struct_size = sizeof parts, parts.start[0] = 9, parts.meridians.count = 9;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_get_view(NULL, &parts));
     CHECK(parts.start[0] == 0 && parts.meridians.count == 0 && parts.struct_size == sizeof parts);
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_strip_view(misaligned(), &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_strip_get_view(misaligned(), &parts));
     gusset_strip_destroy(NULL);
 }
 
@@ -104,7 +104,7 @@ static void strips_made(void) {
         gusset_strip_options known;
         uint64_t tail[2];
     } larger = {{sizeof larger, 0, 0, GUSSET_START_GIVEN, 1}, {0, 0}};
-    gusset_strip_parts parts = {sizeof parts, {0, 0}, {NULL, 0}, {NULL, 0}};
+    gusset_strip_view parts = {sizeof parts, {0, 0}, {NULL, 0}, {NULL, 0}};
     gusset_strip *strip = NULL;
     char bytes[1 + sizeof square];
 
@@ -116,15 +116,15 @@ static void strips_made(void) {
     larger.tail[1] = 0;
     EXPECT(GUSSET_OK, gusset_strip_create(context, (const double *)(const void *)(bytes + 1), 4, above[0], 3,
                                           &larger.known, &strip));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_view(strip, NULL));
-    EXPECT(GUSSET_OK, gusset_strip_view(strip, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_strip_get_view(strip, NULL));
+    EXPECT(GUSSET_OK, gusset_strip_get_view(strip, &parts));
     CHECK(parts.start[0] == 0 && parts.start[1] == 0 && parts.triangles.count == 3 * 7);
     CHECK(parts.meridians.count == 2 * 8 && parts.meridians.data[14] == 4 && parts.meridians.data[15] == 3);
     gusset_strip_destroy(strip);
 
     /* Open by default; two single points are one meridian and no triangle. Without a context. */
     EXPECT(GUSSET_OK, gusset_strip_create(NULL, square[0], 1, above[0], 1, NULL, &strip));
-    EXPECT(GUSSET_OK, gusset_strip_view(strip, &parts));
+    EXPECT(GUSSET_OK, gusset_strip_get_view(strip, &parts));
     CHECK(parts.triangles.count == 0 && parts.triangles.data == NULL && parts.meridians.count == 2);
     gusset_strip_destroy(strip);
 }
@@ -133,7 +133,7 @@ static void stitch_options(void) {
     const gusset_mesh_view up = pyramid(pyramid_up), down = pyramid(pyramid_down);
     const size_t first_version = offsetof(gusset_stitch_options, search);
     gusset_stitch_options options = {0};
-    gusset_stitch_parts parts = {0};
+    gusset_stitch_view parts = {0};
     gusset_stitch *stitch = NULL;
 
     CHECK(sizeof(void *) != 8 || first_version == 72);
@@ -163,7 +163,7 @@ static void stitch_options(void) {
     shorter.struct_size = first_version;
     EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, &shorter, &stitch));
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_OK, gusset_stitch_view(stitch, &parts));
+    EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
     CHECK(parts.strip_face_count == 8 && parts.intersections_known == 0 && parts.intersections.data == NULL);
     gusset_stitch_destroy(stitch);
 
@@ -181,7 +181,7 @@ static void stitch_options(void) {
     options.centres = GUSSET_CENTRES_LENGTH, options.reserved = 0;
     options.rows = GUSSET_ROWS_COUNT, options.row_count = 2, options.intersections = GUSSET_INTERSECTIONS_REPORT;
     EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, &options, &stitch));
-    EXPECT(GUSSET_OK, gusset_stitch_view(stitch, &parts));
+    EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
     CHECK(parts.intersections_known == 1 && parts.intersections.count == 0 && parts.row_count == 2);
     gusset_stitch_destroy(stitch);
 }
@@ -301,7 +301,7 @@ static void assembly_pairs(void) {
     gusset_assembly_options options = {0};
     gusset_loop_pair list[2];
     gusset_assembly *done = NULL;
-    gusset_assembly_parts parts = {0};
+    gusset_assembly_view parts = {0};
 
     parts.struct_size = sizeof parts;
     pieces[0] = pyramid(pyramid_up), pieces[1] = pyramid(pyramid_down);
@@ -338,7 +338,7 @@ static void assembly_pairs(void) {
     list[0] = right, options.gap = GUSSET_GAP_GIVEN, options.max_gap = 2.0;
     for (int by_piece = 0; by_piece < 2; ++by_piece) {
         EXPECT(GUSSET_OK, assemble(pieces, 2, &options, &done));
-        EXPECT(GUSSET_OK, gusset_assembly_view(done, &parts));
+        EXPECT(GUSSET_OK, gusset_assembly_get_view(done, &parts));
         CHECK(parts.joint_count == 0 && parts.joints == NULL && parts.left_count == 2 && parts.loops_left == 2);
         CHECK(parts.left[0].reason == GUSSET_LEFT_FACES_NOTHING && parts.left[1].vertices.count == 4);
         gusset_assembly_destroy(done);
@@ -347,7 +347,7 @@ static void assembly_pairs(void) {
     list[0] = right, options.excluded = NULL, options.excluded_count = 0;
     options.pairs = list, options.pair_count = 1, options.max_gap = 0.0;
     EXPECT(GUSSET_OK, assemble(pieces, 2, &options, &done));
-    EXPECT(GUSSET_OK, gusset_assembly_view(done, &parts));
+    EXPECT(GUSSET_OK, gusset_assembly_get_view(done, &parts));
     CHECK(parts.joint_count == 1 && parts.joints[0].outcome == GUSSET_JOINT_JOINED && parts.joints[0].whole == 1);
     CHECK(parts.joints[0].face_first == 8 && parts.joints[0].face_count == 8 && parts.loops_left == 0);
     gusset_assembly_destroy(done);
@@ -359,7 +359,7 @@ static void assembly_results(void) {
         uint64_t tail;
     } larger;
     gusset_mesh_view pieces[2], view = {0};
-    gusset_assembly_parts parts = {0};
+    gusset_assembly_view parts = {0};
     gusset_assembly *done = NULL;
 
     memset(&larger, 0, sizeof larger);
@@ -369,19 +369,19 @@ static void assembly_results(void) {
     FAILS(GUSSET_ERROR_UNKNOWN_VALUE, done, assemble(pieces, 2, &larger.known, &done));
     larger.tail = 0;
     EXPECT(GUSSET_OK, assemble(pieces, 2, &larger.known, &done));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_assembly_mesh(done, &view));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_assembly_view(done, &parts));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_mesh(done, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_view(done, NULL));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_assembly_get_mesh(done, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_assembly_get_view(done, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_get_mesh(done, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_get_view(done, NULL));
     view.struct_size = sizeof view, view.face_count = 7;
     parts.struct_size = sizeof parts, parts.joint_count = 7;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_mesh(NULL, &view));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_get_mesh(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_assembly_get_view(NULL, &parts));
     CHECK(view.face_count == 0 && parts.joint_count == 0);
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_assembly_mesh(misaligned(), &view));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_assembly_view(done, misaligned()));
-    EXPECT(GUSSET_OK, gusset_assembly_mesh(done, &view));
-    EXPECT(GUSSET_OK, gusset_assembly_view(done, &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_assembly_get_mesh(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_assembly_get_view(done, misaligned()));
+    EXPECT(GUSSET_OK, gusset_assembly_get_mesh(done, &view));
+    EXPECT(GUSSET_OK, gusset_assembly_get_view(done, &parts));
     CHECK(view.vertex_count == 10 && view.face_count == 16 && parts.piece_count == 2);
     for (uint32_t k = 0; k < 10; ++k) {
         CHECK(parts.pieces[k / 5].vertices.count == 5 && parts.pieces[k / 5].vertices.data[k % 5] == k);

@@ -18,7 +18,7 @@ static void creation(void) {
     const uint32_t wrong[3] = {0, 2, 4};
     const double nan[4] = {0, 0, NAN, 0};
     const uint32_t one[2] = {0, 1};
-    gusset_curve_parts parts = {sizeof parts, NULL, 0, {NULL, 0}, 0, 0};
+    gusset_curve_view parts = {sizeof parts, NULL, 0, {NULL, 0}, 0, 0};
 
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_create(context, NULL, 4, 2, ends, 3, 0, &made));
     CHECK(made == NULL);
@@ -34,13 +34,13 @@ static void creation(void) {
     EXPECT(GUSSET_ERROR_SIZE_OVERFLOW, gusset_curve_create(context, points, 4, 2, ends, SIZE_MAX, 0, &made));
     CHECK(made == NULL);
     gusset_curve_destroy(NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_get_view(NULL, &parts));
     made = curve();
-    EXPECT(GUSSET_OK, gusset_curve_view(made, &parts));
+    EXPECT(GUSSET_OK, gusset_curve_get_view(made, &parts));
     CHECK(parts.point_count == 4 && parts.ends.count == 3 && parts.closed == 0 && parts.points[6] == 1.0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_view(made, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_get_view(made, NULL));
     parts.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_curve_view(made, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_curve_get_view(made, &parts));
     gusset_curve_destroy(made);
 }
 
@@ -50,8 +50,8 @@ static void questions(void) {
     gusset_place found[1];
     double out[18], length[1] = {0.5};
     const double queries[3] = {0.5, 0.25, 0};
-    gusset_nearest nearest;
-    gusset_curve_moments moments = {sizeof moments, 0, {0, 0}, {0, 0, 0}};
+    gusset_curve_nearest_point nearest;
+    gusset_curve_moment_report moments = {sizeof moments, 0, {0, 0}, {0, 0, 0}};
 
     EXPECT(GUSSET_OK, gusset_curve_derivatives(context, given, places, 2, 2, out));
     CHECK(out[0] == 0.5 && out[1] == 0.25 && out[3] == 1.0 && out[7] == 2.0 && out[9] == 1.0 && out[16] == 0.0);
@@ -87,7 +87,7 @@ static void questions(void) {
     CHECK(out[0] == 0.0 && out[3] == 1.0 && out[4] == 1.0);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_bounds(context, given, NULL));
     EXPECT(GUSSET_OK, gusset_curve_area_vector(context, given, out));
-    EXPECT(GUSSET_OK, gusset_curve_enclosed(context, given, &moments));
+    EXPECT(GUSSET_OK, gusset_curve_moments(context, given, &moments));
     CHECK(fabs(moments.area + 1.0 / 3.0) < 1e-15 && out[2] == moments.area);
     gusset_curve_destroy(given);
 }
@@ -99,36 +99,36 @@ static void made_of_curves(void) {
     gusset_offset_options options = {sizeof options, 1e-6, 0, 0, 0};
     gusset_offset_report report = {sizeof report, 0, 0, 0, 0};
 
-    EXPECT(GUSSET_OK, gusset_curve_part(context, given, from, to, &made));
+    EXPECT(GUSSET_OK, gusset_curve_part_create(context, given, from, to, &made));
     gusset_curve_destroy(made);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_part(context, given, to, from, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_part_create(context, given, to, from, &made));
     CHECK(made == NULL);
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_part(context, given, wrong, to, &made));
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_split(context, given, from, 2, &made));
-    EXPECT(GUSSET_OK, gusset_curve_split(context, given, from, 1, &made));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_part_create(context, given, wrong, to, &made));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_split_create(context, given, from, 2, &made));
+    EXPECT(GUSSET_OK, gusset_curve_split_create(context, given, from, 1, &made));
     gusset_curve_destroy(made);
-    EXPECT(GUSSET_OK, gusset_curve_reverse(context, given, &made));
+    EXPECT(GUSSET_OK, gusset_curve_reverse_create(context, given, &made));
     gusset_curve_destroy(made);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_elevate(context, given, 63, 0, &made));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_elevate(context, given, 0, 0, &made));
-    EXPECT(GUSSET_OK, gusset_curve_elevate(context, given, 0, 3, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_elevate_create(context, given, 63, 0, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_elevate_create(context, given, 0, 0, &made));
+    EXPECT(GUSSET_OK, gusset_curve_elevate_create(context, given, 0, 3, &made));
     gusset_curve_destroy(made);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_reduce(context, given, 0, 1.0, NULL, &made));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_reduce(context, given, 1, NAN, NULL, &made));
-    EXPECT(GUSSET_OK, gusset_curve_reduce(context, given, 1, 1.0, deviations, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_reduce_create(context, given, 0, 1.0, NULL, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_reduce_create(context, given, 1, NAN, NULL, &made));
+    EXPECT(GUSSET_OK, gusset_curve_reduce_create(context, given, 1, 1.0, deviations, &made));
     CHECK(fabs(deviations[0] - 0.5) < 1e-14 && deviations[1] == 0.0);
     gusset_curve_destroy(made);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_offset(context, given, 0.1, NULL, NULL, &made));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_offset(context, given, NAN, &options, NULL, &made));
-    EXPECT(GUSSET_OK, gusset_curve_offset(context, given, 0.1, &options, &report, &made));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_offset_create(context, given, 0.1, NULL, NULL, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_offset_create(context, given, NAN, &options, NULL, &made));
+    EXPECT(GUSSET_OK, gusset_curve_offset_create(context, given, 0.1, &options, &report, &made));
     CHECK(report.deviation <= 1e-6 && report.reached == 1 && report.tight == 0 && report.corners == 1);
     gusset_curve_destroy(made);
     options.reserved = 1;
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_offset(context, given, 0.1, &options, NULL, &made));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_offset_create(context, given, 0.1, &options, NULL, &made));
     options.reserved = 0, options.degree = 4;
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_offset(context, given, 0.1, &options, NULL, &made));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_offset_create(context, given, 0.1, &options, NULL, &made));
     options.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_curve_offset(context, given, 0.1, &options, NULL, &made));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_curve_offset_create(context, given, 0.1, &options, NULL, &made));
     CHECK(made == NULL);
     gusset_curve_destroy(given);
 }
@@ -141,37 +141,37 @@ static void found_on_curves(void) {
 
     memset(&view, 0, sizeof view);
     view.struct_size = sizeof view;
-    EXPECT(GUSSET_OK, gusset_curve_cross_line(context, given, point, along, &places));
-    EXPECT(GUSSET_OK, gusset_places_found(places, &view));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_line_create(context, given, point, along, &places));
+    EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.count == 2 && view.others == NULL && view.inside.count == 0);
     CHECK(fabs(view.places[0].t - sqrt(0.5)) < 1e-15 && view.places[1].segment == 1 && view.points[3] == 1.0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_places_found(NULL, &view));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_places_found(places, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_places_get_view(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_places_get_view(places, NULL));
     gusset_places_destroy(places);
     gusset_places_destroy(NULL);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_cross_line(context, given, point, zero, &places));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_intersect_line_create(context, given, point, zero, &places));
     CHECK(places == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_cross_plane(context, given, NULL, along, &places));
-    EXPECT(GUSSET_OK, gusset_curve_cross_plane(context, given, point, along, &places));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_intersect_plane_create(context, given, NULL, along, &places));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_plane_create(context, given, point, along, &places));
     gusset_places_destroy(places);
-    EXPECT(GUSSET_OK, gusset_curve_intersect(context, given, given, &places));
-    EXPECT(GUSSET_OK, gusset_places_found(places, &view));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_create(context, given, given, &places));
+    EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.overlap_count == 2 && view.undecided == 0);
     gusset_places_destroy(places);
-    EXPECT(GUSSET_OK, gusset_curve_intersect(context, given, NULL, &places));
-    EXPECT(GUSSET_OK, gusset_places_found(places, &view));
+    EXPECT(GUSSET_OK, gusset_curve_intersect_create(context, given, NULL, &places));
+    EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.count == 0 && view.overlap_count == 0);
     gusset_places_destroy(places);
-    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_sample(context, given, 3, 5, &places));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_sample(context, given, GUSSET_SAMPLE_COUNT, 2.5, &places));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_sample(context, given, GUSSET_SAMPLE_STEP, -1, &places));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_sample(context, given, GUSSET_SAMPLE_CHORD, NAN, &places));
-    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_curve_sample(context, given, GUSSET_SAMPLE_COUNT, 1e18, &places));
-    EXPECT(GUSSET_OK, gusset_curve_sample(context, given, GUSSET_SAMPLE_COUNT, 5, &places));
-    EXPECT(GUSSET_OK, gusset_places_found(places, &view));
+    EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_curve_sample_create(context, given, 3, 5, &places));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_sample_create(context, given, GUSSET_SAMPLE_COUNT, 2.5, &places));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_sample_create(context, given, GUSSET_SAMPLE_STEP, -1, &places));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_sample_create(context, given, GUSSET_SAMPLE_CHORD, NAN, &places));
+    EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_curve_sample_create(context, given, GUSSET_SAMPLE_COUNT, 1e18, &places));
+    EXPECT(GUSSET_OK, gusset_curve_sample_create(context, given, GUSSET_SAMPLE_COUNT, 5, &places));
+    EXPECT(GUSSET_OK, gusset_places_get_view(places, &view));
     CHECK(view.count == 5 && view.places[4].t == 1.0);
     view.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_places_found(places, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_places_get_view(places, &view));
     gusset_places_destroy(places);
     gusset_curve_destroy(given);
 }
@@ -183,15 +183,15 @@ static void forms(void) {
 
     memset(&parts, 0, sizeof parts);
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_OK, gusset_curve_svg(context, given, &form));
-    EXPECT(GUSSET_OK, gusset_curve_form_parts(form, &parts));
+    EXPECT(GUSSET_OK, gusset_curve_svg_create(context, given, &form));
+    EXPECT(GUSSET_OK, gusset_curve_form_get_view(form, &parts));
     CHECK(strcmp(parts.text, "M 0 0 Q 0.5 0 1 1 L 1 0") == 0 && parts.text_length == 23 && parts.point_count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_form_parts(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_curve_form_get_view(NULL, &parts));
     gusset_curve_form_destroy(form);
-    EXPECT(GUSSET_ERROR_CURVE_NOT_CLOSED, gusset_curve_contour(context, given, 0.0, &form));
+    EXPECT(GUSSET_ERROR_CURVE_NOT_CLOSED, gusset_curve_contour_create(context, given, 0.0, &form));
     CHECK(form == NULL);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_contour(context, given, NAN, &form));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_spline(context, given, &form));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_contour_create(context, given, NAN, &form));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_curve_spline_create(context, given, &form));
     gusset_curve_form_destroy(NULL);
     gusset_curve_destroy(given);
 }

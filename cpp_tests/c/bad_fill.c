@@ -49,9 +49,9 @@ static void results(void) {
     const gusset_mesh_view mesh = pyramid(pyramid_up);
     const uint32_t rim[4] = {4, 3, 2, 1}, wrong[3] = {0, 1, 2}, twice[4] = {1, 2, 1, 3};
     gusset_indices loops[5];
-    gusset_fill_parts parts = {sizeof parts, NULL, 0, {NULL, 0}};
+    gusset_fill_view parts = {sizeof parts, NULL, 0, {NULL, 0}};
     gusset_mesh_view out = {sizeof out, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0};
-    gusset_quality quality = {sizeof quality, 0, 0, 0, 0, 0, 0, 0, 0};
+    gusset_quality_report quality = {sizeof quality, 0, 0, 0, 0, 0, 0, 0, 0};
     gusset_fill *fill = NULL;
     char bytes[1 + sizeof rim];
 
@@ -62,10 +62,10 @@ static void results(void) {
     loops[3].data = (const uint32_t *)(const void *)(bytes + 1), loops[3].count = 4;
     loops[4].data = rim, loops[4].count = 4;
     EXPECT(GUSSET_OK, gusset_fill_create(context, &mesh, loops, 5, NULL, &fill));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_view(NULL, &parts));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_view(fill, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_fill_view(misaligned(), &parts));
-    EXPECT(GUSSET_OK, gusset_fill_view(fill, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_get_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_get_view(fill, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_fill_get_view(misaligned(), &parts));
+    EXPECT(GUSSET_OK, gusset_fill_get_view(fill, &parts));
     CHECK(parts.hole_count == 5 && parts.rims.count == 15);
     CHECK(parts.holes[0].status == GUSSET_HOLE_NOT_FREE && parts.holes[0].face_count == 0);
     CHECK(parts.holes[1].status == GUSSET_HOLE_NOT_SIMPLE && parts.rims.data[parts.holes[1].rim_first] == 1);
@@ -73,18 +73,18 @@ static void results(void) {
     CHECK(parts.holes[3].status == GUSSET_HOLE_FILLED && parts.holes[3].face_first == 4 &&
           parts.holes[3].face_count == 2 && parts.holes[3].vertex_count == 0);
     CHECK(parts.holes[4].status == GUSSET_HOLE_NOT_FREE);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_mesh(NULL, &out));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_mesh(fill, NULL));
-    EXPECT(GUSSET_OK, gusset_fill_mesh(fill, &out));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_get_mesh(NULL, &out));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_get_mesh(fill, NULL));
+    EXPECT(GUSSET_OK, gusset_fill_get_mesh(fill, &out));
     CHECK(out.vertex_count == 5 && out.face_count == 6);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_quality(NULL, &quality));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_quality(fill, NULL));
-    EXPECT(GUSSET_OK, gusset_fill_quality(fill, &quality));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_get_quality(NULL, &quality));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_fill_get_quality(fill, NULL));
+    EXPECT(GUSSET_OK, gusset_fill_get_quality(fill, &quality));
     CHECK(quality.loops_left == 0 && fabs(quality.area - 2.0) < 1e-12);
     parts.struct_size = 8, out.struct_size = 8, quality.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_view(fill, &parts));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_mesh(fill, &out));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_quality(fill, &quality));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_get_view(fill, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_get_mesh(fill, &out));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_fill_get_quality(fill, &quality));
     gusset_fill_destroy(fill);
 }
 

@@ -24,7 +24,7 @@ static void refused(gusset_mesh_view mesh, gusset_status status, gusset_element 
     gusset_check *check = (gusset_check *)misaligned();
     gusset_weld *weld = (gusset_weld *)misaligned();
     gusset_orient *orient = (gusset_orient *)misaligned();
-    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     const int before = failures;
 
     EXPECT(status, gusset_winged_create(context, &mesh, NULL, &winged));
@@ -35,15 +35,15 @@ static void refused(gusset_mesh_view mesh, gusset_status status, gusset_element 
     CHECK(weld == NULL && orient == NULL);
     EXPECT(status, gusset_boundary_create(context, &mesh, NULL, &boundary));
     CHECK(boundary == NULL);
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.status == status && report.element == element && report.index == index && report.input == 0);
-    CHECK(strlen(gusset_context_message(context)) > 10);
+    CHECK(strlen(gusset_context_get_message(context)) > 10);
     EXPECT(status, gusset_stitch_create(context, &mesh, NULL, &good, NULL, NULL, &stitch));
     CHECK(stitch == NULL);
     stitch = (gusset_stitch *)misaligned();
     EXPECT(status, gusset_stitch_create(context, &good, NULL, &mesh, NULL, NULL, &stitch));
     CHECK(stitch == NULL);
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.status == status && report.element == element && report.index == index && report.input == 1);
     /* Without a context too. */
     EXPECT(status, gusset_boundary_create(NULL, &mesh, NULL, &boundary));
@@ -159,24 +159,24 @@ static void boundary_pointers(void) {
     EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
     memset(&loop, 0xff, sizeof loop);
     loop.struct_size = sizeof loop;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_loop(NULL, 0, &loop));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_loop(NULL, 0, &loop));
     CHECK(loop.vertices.data == NULL && loop.vertices.count == 0 && loop.flags == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_loop(boundary, 0, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_loop(misaligned(), 0, &loop));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_loop(boundary, 0, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_loop(boundary, 0, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_loop(misaligned(), 0, &loop));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_loop(boundary, 0, misaligned()));
     loop.struct_size = 16;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_boundary_loop(boundary, 0, &loop));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_boundary_get_loop(boundary, 0, &loop));
     loop.struct_size = sizeof loop;
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_boundary_loop(boundary, SIZE_MAX, &loop));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_boundary_get_loop(boundary, SIZE_MAX, &loop));
 
     defects = (const gusset_defect *)misaligned(), count = 7;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_defects(NULL, &defects, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_defects(NULL, &defects, &count));
     CHECK(defects == NULL && count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_defects(boundary, NULL, &count));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_defects(boundary, &defects, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_defects(misaligned(), &defects, &count));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_defects(boundary, misaligned(), &count));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_defects(boundary, &defects, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_defects(boundary, NULL, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_boundary_get_defects(boundary, &defects, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_defects(misaligned(), &defects, &count));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_defects(boundary, misaligned(), &count));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_boundary_get_defects(boundary, &defects, misaligned()));
     CHECK(gusset_boundary_loop_count(NULL) == 0 && gusset_boundary_walk_count(NULL) == 0);
     CHECK(gusset_boundary_loop_count(misaligned()) == 0 && gusset_boundary_walk_count(misaligned()) == 0);
     gusset_boundary_destroy(boundary);
@@ -201,8 +201,8 @@ static void stitch_pointers(void) {
     gusset_indices loop = {NULL, 4};
     gusset_stitch *stitch = (gusset_stitch *)misaligned();
     gusset_mesh_view view;
-    gusset_stitch_parts parts;
-    gusset_quality quality;
+    gusset_stitch_view parts;
+    gusset_quality_report quality;
 
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_create(context, NULL, NULL, &down, NULL, NULL, &stitch));
     CHECK(stitch == NULL);
@@ -249,34 +249,34 @@ static void stitch_pointers(void) {
 
     EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, NULL, &down, NULL, NULL, &stitch));
     memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_mesh(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_mesh(NULL, &view));
     CHECK(view.positions == NULL && view.face_count == 0 && view.struct_size == sizeof view);
     memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_strip(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_strip(NULL, &view));
     CHECK(view.positions == NULL && view.face_count == 0);
     memset(&parts, 0xff, sizeof parts), parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_view(NULL, &parts));
     CHECK(parts.rim[1].data == NULL && parts.turned == 0);
     memset(&quality, 0xff, sizeof quality), quality.struct_size = sizeof quality;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_quality(NULL, &quality));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_quality(NULL, &quality));
     CHECK(quality.area == 0.0 && quality.loops_left == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_mesh(stitch, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_strip(stitch, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_view(stitch, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_quality(stitch, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_mesh(misaligned(), &view));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_strip(misaligned(), &view));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_view(misaligned(), &parts));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_quality(misaligned(), &quality));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_mesh(stitch, misaligned()));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_strip(stitch, misaligned()));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_view(stitch, misaligned()));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_quality(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_mesh(stitch, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_strip(stitch, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_view(stitch, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stitch_get_quality(stitch, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_mesh(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_strip(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_view(misaligned(), &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_quality(misaligned(), &quality));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_mesh(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_strip(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_view(stitch, misaligned()));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_stitch_get_quality(stitch, misaligned()));
     view.struct_size = parts.struct_size = quality.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_mesh(stitch, &view));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_strip(stitch, &view));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_view(stitch, &parts));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_quality(stitch, &quality));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_get_mesh(stitch, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_get_strip(stitch, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_get_view(stitch, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_stitch_get_quality(stitch, &quality));
     gusset_stitch_destroy(stitch);
     gusset_stitch_destroy(NULL);
 }
@@ -288,7 +288,7 @@ static void table_pointers(void) {
     gusset_winged *winged = (gusset_winged *)misaligned();
     gusset_winged_view tables;
     gusset_check *check = (gusset_check *)misaligned();
-    gusset_check_report report;
+    gusset_check_view report;
 
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_create(context, NULL, NULL, &winged));
     CHECK(winged == NULL);
@@ -305,13 +305,13 @@ static void table_pointers(void) {
     options.reserved = 0;
     EXPECT(GUSSET_OK, gusset_winged_create(context, &mesh, &options, &winged));
     memset(&tables, 0xff, sizeof tables), tables.struct_size = sizeof tables;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_tables(NULL, &tables));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_get_view(NULL, &tables));
     CHECK(tables.edges == NULL && tables.edge_count == 0 && tables.loop_offsets.data == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_tables(winged, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_tables(misaligned(), &tables));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_tables(winged, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_winged_get_view(winged, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_get_view(misaligned(), &tables));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_winged_get_view(winged, misaligned()));
     tables.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_winged_tables(winged, &tables));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_winged_get_view(winged, &tables));
     gusset_winged_destroy(winged);
     gusset_winged_destroy(NULL);
 
@@ -323,13 +323,13 @@ static void table_pointers(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_create(context, &mesh, misaligned()));
     EXPECT(GUSSET_OK, gusset_check_create(context, &mesh, &check));
     memset(&report, 0xff, sizeof report), report.struct_size = sizeof report;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_check_view(NULL, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_check_get_view(NULL, &report));
     CHECK(report.edge_count == 0 && report.genus == 0 && report.unused_vertices.data == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_check_view(check, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_view(misaligned(), &report));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_view(check, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_check_get_view(check, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_get_view(misaligned(), &report));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_check_get_view(check, misaligned()));
     report.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_check_view(check, &report));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_check_get_view(check, &report));
     gusset_check_destroy(check);
     gusset_check_destroy(NULL);
 }
@@ -339,10 +339,10 @@ static void unstitchable(const gusset_mesh_view *a, const gusset_indices *loop_a
                          const gusset_indices *loop_b, const gusset_stitch_options *options, gusset_status status,
                          gusset_element element, uint64_t index, uint32_t input) {
     gusset_stitch *stitch = (gusset_stitch *)misaligned();
-    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     EXPECT(status, gusset_stitch_create(context, a, loop_a, b, loop_b, options, &stitch));
     CHECK(stitch == NULL);
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.status == status && report.element == element && report.index == index && report.input == input);
     if (report.element != element || report.index != index || report.input != input) {
         printf("  status %d: element %u index %llu input %u\n", (int)status, (unsigned)report.element,
@@ -421,7 +421,7 @@ static void odd_addresses(void) {
     EXPECT(GUSSET_OK, gusset_stitch_create(context, &mesh, NULL, &down, NULL, NULL, &stitch));
     free(points);
     free(faces);
-    EXPECT(GUSSET_OK, gusset_stitch_mesh(stitch, &out));
+    EXPECT(GUSSET_OK, gusset_stitch_get_mesh(stitch, &out));
     CHECK(out.vertex_count == 10 && memcmp(out.positions, pyramid_up, sizeof pyramid_up) == 0);
     gusset_stitch_destroy(stitch);
 }
@@ -472,7 +472,7 @@ static int call_again(void *user, double fraction, const char *stage) {
 
 static void contexts(void) {
     gusset_context *other = (gusset_context *)misaligned();
-    gusset_report report;
+    gusset_error_report report;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_create(NULL));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_create(misaligned()));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_set_threads(NULL, 1));
@@ -482,15 +482,15 @@ static void contexts(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_set_log(NULL, NULL, NULL));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_set_log(misaligned(), NULL, NULL));
     memset(&report, 0xff, sizeof report), report.struct_size = sizeof report;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_report(NULL, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_get_report(NULL, &report));
     CHECK(report.status == 0 && report.index == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_report(context, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_report(misaligned(), &report));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_report(context, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_context_get_report(context, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_get_report(misaligned(), &report));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_context_get_report(context, misaligned()));
     report.struct_size = 4;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_context_report(context, &report));
-    CHECK(strcmp(gusset_context_message(NULL), "") == 0 && strcmp(gusset_context_message(misaligned()), "") == 0);
-    CHECK(gusset_context_progress(NULL) == 0.0 && gusset_context_progress(misaligned()) == 0.0);
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_context_get_report(context, &report));
+    CHECK(strcmp(gusset_context_get_message(NULL), "") == 0 && strcmp(gusset_context_get_message(misaligned()), "") == 0);
+    CHECK(gusset_context_get_progress(NULL) == 0.0 && gusset_context_get_progress(misaligned()) == 0.0);
     gusset_context_cancel(NULL);
     gusset_context_reset(NULL);
     gusset_context_cancel(misaligned());

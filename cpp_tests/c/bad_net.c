@@ -6,8 +6,8 @@ static gusset_context *context;
 static float x[12], y[12], z[12];
 
 /* 3 x 4 nodes: x = column, y = row, z = 0. */
-static gusset_net_arrays grid(void) {
-    gusset_net_arrays arrays = {sizeof arrays, 3, 4, x, y, z, 0, 0, GUSSET_F32, 0};
+static gusset_net_view grid(void) {
+    gusset_net_view arrays = {sizeof arrays, 3, 4, x, y, z, 0, 0, GUSSET_F32, 0};
     for (int k = 0; k < 12; k++) {
         x[k] = (float)(k % 4);
         y[k] = (float)(k / 4);
@@ -18,14 +18,14 @@ static gusset_net_arrays grid(void) {
 
 static gusset_net *net_of(const gusset_net_gluing *gluing) {
     gusset_net *net = NULL;
-    const gusset_net_arrays arrays = grid();
+    const gusset_net_view arrays = grid();
     EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, gluing, &net));
     return net;
 }
 
 static void creation(void) {
     gusset_net *net = (gusset_net *)misaligned();
-    gusset_net_arrays arrays = grid(), bad;
+    gusset_net_view arrays = grid(), bad;
 
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_create(context, NULL, NULL, &net));
     CHECK(net == NULL);
@@ -57,7 +57,7 @@ static void creation(void) {
 /* Points that lie as x, y, z, at an odd address. */
 static void layouts(void) {
     unsigned char bytes[12 * 24 + 1], out[12 * 24];
-    gusset_net_arrays arrays = {sizeof arrays, 3, 4, bytes + 1, bytes + 9, bytes + 17, 0, 24, GUSSET_F64, 0}, view;
+    gusset_net_view arrays = {sizeof arrays, 3, 4, bytes + 1, bytes + 9, bytes + 17, 0, 24, GUSSET_F64, 0}, view;
     gusset_net *net = NULL;
 
     for (int k = 0; k < 36; k++) {
@@ -66,7 +66,7 @@ static void layouts(void) {
     }
     EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
     view.struct_size = sizeof view;
-    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &view));
     CHECK(view.rows == 3 && view.columns == 4 && view.scalar == GUSSET_F64 && view.column_stride == 8);
     CHECK(((const double *)view.y)[5] == 16.0 && ((const double *)view.z)[11] == 35.0);
     arrays.x = out, arrays.y = out + 8, arrays.z = out + 16;
@@ -78,36 +78,36 @@ static void layouts(void) {
     EXPECT(GUSSET_OK, gusset_net_read(context, net, &arrays));
     CHECK(x[1] == 3.0f && y[11] == 34.0f);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_read(context, NULL, &arrays));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_view(NULL, &view));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_view(net, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_view(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_view(net, NULL));
     gusset_net_destroy(net);
 }
 
 static void borrowing(void) {
-    gusset_net_arrays arrays = grid(), bad = arrays, view = arrays;
+    gusset_net_view arrays = grid(), bad = arrays, view = arrays;
     gusset_net *net = NULL, *copy = NULL;
 
     bad.y = x + 4;
-    EXPECT(GUSSET_ERROR_OVERLAP, gusset_net_borrow(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_OVERLAP, gusset_net_borrow_create(context, &bad, NULL, &net));
     bad = arrays, bad.x = (char *)x + 1;
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_net_borrow(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_net_borrow_create(context, &bad, NULL, &net));
     bad = arrays, bad.column_stride = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_borrow(context, &bad, NULL, &net));
+    EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_borrow_create(context, &bad, NULL, &net));
     bad = arrays, bad.z = NULL;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_borrow(context, &bad, NULL, &net));
-    EXPECT(GUSSET_OK, gusset_net_borrow(context, &arrays, NULL, &net));
-    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_borrow_create(context, &bad, NULL, &net));
+    EXPECT(GUSSET_OK, gusset_net_borrow_create(context, &arrays, NULL, &net));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &view));
     CHECK(view.x == x && view.y == y && view.z == z && view.row_stride == 16);
-    EXPECT(GUSSET_OK, gusset_net_clone(context, net, &copy));
+    EXPECT(GUSSET_OK, gusset_net_clone_create(context, net, &copy));
     EXPECT(GUSSET_OK, gusset_net_edit(context, net, &view));
     CHECK(view.x == x);
     ((float *)view.x)[0] = 7;
     CHECK(x[0] == 7.0f);
-    EXPECT(GUSSET_OK, gusset_net_view(copy, &view));
+    EXPECT(GUSSET_OK, gusset_net_get_view(copy, &view));
     CHECK(view.x != x && ((const float *)view.x)[0] == 0.0f);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_edit(context, NULL, &view));
     gusset_net_destroy(copy);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_clone(context, NULL, &copy));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_clone_create(context, NULL, &copy));
     CHECK(copy == NULL);
     gusset_net_destroy(net);
 }
@@ -115,12 +115,12 @@ static void borrowing(void) {
 /* A copy shares memory until one of the two is changed. */
 static void sharing(void) {
     gusset_net *net = net_of(NULL), *copy = NULL;
-    gusset_net_arrays first = {0}, second = {0};
+    gusset_net_view first = {0}, second = {0};
     first.struct_size = second.struct_size = sizeof first;
 
-    EXPECT(GUSSET_OK, gusset_net_clone(context, net, &copy));
-    EXPECT(GUSSET_OK, gusset_net_view(net, &first));
-    EXPECT(GUSSET_OK, gusset_net_view(copy, &second));
+    EXPECT(GUSSET_OK, gusset_net_clone_create(context, net, &copy));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &first));
+    EXPECT(GUSSET_OK, gusset_net_get_view(copy, &second));
     CHECK(first.x == second.x);
     EXPECT(GUSSET_OK, gusset_net_edit(context, copy, &second));
     CHECK(first.x != second.x);
@@ -135,7 +135,7 @@ static void gluing(void) {
     gusset_net_gluing gluing = {0};
     gusset_seam seam = {0, 0, 1, 0, 2, 3, -1, 0, 3, 0}, read[1];
     gusset_net *net = NULL;
-    gusset_net_arrays arrays = grid();
+    gusset_net_view arrays = grid();
     uint8_t matrix[24] = {0}, got[24];
     uint32_t sides = 5, reversed = 5;
     size_t count = 5;
@@ -159,13 +159,13 @@ static void gluing(void) {
 
     /* A Moebius strip. */
     net = net_of(&gluing);
-    EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, &count, &reversed));
+    EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, &count, &reversed));
     CHECK(sides == GUSSET_SIDES_SHEET && count == 1 && reversed == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_seams(net, NULL, 1, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_seams(net, NULL, 1, &count));
-    EXPECT(GUSSET_OK, gusset_net_seams(net, NULL, 0, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_seams(net, NULL, 1, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_seams(net, NULL, 1, &count));
+    EXPECT(GUSSET_OK, gusset_net_get_seams(net, NULL, 0, &count));
     CHECK(count == 1);
-    EXPECT(GUSSET_OK, gusset_net_seams(net, read, 1, &count));
+    EXPECT(GUSSET_OK, gusset_net_get_seams(net, read, 1, &count));
     CHECK(read[0].count == 3);
 
     /* Closed rows, said by the matrix, are sides. */
@@ -174,12 +174,12 @@ static void gluing(void) {
     gluing.matrix = matrix;
     matrix[3] = matrix[11] = matrix[19] = 1;
     EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, &gluing));
-    EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, &count, NULL));
+    EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, &count, NULL));
     CHECK(sides == GUSSET_SIDES_TUBE && count == 0);
-    EXPECT(GUSSET_OK, gusset_net_matrix(net, NULL, 0, &count));
+    EXPECT(GUSSET_OK, gusset_net_get_matrix(net, NULL, 0, &count));
     CHECK(count == 24);
-    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_matrix(net, got, 23, &count));
-    EXPECT(GUSSET_OK, gusset_net_matrix(net, got, 24, &count));
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_net_get_matrix(net, got, 23, &count));
+    EXPECT(GUSSET_OK, gusset_net_get_matrix(net, got, 24, &count));
     CHECK(memcmp(got, matrix, 24) == 0);
 
     /* Both diagonals of a cell: refused, and nothing is lost. */
@@ -188,17 +188,17 @@ static void gluing(void) {
         gluing.matrix = NULL, gluing.seams = cross, gluing.seam_count = 2;
         EXPECT(GUSSET_ERROR_CROSSING_CELL, gusset_net_set_gluing(context, net, &gluing));
         gluing.seam_count = 1;
-        EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, NULL, NULL));
+        EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, NULL, NULL));
         CHECK(sides == GUSSET_SIDES_TUBE);
         EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, &gluing));
-        EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, &count, NULL));
+        EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, &count, NULL));
         CHECK(sides == GUSSET_SIDES_SHEET && count == 1);
     }
     EXPECT(GUSSET_OK, gusset_net_set_gluing(context, net, NULL));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_set_gluing(context, NULL, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_topology(NULL, &sides, NULL, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_matrix(NULL, NULL, 0, &count));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_seams(NULL, NULL, 0, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_topology(NULL, &sides, NULL, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_matrix(NULL, NULL, 0, &count));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_seams(NULL, NULL, 0, &count));
     gusset_net_destroy(net);
 }
 
@@ -206,14 +206,14 @@ static void gluing(void) {
 static void other_orders_and_types(void) {
     const double columns[3][6] = {{0, 0, 1, 1, 2, 2}, {0, 5, 0, 5, 0, 5}, {1e300, 0, 0, 0, 0, 0}};
     double back[3][6];
-    gusset_net_arrays arrays = {sizeof arrays,       2, 3, (void *)(uintptr_t)columns[0], (void *)(uintptr_t)columns[1],
+    gusset_net_view arrays = {sizeof arrays,       2, 3, (void *)(uintptr_t)columns[0], (void *)(uintptr_t)columns[1],
                                 (void *)(uintptr_t)columns[2], 8, 16, GUSSET_F64,        0},
                       view = {0};
     gusset_net *net = NULL, *single = NULL;
 
     EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
     view.struct_size = sizeof view;
-    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &view));
     CHECK(((const double *)view.x)[2] == 2 && ((const double *)view.y)[3] == 5 && ((const double *)view.x)[5] == 2);
     arrays.x = back[0], arrays.y = back[1], arrays.z = back[2];
     EXPECT(GUSSET_OK, gusset_net_read(context, net, &arrays));
@@ -221,7 +221,7 @@ static void other_orders_and_types(void) {
     arrays.row_stride = 16;
     EXPECT(GUSSET_ERROR_BAD_STRIDE, gusset_net_read(context, net, &arrays));
     EXPECT(GUSSET_OK, gusset_net_convert_create(context, net, GUSSET_F32, &single));
-    EXPECT(GUSSET_OK, gusset_net_view(single, &view));
+    EXPECT(GUSSET_OK, gusset_net_get_view(single, &view));
     CHECK(view.scalar == GUSSET_F32 && ((const float *)view.y)[3] == 5.0f && isinf(((const float *)view.z)[0]));
     gusset_net_destroy(single);
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_convert_create(context, net, 0, &single));
@@ -234,18 +234,18 @@ static void other_orders_and_types(void) {
 /* What overflows is refused, and nothing is moved; what is cancelled leaves cleared outputs. */
 static void nothing_is_lost(void) {
     gusset_net *net = net_of(NULL);
-    gusset_net_arrays before = {0}, after = {0};
+    gusset_net_view before = {0}, after = {0};
     gusset_operation far_away = {GUSSET_OPERATION_TRANSLATE, 0, {1e39}};
     gusset_scene *scene = NULL;
     uint64_t moved = 777;
     uint32_t entry = 777;
 
     before.struct_size = after.struct_size = sizeof before;
-    EXPECT(GUSSET_OK, gusset_net_view(net, &before));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &before));
     EXPECT(GUSSET_ERROR_FIELD_UNDEFINED, gusset_net_transform(context, net, &far_away, 1));
     far_away.values[0] = 1e37;
     EXPECT(GUSSET_OK, gusset_net_transform(context, net, &far_away, 1));
-    EXPECT(GUSSET_OK, gusset_net_view(net, &after));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &after));
     CHECK(((const float *)after.x)[3] == 1e37f);
     EXPECT(GUSSET_OK, gusset_scene_create(context, &scene));
     gusset_context_cancel(context);

@@ -7,7 +7,7 @@ static gusset_context *context;
 /* rows x columns nodes: x = column + shift, y = row, z = 0. */
 static gusset_net *grid(size_t rows, size_t columns, double shift, gusset_sides sides) {
     static double x[64], y[64], z[64];
-    const gusset_net_arrays arrays = {sizeof arrays, rows, columns, x, y, z, 0, 0, GUSSET_F64, 0};
+    const gusset_net_view arrays = {sizeof arrays, rows, columns, x, y, z, 0, 0, GUSSET_F64, 0};
     gusset_net_gluing gluing;
     gusset_net *net = NULL;
 
@@ -24,16 +24,16 @@ static gusset_net *grid(size_t rows, size_t columns, double shift, gusset_sides 
 }
 
 static double at(const gusset_net *net, int axis, size_t i, size_t j) {
-    gusset_net_arrays view;
+    gusset_net_view view;
     view.struct_size = sizeof view;
-    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &view));
     return ((const double *)(axis == 0 ? view.x : axis == 1 ? view.y : view.z))[i * view.columns + j];
 }
 
 static int has_size(const gusset_net *net, size_t rows, size_t columns) {
-    gusset_net_arrays view;
+    gusset_net_view view;
     view.struct_size = sizeof view;
-    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &view));
     return view.rows == rows && view.columns == columns;
 }
 
@@ -141,9 +141,9 @@ static void joined(void) {
     EXPECT(GUSSET_OK, gusset_net_bridge_count(out, &count));
     CHECK(count == 1);
     bridge.struct_size = sizeof bridge;
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_bridge(out, 1, &bridge));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_bridge(out, 0, NULL));
-    EXPECT(GUSSET_OK, gusset_net_bridge(out, 0, &bridge));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_get_bridge(out, 1, &bridge));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_get_bridge(out, 0, NULL));
+    EXPECT(GUSSET_OK, gusset_net_get_bridge(out, 0, &bridge));
     CHECK(bridge.at == 4 && bridge.start == 0 && bridge.end == 4 && bridge.kind == GUSSET_BRIDGE_RIBBON);
     CHECK(bridge.mode == GUSSET_BRIDGE_KEEP && bridge.direction == GUSSET_DIRECTION_RIGHT);
     CHECK(bridge.properties.stiffness == 3 && bridge.properties.user == 4);
@@ -157,15 +157,15 @@ static void joined(void) {
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT,
            gusset_net_set_bridge(context, out, 0, GUSSET_BRIDGE_HIDE, 0, (gusset_bridge_properties *)misaligned()));
     EXPECT(GUSSET_OK, gusset_net_set_bridge(context, out, 0, GUSSET_BRIDGE_HIDE, 0, &given));
-    EXPECT(GUSSET_OK, gusset_net_bridge(out, 0, &bridge));
+    EXPECT(GUSSET_OK, gusset_net_get_bridge(out, 0, &bridge));
     CHECK(bridge.mode == GUSSET_BRIDGE_HIDE && bridge.properties.user == 5);
 
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_split(context, out, 1, &first, &second));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_split_create(context, out, 1, &first, &second));
     CHECK(first == NULL && second == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split(context, NULL, 0, &first, &second));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split(context, out, 0, NULL, &second));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split(context, out, 0, &first, NULL));
-    EXPECT(GUSSET_OK, gusset_net_split(context, out, 0, &first, &second));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split_create(context, NULL, 0, &first, &second));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split_create(context, out, 0, NULL, &second));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_split_create(context, out, 0, &first, NULL));
+    EXPECT(GUSSET_OK, gusset_net_split_create(context, out, 0, &first, &second));
     CHECK(has_size(first, 3, 4) && has_size(second, 4, 3) && at(second, 0, 0, 2) == 11);
     gusset_net_destroy(first);
     gusset_net_destroy(second);
@@ -181,10 +181,10 @@ static void meshes(void) {
     gusset_net *net = grid(4, 5, 0, GUSSET_SIDES_TWO_POLES), *found = NULL;
     gusset_net_mesh *mesh = (gusset_net_mesh *)misaligned();
     gusset_net_mesh_options options, bad;
-    gusset_net_mesh_maps maps;
+    gusset_net_mesh_view maps;
     gusset_mesh_view view;
     gusset_net_grid *grid_found = (gusset_net_grid *)misaligned();
-    gusset_net_grid_parts parts;
+    gusset_net_grid_view parts;
 
     memset(&options, 0, sizeof options);
     options.struct_size = sizeof options;
@@ -208,14 +208,14 @@ static void meshes(void) {
     options.texture = 1;
     EXPECT(GUSSET_OK, gusset_net_mesh_create(context, net, &options, &mesh));
     view.struct_size = sizeof view, maps.struct_size = sizeof maps;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_view(NULL, &view));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_view(mesh, NULL));
-    EXPECT(GUSSET_OK, gusset_net_mesh_view(mesh, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_get_mesh(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_get_mesh(mesh, NULL));
+    EXPECT(GUSSET_OK, gusset_net_mesh_get_mesh(mesh, &view));
     /* Two poles and two rings of four; a ring of quads between fans of triangles. */
     CHECK(view.vertex_count == 10 && view.face_count == 12 && view.scalar == GUSSET_F64);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_parts(NULL, &maps));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_parts(mesh, NULL));
-    EXPECT(GUSSET_OK, gusset_net_mesh_parts(mesh, &maps));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_get_view(NULL, &maps));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_mesh_get_view(mesh, NULL));
+    EXPECT(GUSSET_OK, gusset_net_mesh_get_view(mesh, &maps));
     CHECK(maps.vertex_of_node.count == 20 && maps.node_of_vertex.count == 10 && maps.cell_of_face.count == 12);
     CHECK(maps.wires.count == 0 && maps.texture_corners.count == 40 && maps.texture_count == 18);
     CHECK(maps.vertex_of_node.data[9] == maps.vertex_of_node.data[5]);
@@ -228,12 +228,12 @@ static void meshes(void) {
     EXPECT(GUSSET_ERROR_NO_GRID, gusset_net_grid_create(context, &triangles, UINT32_MAX, &grid_found));
     EXPECT(GUSSET_OK, gusset_net_grid_create(context, &view, UINT32_MAX, &grid_found));
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_view(NULL, &parts));
-    EXPECT(GUSSET_OK, gusset_net_grid_view(grid_found, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_get_view(NULL, &parts));
+    EXPECT(GUSSET_OK, gusset_net_grid_get_view(grid_found, &parts));
     CHECK(parts.vertex_of_node.count == 20 && parts.face_of_cell.count == 12);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_net(context, NULL, &found));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_net(context, grid_found, NULL));
-    EXPECT(GUSSET_OK, gusset_net_grid_net(context, grid_found, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_net_create(context, NULL, &found));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_grid_net_create(context, grid_found, NULL));
+    EXPECT(GUSSET_OK, gusset_net_grid_net_create(context, grid_found, &found));
     gusset_net_mesh_destroy(mesh);
     gusset_net_grid_destroy(grid_found);
     CHECK(has_size(found, 4, 5));
@@ -282,9 +282,9 @@ static void heights(void) {
     CHECK(net == NULL);
     heights.has_no_data = 1, heights.no_data = -99;
     EXPECT(GUSSET_OK, gusset_net_from_heights_create(context, &heights, &net));
-    gusset_net_arrays view;
+    gusset_net_view view;
     view.struct_size = sizeof view;
-    EXPECT(GUSSET_OK, gusset_net_view(net, &view));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &view));
     CHECK(view.scalar == GUSSET_F32 && ((const float *)view.x)[5] == 4 && ((const float *)view.y)[5] == -1);
     CHECK(isnan(((const float *)view.z)[4]) && ((const float *)view.z)[5] == 5);
     gusset_net_destroy(net);

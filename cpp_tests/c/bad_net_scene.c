@@ -6,7 +6,7 @@ static gusset_context *context;
 
 static gusset_net *square(void) {
     static float x[4] = {0, 1, 0, 1}, y[4] = {0, 0, 1, 1}, z[4];
-    const gusset_net_arrays arrays = {sizeof arrays, 2, 2, x, y, z, 0, 0, GUSSET_F32, 0};
+    const gusset_net_view arrays = {sizeof arrays, 2, 2, x, y, z, 0, 0, GUSSET_F32, 0};
     gusset_net *net = NULL;
     EXPECT(GUSSET_OK, gusset_net_create(context, &arrays, NULL, &net));
     return net;
@@ -16,8 +16,8 @@ static void editing(void) {
     gusset_scene *scene = (gusset_scene *)misaligned();
     gusset_net *net = square(), *shared = NULL;
     gusset_transform move = {{1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0}}, bad = move;
-    gusset_scene_entry entry;
-    gusset_scene_counts counts;
+    gusset_scene_entry_report entry;
+    gusset_scene_report counts;
     gusset_scene_instance instances[4];
     uint32_t a = 7, group = 7, other = 7, children[2] = {9, 9};
     size_t written = 7;
@@ -54,34 +54,34 @@ static void editing(void) {
     EXPECT(GUSSET_OK, gusset_scene_set_visible(context, scene, a, 1));
 
     entry.struct_size = sizeof entry;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_entry_view(NULL, group, &entry));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_entry_view(scene, group, NULL));
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_entry_view(scene, 3, &entry));
-    EXPECT(GUSSET_OK, gusset_scene_entry_view(scene, group, &entry));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_get_entry(NULL, group, &entry));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_get_entry(scene, group, NULL));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_get_entry(scene, 3, &entry));
+    EXPECT(GUSSET_OK, gusset_scene_get_entry(scene, group, &entry));
     CHECK(entry.kind == GUSSET_SCENE_GROUP && entry.child_count == 2 && entry.visible == 1);
     CHECK(memcmp(&entry.transform, &move, sizeof move) == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_net(context, NULL, a, &shared));
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_net(context, scene, group, &shared));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_net_create(context, NULL, a, &shared));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_net_create(context, scene, group, &shared));
     CHECK(shared == NULL);
-    EXPECT(GUSSET_OK, gusset_scene_net(context, scene, a, &shared));
+    EXPECT(GUSSET_OK, gusset_scene_net_create(context, scene, a, &shared));
     EXPECT(GUSSET_OK, gusset_scene_set_net(context, scene, a, shared));
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_set_net(context, scene, group, shared));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_net(context, scene, a, NULL));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_set_net(context, NULL, a, shared));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_children(context, NULL, group, children, 2, &written));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_children(context, scene, group, children, 2, NULL));
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_children(context, scene, a, children, 2, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_get_children(context, NULL, group, children, 2, &written));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_get_children(context, scene, group, children, 2, NULL));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_get_children(context, scene, a, children, 2, &written));
     CHECK(written == 0);
-    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_scene_children(context, scene, group, children, 1, &written));
+    EXPECT(GUSSET_ERROR_BUFFER_TOO_SMALL, gusset_scene_get_children(context, scene, group, children, 1, &written));
     CHECK(written == 2 && children[0] == 9);
-    EXPECT(GUSSET_OK, gusset_scene_children(context, scene, group, NULL, 0, &written));
-    EXPECT(GUSSET_OK, gusset_scene_children(context, scene, group, children, 2, &written));
+    EXPECT(GUSSET_OK, gusset_scene_get_children(context, scene, group, NULL, 0, &written));
+    EXPECT(GUSSET_OK, gusset_scene_get_children(context, scene, group, children, 2, &written));
     CHECK(written == 2 && children[0] == a && children[1] == a);
 
     counts.struct_size = sizeof counts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_count(NULL, &counts));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_count(scene, NULL));
-    EXPECT(GUSSET_OK, gusset_scene_count(scene, &counts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_get_report(NULL, &counts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_get_report(scene, NULL));
+    EXPECT(GUSSET_OK, gusset_scene_get_report(scene, &counts));
     CHECK(counts.instances == 4 && counts.net_instances == 2 && counts.nets == 1 && counts.groups == 2);
     CHECK(counts.levels == 3);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_world_transforms(context, NULL, instances, 4, &written));
@@ -97,7 +97,7 @@ static void editing(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_remove(context, NULL, other));
     EXPECT(GUSSET_OK, gusset_scene_remove(context, scene, other));
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_scene_remove(context, scene, other));
-    EXPECT(GUSSET_OK, gusset_scene_count(scene, &counts));
+    EXPECT(GUSSET_OK, gusset_scene_get_report(scene, &counts));
     CHECK(counts.instances == 2 && counts.levels == 2);
     /* The order of destruction is free. */
     gusset_net_destroy(net);
@@ -111,8 +111,8 @@ static void flattening(void) {
     gusset_net *net = square(), *flat = (gusset_net *)misaligned();
     const gusset_transform move = {{1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0}};
     gusset_join_options options;
-    gusset_net_arrays view;
-    gusset_scene_counts counts;
+    gusset_net_view view;
+    gusset_scene_report counts;
     gusset_bridge bridge;
     uint32_t entries[2], groups[64];
 
@@ -132,9 +132,9 @@ static void flattening(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_scene_flatten_create(context, scene, &options, &flat));
     EXPECT(GUSSET_OK, gusset_scene_flatten_create(context, scene, NULL, &flat));
     view.struct_size = sizeof view, bridge.struct_size = sizeof bridge;
-    EXPECT(GUSSET_OK, gusset_net_view(flat, &view));
+    EXPECT(GUSSET_OK, gusset_net_get_view(flat, &view));
     CHECK(view.rows == 4 && view.columns == 2 && ((const float *)view.x)[4] == 5);
-    EXPECT(GUSSET_OK, gusset_net_bridge(flat, 0, &bridge));
+    EXPECT(GUSSET_OK, gusset_net_get_bridge(flat, 0, &bridge));
     CHECK(bridge.mode == GUSSET_BRIDGE_HIDE && bridge.at == 2);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_scene_unflatten_create(context, NULL, GUSSET_DIRECTION_DOWN, &back));
     CHECK(back == NULL);
@@ -142,7 +142,7 @@ static void flattening(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_scene_unflatten_create(context, flat, 2, &back));
     EXPECT(GUSSET_OK, gusset_scene_unflatten_create(context, flat, GUSSET_DIRECTION_DOWN, &back));
     counts.struct_size = sizeof counts;
-    EXPECT(GUSSET_OK, gusset_scene_count(back, &counts));
+    EXPECT(GUSSET_OK, gusset_scene_get_report(back, &counts));
     CHECK(counts.nets == 2 && counts.groups == 1 && counts.levels == 2);
     gusset_scene_destroy(back);
     gusset_net_destroy(flat);
@@ -154,7 +154,7 @@ static void flattening(void) {
         EXPECT(GUSSET_OK, gusset_scene_add_child(context, scene, groups[k], below));
         EXPECT(GUSSET_OK, gusset_scene_add_child(context, scene, groups[k], below));
     }
-    EXPECT(GUSSET_OK, gusset_scene_count(scene, &counts));
+    EXPECT(GUSSET_OK, gusset_scene_get_report(scene, &counts));
     CHECK(counts.instances == UINT64_MAX);
     EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_scene_flatten_create(context, scene, NULL, &flat));
     size_t written = 0;

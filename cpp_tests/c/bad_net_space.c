@@ -10,7 +10,7 @@ static double x[NODES], y[NODES], z[NODES];
 
 /* x = column, y = row, z = 0. */
 static gusset_net *sheet(void) {
-    gusset_net_arrays arrays = {sizeof arrays, ROWS, COLUMNS, x, y, z, 0, 0, GUSSET_F64, 0};
+    gusset_net_view arrays = {sizeof arrays, ROWS, COLUMNS, x, y, z, 0, 0, GUSSET_F64, 0};
     gusset_net *net = NULL;
     for (int k = 0; k < NODES; k++) {
         x[k] = k % COLUMNS, y[k] = k / COLUMNS, z[k] = 0;
@@ -23,7 +23,7 @@ static gusset_net *sheet(void) {
 static gusset_net *prism(void) {
     static const double corners[5][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}};
     double px[20], py[20], pz[20];
-    gusset_net_arrays arrays = {sizeof arrays, 4, 5, px, py, pz, 0, 0, GUSSET_F64, 0};
+    gusset_net_view arrays = {sizeof arrays, 4, 5, px, py, pz, 0, 0, GUSSET_F64, 0};
     gusset_net_gluing gluing;
     gusset_net *net = NULL;
     memset(&gluing, 0, sizeof gluing);
@@ -39,11 +39,11 @@ static gusset_net *prism(void) {
     return net;
 }
 
-static gusset_net_arrays view(const gusset_net *net) {
-    gusset_net_arrays arrays;
+static gusset_net_view view(const gusset_net *net) {
+    gusset_net_view arrays;
     memset(&arrays, 0, sizeof arrays);
     arrays.struct_size = sizeof arrays;
-    EXPECT(GUSSET_OK, gusset_net_view(net, &arrays));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &arrays));
     return arrays;
 }
 
@@ -78,7 +78,7 @@ static void transforms(void) {
     EXPECT(GUSSET_OK, gusset_net_transform(context, net, (const gusset_operation *)(const void *)(odd + 1), 7));
     /* (3, 2) -> (4, 2), there and back, x2, x / 2, + 10 */
     CHECK(fabs(x_of(net, 2 * COLUMNS + 3) - 14) < 1e-14 && fabs(y_of(net, 2 * COLUMNS + 3) - 4) < 1e-14);
-    EXPECT(GUSSET_OK, gusset_net_topology(net, NULL, NULL, &reversed));
+    EXPECT(GUSSET_OK, gusset_net_get_topology(net, NULL, NULL, &reversed));
     CHECK(reversed == 1);
     EXPECT(GUSSET_OK, gusset_net_transform(context, net, NULL, 0));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_transform(context, net, NULL, 1));
@@ -228,7 +228,7 @@ static void analyses(void) {
     const double radius = (COLUMNS - 1) / (4 * acos(0.0));
     gusset_net *net = sheet(), *after = sheet();
     gusset_net_analysis *analysis = (gusset_net_analysis *)misaligned();
-    gusset_net_analysis_parts parts;
+    gusset_net_analysis_view parts;
     gusset_field wrap = field(GUSSET_FIELD_CYLINDER_WRAP, GUSSET_AXIS_Y, radius, 0, 0, 0);
     gusset_field stand = field(GUSSET_FIELD_AFFINE, 0, 0, 0, 1, 0), both[2];
     const uint32_t bad_link = 2 * NODES;
@@ -240,12 +240,12 @@ static void analyses(void) {
     both[0] = stand, both[1] = wrap;
     memset(&parts, 0, sizeof parts);
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analyse_fields_create(context, NULL, both, 2, 0, 1e-9, &analysis));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_of_fields_create(context, NULL, both, 2, 0, 1e-9, &analysis));
     CHECK(analysis == NULL);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analyse_fields_create(context, net, both, 2, 0, -1, &analysis));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analyse_fields_create(context, net, both, 2, 0, 1e-9, NULL));
-    EXPECT(GUSSET_OK, gusset_net_analyse_fields_create(context, net, both, 2, 0, 1e-9, &analysis));
-    EXPECT(GUSSET_OK, gusset_net_analysis_view(analysis, &parts));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analysis_of_fields_create(context, net, both, 2, 0, -1, &analysis));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_of_fields_create(context, net, both, 2, 0, 1e-9, NULL));
+    EXPECT(GUSSET_OK, gusset_net_analysis_of_fields_create(context, net, both, 2, 0, 1e-9, &analysis));
+    EXPECT(GUSSET_OK, gusset_net_analysis_get_view(analysis, &parts));
     CHECK(parts.link_count == 2 * NODES && parts.cell_count == CELLS && parts.determinants != NULL && parts.soft == 0);
     CHECK(parts.contracted_count == ROWS && parts.contracted[0] == 2 * (COLUMNS - 1) && parts.stars[0] == 0);
     CHECK(parts.torn_count == 0 && parts.torn == NULL && parts.folded_count == 0);
@@ -254,27 +254,27 @@ static void analyses(void) {
     EXPECT(GUSSET_OK, gusset_net_absorb(context, net, parts.contracted, parts.contracted_count));
     EXPECT(GUSSET_OK, gusset_net_snap(context, net, &moved));
     CHECK(moved == ROWS);
-    EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, NULL, NULL));
     CHECK(sides == GUSSET_SIDES_TUBE);
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_net_absorb(context, net, &bad_link, 1));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_absorb(context, net, NULL, 1));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_absorb(context, NULL, &bad_link, 0));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_view(NULL, &parts));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_view(analysis, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_get_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_analysis_get_view(analysis, NULL));
     parts.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_analysis_view(analysis, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_analysis_get_view(analysis, &parts));
     gusset_net_analysis_destroy(analysis);
 
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_OK, gusset_net_analyse_create(context, after, after, 0, &analysis));
-    EXPECT(GUSSET_OK, gusset_net_analysis_view(analysis, &parts));
+    EXPECT(GUSSET_OK, gusset_net_analysis_create(context, after, after, 0, &analysis));
+    EXPECT(GUSSET_OK, gusset_net_analysis_get_view(analysis, &parts));
     CHECK(parts.soft == 1 && parts.determinants == NULL && parts.links[0] == 1.0 && parts.cells[CELLS - 1] == 1.0);
     gusset_net_analysis_destroy(analysis);
     gusset_net_analysis_destroy(NULL);
     gusset_net_destroy(net);
     net = prism();
-    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_analyse_create(context, net, after, 0, &analysis));
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analyse_create(context, net, net, NAN, &analysis));
+    EXPECT(GUSSET_ERROR_SIDES_DIFFER, gusset_net_analysis_create(context, net, after, 0, &analysis));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_analysis_create(context, net, net, NAN, &analysis));
     CHECK(analysis == NULL);
     gusset_net_destroy(net);
     gusset_net_destroy(after);
@@ -285,10 +285,10 @@ static void normals_and_measures(void) {
     double nx[20], ny[20], nz[20], cells[12];
     uint64_t without = 9;
     size_t written = 7;
-    gusset_measures measures;
-    gusset_moments moments;
-    gusset_planarity summary;
-    gusset_net_arrays own = view(net);
+    gusset_net_measure_report measures;
+    gusset_net_moment_report moments;
+    gusset_net_planarity_report summary;
+    gusset_net_view own = view(net);
 
     EXPECT(GUSSET_OK, gusset_net_normals(context, net, nx, ny, nz, 20, &without));
     CHECK(without == 0 && nz[0] == -1 && nz[19] == 1 && nx[5] == nx[9] && fabs(nx[5] - ny[5]) < 1e-15);

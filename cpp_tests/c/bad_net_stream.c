@@ -8,7 +8,7 @@ static float x[ROWS * COLUMNS], y[ROWS * COLUMNS], z[ROWS * COLUMNS];
 static gusset_context *context;
 
 static gusset_net *sheet(void) {
-    gusset_net_arrays arrays;
+    gusset_net_view arrays;
     gusset_net *net = NULL;
     int k;
     for (k = 0; k < ROWS * COLUMNS; ++k) {
@@ -34,10 +34,10 @@ static gusset_stream_options options(gusset_stream_mode mode) {
 }
 
 static const float *heights(const gusset_net *net) {
-    gusset_net_arrays arrays;
+    gusset_net_view arrays;
     memset(&arrays, 0, sizeof arrays);
     arrays.struct_size = sizeof arrays;
-    EXPECT(GUSSET_OK, gusset_net_view(net, &arrays));
+    EXPECT(GUSSET_OK, gusset_net_get_view(net, &arrays));
     return (const float *)arrays.z;
 }
 
@@ -47,12 +47,12 @@ static void there_and_back(const gusset_net *net) {
     for (m = 0; m < 3; ++m) {
         const gusset_stream_options made = options(modes[m]);
         gusset_stream *stream = NULL;
-        gusset_stream_info info;
+        gusset_stream_report info;
         gusset_net *back = NULL;
         const void *data = NULL;
         size_t size = 0;
         EXPECT(GUSSET_OK, gusset_net_encode_create(context, net, &made, &stream));
-        EXPECT(GUSSET_OK, gusset_stream_view(stream, &data, &size));
+        EXPECT(GUSSET_OK, gusset_stream_get_view(stream, &data, &size));
         memset(&info, 0, sizeof info);
         info.struct_size = sizeof info;
         EXPECT(GUSSET_OK, gusset_stream_inspect(context, data, 128, &info));
@@ -73,13 +73,13 @@ static void there_and_back(const gusset_net *net) {
 static void damaged(const gusset_net *net) {
     gusset_stream *stream = NULL;
     gusset_net *back = NULL;
-    gusset_stream_info info;
-    gusset_report report;
+    gusset_stream_report info;
+    gusset_error_report report;
     const void *data = NULL;
     size_t size = 0, k;
     unsigned char *copy;
     EXPECT(GUSSET_OK, gusset_net_encode_create(context, net, NULL, &stream));
-    EXPECT(GUSSET_OK, gusset_stream_view(stream, &data, &size));
+    EXPECT(GUSSET_OK, gusset_stream_get_view(stream, &data, &size));
     copy = malloc(size);
     if (copy == NULL) {
         return;
@@ -93,7 +93,7 @@ static void damaged(const gusset_net *net) {
     CHECK(back == NULL);
     memset(&report, 0, sizeof report);
     report.struct_size = sizeof report;
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_BYTE && report.index <= size);
     EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_net_decode_create(context, NULL, 0, &back));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_decode_create(context, NULL, 5, &back));
@@ -131,10 +131,10 @@ static void wrong_options(const gusset_net *net) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_encode_create(context, net, NULL, NULL));
     EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_net_encode_create(context, misaligned(), NULL, &stream));
     CHECK(stream == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_view(NULL, &data, &size));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_get_view(NULL, &data, &size));
     CHECK(data == NULL && size == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_view(stream, NULL, &size));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_view(stream, &data, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_get_view(stream, NULL, &size));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_get_view(stream, &data, NULL));
     gusset_stream_destroy(NULL);
 }
 
@@ -146,33 +146,33 @@ static void in_pieces(const gusset_net *net) {
     const void *data = NULL;
     size_t size = 0, at, rows = 99;
     EXPECT(GUSSET_OK, gusset_net_encode_create(context, net, &made, &stream));
-    EXPECT(GUSSET_OK, gusset_stream_view(stream, &data, &size));
+    EXPECT(GUSSET_OK, gusset_stream_get_view(stream, &data, &size));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_create(context, 0, NULL));
     EXPECT(GUSSET_OK, gusset_stream_decoder_create(context, 0, &decoder));
-    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_stream_decoder_preview(context, decoder, &back));
-    EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_stream_decoder_finish(context, decoder, &back));
+    EXPECT(GUSSET_ERROR_NET_TOO_SMALL, gusset_stream_decoder_preview_create(context, decoder, &back));
+    EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_stream_decoder_finish_create(context, decoder, &back));
     for (at = 0; at < size; ++at) {
         EXPECT(GUSSET_OK, gusset_stream_decoder_push(context, decoder, (const char *)data + at, 1, &rows));
         CHECK(rows == 0 || rows == 4 || rows == 8 || rows == ROWS);
         if (rows == 4 && back == NULL) {
-            EXPECT(GUSSET_OK, gusset_stream_decoder_preview(context, decoder, &back));
+            EXPECT(GUSSET_OK, gusset_stream_decoder_preview_create(context, decoder, &back));
             CHECK(heights(back)[27] == z[27]);
         }
     }
     gusset_net_destroy(back);
     CHECK(rows == ROWS);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_finish(context, decoder, NULL));
-    EXPECT(GUSSET_OK, gusset_stream_decoder_finish(context, decoder, &back));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_finish_create(context, decoder, NULL));
+    EXPECT(GUSSET_OK, gusset_stream_decoder_finish_create(context, decoder, &back));
     CHECK(heights(back)[62] == z[62]);
     gusset_net_destroy(back);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_finish(context, NULL, &back));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_preview(context, NULL, &back));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_finish_create(context, NULL, &back));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_preview_create(context, NULL, &back));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_push(context, NULL, data, size, &rows));
     CHECK(rows == 0);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_stream_decoder_push(context, decoder, NULL, 1, NULL));
     EXPECT(GUSSET_OK, gusset_stream_decoder_push(context, decoder, data, size, NULL));
     EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_stream_decoder_push(context, decoder, data, 1, NULL));
-    EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_stream_decoder_finish(context, decoder, &back));
+    EXPECT(GUSSET_ERROR_BAD_STREAM, gusset_stream_decoder_finish_create(context, decoder, &back));
     EXPECT(GUSSET_OK, gusset_stream_decoder_create(context, ROWS * COLUMNS - 1, &small));
     EXPECT(GUSSET_ERROR_TOO_LARGE, gusset_stream_decoder_push(context, small, data, size, &rows));
     CHECK(rows == 0 && back == NULL);

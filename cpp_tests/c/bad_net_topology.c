@@ -23,25 +23,25 @@ static gusset_net *net_of(const gusset_net_primitive *primitive) {
     return net;
 }
 
-static gusset_net_complex_report surface(const gusset_net *net, gusset_net_complex **complex) {
-    gusset_net_complex_report report;
+static gusset_net_complex_view surface(const gusset_net *net, gusset_net_complex **complex) {
+    gusset_net_complex_view report;
     report.struct_size = sizeof report;
     EXPECT(GUSSET_OK, gusset_net_complex_create(context, net, GUSSET_NET_CELLS_PRESENT, complex));
-    EXPECT(GUSSET_OK, gusset_net_complex_view(*complex, &report));
+    EXPECT(GUSSET_OK, gusset_net_complex_get_view(*complex, &report));
     return report;
 }
 
 static size_t violations(const gusset_net *net, double tolerance) {
     gusset_net_validation *validation = NULL;
-    gusset_net_validation_report report;
+    gusset_net_validation_view report;
     size_t count;
     report.struct_size = sizeof report;
-    EXPECT(GUSSET_OK, gusset_net_validate_create(context, net, tolerance, &validation));
-    EXPECT(GUSSET_OK, gusset_net_validate_view(validation, &report));
+    EXPECT(GUSSET_OK, gusset_net_validation_create(context, net, tolerance, &validation));
+    EXPECT(GUSSET_OK, gusset_net_validation_get_view(validation, &report));
     CHECK(report.violation_count <= report.count);
     CHECK(report.count == 0 || report.findings[0].nodes[0] != report.findings[0].nodes[1]);
     count = report.violation_count;
-    gusset_net_validate_destroy(validation);
+    gusset_net_validation_destroy(validation);
     return count;
 }
 
@@ -53,7 +53,7 @@ static void shapes(void) {
     for (uint32_t kind = 0; kind < 15; kind++) {
         gusset_net_primitive primitive = shape(kind);
         gusset_net_complex *complex = NULL;
-        gusset_net_complex_report report;
+        gusset_net_complex_view report;
         gusset_net *net;
         primitive.profile = vase, primitive.profile_count = 3;
         net = net_of(&primitive);
@@ -183,7 +183,7 @@ static void gluing(void) {
     EXPECT(GUSSET_OK, gusset_net_saturate(context, net));
     {
         uint8_t matrix[72];
-        EXPECT(GUSSET_OK, gusset_net_matrix(net, matrix, 72, &count));
+        EXPECT(GUSSET_OK, gusset_net_get_matrix(net, matrix, 72, &count));
         CHECK(matrix[6] == 1);
     }
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_saturate(context, NULL));
@@ -216,7 +216,7 @@ static void separation(void) {
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_unglue(context, NULL, links, 3, 0, NULL));
     EXPECT(GUSSET_OK, gusset_net_unglue(context, net, links, 3, 0.25, &moved));
     CHECK(moved == 6);
-    EXPECT(GUSSET_OK, gusset_net_topology(net, &sides, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_net_get_topology(net, &sides, NULL, NULL));
     CHECK(sides == GUSSET_SIDES_SHEET);
     gusset_net_destroy(net);
 }
@@ -230,12 +230,12 @@ static void groups_and_types(void) {
     uint64_t counts[18];
 
     EXPECT(GUSSET_OK, gusset_net_groups_create(context, net, &groups));
-    EXPECT(GUSSET_OK, gusset_net_groups_view(groups, &offsets, &members));
+    EXPECT(GUSSET_OK, gusset_net_groups_get_view(groups, &offsets, &members));
     /* Two poles and 31 nodes of the seam. */
     CHECK(offsets.count == 34 && offsets.data[1] == 65 && members.count == 2 * 65 + 31 * 2);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_view(NULL, &offsets, &members));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_get_view(NULL, &offsets, &members));
     CHECK(offsets.count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_view(groups, NULL, &members));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_get_view(groups, NULL, &members));
     gusset_net_groups_destroy(groups);
     gusset_net_groups_destroy(NULL);
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_groups_create(context, NULL, &groups));
@@ -265,17 +265,17 @@ static void groups_and_types(void) {
 static void surfaces_and_checks(void) {
     gusset_net *net = sheet();
     gusset_net_complex *complex = NULL;
-    gusset_net_complex_report report;
+    gusset_net_complex_view report;
     gusset_net_validation *validation = NULL;
-    gusset_net_validation_report findings;
-    gusset_net_arrays arrays;
+    gusset_net_validation_view findings;
+    gusset_net_view arrays;
 
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_net_complex_create(context, net, 2, &complex));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_complex_create(context, NULL, 0, &complex));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_complex_create(context, net, 0, NULL));
     CHECK(complex == NULL);
     report.struct_size = sizeof report;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_complex_view(NULL, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_complex_get_view(NULL, &report));
     /* A hole. */
     arrays.struct_size = sizeof arrays;
     EXPECT(GUSSET_OK, gusset_net_edit(context, net, &arrays));
@@ -285,8 +285,8 @@ static void surfaces_and_checks(void) {
     CHECK(report.boundary_nodes.count == 28 && report.boundary_edge_count == 28);
     CHECK(report.wires.count == 0 && report.branches.count == 0 && report.pinches.count == 0);
     report.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_complex_view(complex, &report));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_complex_view(complex, NULL));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_net_complex_get_view(complex, &report));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_complex_get_view(complex, NULL));
     gusset_net_complex_destroy(complex);
     gusset_net_complex_destroy(NULL);
 
@@ -295,19 +295,19 @@ static void surfaces_and_checks(void) {
         EXPECT(GUSSET_OK, gusset_net_glue(context, net, &link, 1));
     }
     CHECK(violations(net, 0.01) == 1 && violations(net, 1) == 0);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_validate_create(context, net, -1, &validation));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_validate_create(context, NULL, 0, &validation));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_validate_create(context, net, 0, NULL));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_validation_create(context, net, -1, &validation));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_validation_create(context, NULL, 0, &validation));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_validation_create(context, net, 0, NULL));
     CHECK(validation == NULL);
     findings.struct_size = sizeof findings;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_validate_view(NULL, &findings));
-    EXPECT(GUSSET_OK, gusset_net_validate_create(context, net, 0, &validation));
-    EXPECT(GUSSET_OK, gusset_net_validate_view(validation, &findings));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_validation_get_view(NULL, &findings));
+    EXPECT(GUSSET_OK, gusset_net_validation_create(context, net, 0, &validation));
+    EXPECT(GUSSET_OK, gusset_net_validation_get_view(validation, &findings));
     CHECK(findings.count == 1 && findings.findings[0].kind == GUSSET_NET_FINDING_LINK_APART);
     CHECK(findings.findings[0].nodes[1] == 1 && fabs(findings.findings[0].distance - 0.2) < 1e-12);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_validate_view(validation, NULL));
-    gusset_net_validate_destroy(validation);
-    gusset_net_validate_destroy(NULL);
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_validation_get_view(validation, NULL));
+    gusset_net_validation_destroy(validation);
+    gusset_net_validation_destroy(NULL);
 
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_net_derive(context, net, NAN));
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_net_derive(context, NULL, 0));

@@ -28,7 +28,7 @@ static void arguments(void) {
     gusset_outlines outlines = given(square, 4), bad;
     gusset_outline *outline = NULL;
     gusset_sections *sections = NULL;
-    gusset_report report;
+    gusset_error_report report;
 
     report.struct_size = sizeof report;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_create(context, NULL, NULL, &outline));
@@ -75,9 +75,9 @@ static void arguments(void) {
 static void data(void) {
     double points[4][2];
     uint32_t offsets[3] = {0, 2, 4};
-    gusset_constraint constraints[2] = {{1, GUSSET_DEMAND_CORNER, {0, 0, 0}}, {3, GUSSET_DEMAND_TANGENT, {1, 0, 0}}};
+    gusset_constraint constraints[2] = {{1, GUSSET_CONSTRAINT_CORNER, {0, 0, 0}}, {3, GUSSET_CONSTRAINT_TANGENT, {1, 0, 0}}};
     gusset_outlines outlines = given(points, 4);
-    gusset_report report;
+    gusset_error_report report;
 
     memset(&report, 0, sizeof report);
     report.struct_size = sizeof report;
@@ -91,14 +91,14 @@ static void data(void) {
     EXPECT(GUSSET_ERROR_BAD_OFFSETS, fit(&outlines, NULL));
     offsets[1] = 4, offsets[2] = 3;
     EXPECT(GUSSET_ERROR_BAD_OFFSETS, fit(&outlines, NULL));
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_OFFSET && report.index == 2);
     offsets[1] = 2, offsets[2] = 4;
     constraints[0].demand = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, fit(&outlines, NULL));
-    constraints[0].demand = GUSSET_DEMAND_CORNER, constraints[1].point = 4;
+    constraints[0].demand = GUSSET_CONSTRAINT_CORNER, constraints[1].point = 4;
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, fit(&outlines, NULL));
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_CONSTRAINT && report.index == 1);
     constraints[1].point = 1;
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, fit(&outlines, NULL));
@@ -106,7 +106,7 @@ static void data(void) {
     EXPECT(GUSSET_ERROR_NOT_FINITE, fit(&outlines, NULL));
     constraints[1].tangent[2] = 0.0, points[2][1] = INFINITY;
     EXPECT(GUSSET_ERROR_NOT_FINITE, fit(&outlines, NULL));
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_POINT && report.index == 2 && report.value == INFINITY);
 }
 
@@ -150,9 +150,9 @@ static void results(void) {
     const double points[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {9, 9}};
     char unaligned[1 + sizeof points];
     gusset_outlines outlines;
-    gusset_outline_parts parts;
+    gusset_outline_view parts;
     gusset_outline_report report;
-    gusset_sections_parts sections_parts;
+    gusset_sections_view sections_parts;
     gusset_outline *outline = NULL;
     gusset_sections *sections = NULL;
     gusset_curve *curve = NULL;
@@ -166,11 +166,11 @@ static void results(void) {
     memset(&sections_parts, 0, sizeof sections_parts);
     outlines.offsets = offsets, outlines.outline_count = 3;
     EXPECT(GUSSET_OK, gusset_outline_create(context, &outlines, NULL, &outline));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_view(outline, &parts));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_view(outline, NULL));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_get_view(outline, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_view(outline, NULL));
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_view(NULL, &parts));
-    EXPECT(GUSSET_OK, gusset_outline_view(outline, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_view(NULL, &parts));
+    EXPECT(GUSSET_OK, gusset_outline_get_view(outline, &parts));
     CHECK(parts.outline_count == 3 && parts.point_count == 5);
     CHECK(parts.starts[0] == 0 && parts.starts[1] == 0);
     /* A square: four quadratics, 9 control points, 5 ends. */
@@ -190,37 +190,37 @@ static void results(void) {
         CHECK(c[2] == 0.0);
     }
     CHECK(parts.statuses[4] == GUSSET_POINT_MISSED);
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_account(outline, 0, &report));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_get_report(outline, 0, &report));
     report.struct_size = sizeof report;
-    EXPECT(GUSSET_OK, gusset_outline_account(outline, 0, &report));
+    EXPECT(GUSSET_OK, gusset_outline_get_report(outline, 0, &report));
     CHECK(report.fit == GUSSET_FIT_OK && report.size == 1.0 && report.max_residual < 1e-15 && report.not_ok == 0);
-    EXPECT(GUSSET_OK, gusset_outline_account(outline, 1, &report));
+    EXPECT(GUSSET_OK, gusset_outline_get_report(outline, 1, &report));
     CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.size == 0.0);
-    EXPECT(GUSSET_OK, gusset_outline_account(outline, 2, &report));
+    EXPECT(GUSSET_OK, gusset_outline_get_report(outline, 2, &report));
     CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.not_ok == 1);
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_account(outline, 3, &report));
-    EXPECT(GUSSET_OK, gusset_outline_curve(context, outline, 0, &curve));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_report(outline, 3, &report));
+    EXPECT(GUSSET_OK, gusset_outline_curve_create(context, outline, 0, &curve));
     EXPECT(GUSSET_OK, gusset_curve_length(context, curve, &length));
     CHECK(length > 2.8 && length < 4.5);
     gusset_curve_destroy(curve);
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_curve(context, outline, 3, &curve));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_curve_create(context, outline, 3, &curve));
     CHECK(curve == NULL);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_curve(context, NULL, 0, &curve));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_curve(context, outline, 0, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_curve_create(context, NULL, 0, &curve));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_curve_create(context, outline, 0, NULL));
     gusset_outline_destroy(outline);
 
     outlines.point_count = 0, outlines.offsets = NULL, outlines.outline_count = 0, outlines.points = NULL;
     EXPECT(GUSSET_OK, gusset_outline_create(NULL, &outlines, NULL, &outline));
-    EXPECT(GUSSET_OK, gusset_outline_view(outline, &parts));
+    EXPECT(GUSSET_OK, gusset_outline_get_view(outline, &parts));
     CHECK(parts.outline_count == 1 && parts.control_count == 0);
     gusset_outline_destroy(outline);
 
     outlines = given(square, 4);
     EXPECT(GUSSET_OK, gusset_sections_create(context, &outlines, NULL, &sections));
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sections_view(sections, &sections_parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_sections_get_view(sections, &sections_parts));
     sections_parts.struct_size = sizeof sections_parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sections_view(NULL, &sections_parts));
-    EXPECT(GUSSET_OK, gusset_sections_view(sections, &sections_parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sections_get_view(NULL, &sections_parts));
+    EXPECT(GUSSET_OK, gusset_sections_get_view(sections, &sections_parts));
     CHECK(sections_parts.count == 4);
     for (i = 0; i < 4; ++i) {
         /* P is half-way between the middle of the chord, which is the centre, and B. */
@@ -239,12 +239,12 @@ static void frames(void) {
     gusset_outlines sections = given(points, 8);
     gusset_frame_options options;
     gusset_outline_options curves;
-    gusset_frame_parts parts;
-    gusset_measure measure;
+    gusset_frame_view parts;
+    gusset_section_report measure;
     gusset_frame *frame = (gusset_frame *)misaligned();
     gusset_outline *section = NULL;
     const gusset_outline *across = NULL, *along = NULL;
-    gusset_report report;
+    gusset_error_report report;
 
     memset(&report, 0, sizeof report);
     memset(&options, 0, sizeof options);
@@ -287,47 +287,47 @@ static void frames(void) {
     options.landmarks.data = landmarks;
     EXPECT(GUSSET_OK, gusset_frame_create(context, &sections, &options, &frame));
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_OK, gusset_frame_view(frame, &parts));
+    EXPECT(GUSSET_OK, gusset_frame_get_view(frame, &parts));
     CHECK(parts.rows == 2 && parts.columns == 4 && parts.max_gap < 1e-15);
     gusset_frame_destroy(frame);
     sections.offsets = uneven;
     EXPECT(GUSSET_ERROR_SECTIONS_DIFFER, gusset_frame_create(context, &sections, NULL, &frame));
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_SECTION && report.index == 1 && report.value == 5);
     sections.offsets = offsets;
 
     EXPECT(GUSSET_OK, gusset_frame_create(NULL, &sections, NULL, &frame));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_get_view(NULL, &parts));
     parts.struct_size = 4;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_view(frame, &parts));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_frame_get_view(frame, &parts));
     parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_OK, gusset_frame_view(frame, &parts));
+    EXPECT(GUSSET_OK, gusset_frame_get_view(frame, &parts));
     CHECK(parts.rows == 2 && parts.columns == 4 && memcmp(parts.nodes, points, sizeof points) == 0);
     CHECK(parts.along[2] == 1.0 && parts.turned[1] == 0 && parts.ambiguous.count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_curves(NULL, &across, &along));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_curves(frame, misaligned(), NULL));
-    EXPECT(GUSSET_OK, gusset_frame_curves(frame, NULL, NULL));
-    EXPECT(GUSSET_OK, gusset_frame_curves(frame, &across, &along));
-    EXPECT(GUSSET_OK, gusset_outline_measure(across, 1, &measure));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_curves_create(NULL, &across, &along));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_frame_curves_create(frame, misaligned(), NULL));
+    EXPECT(GUSSET_OK, gusset_frame_curves_create(frame, NULL, NULL));
+    EXPECT(GUSSET_OK, gusset_frame_curves_create(frame, &across, &along));
+    EXPECT(GUSSET_OK, gusset_outline_get_section(across, 1, &measure));
     CHECK(measure.centre[2] == 1.0 && measure.area > 1.0);
-    EXPECT(GUSSET_OK, gusset_outline_measure(along, 3, &measure));
+    EXPECT(GUSSET_OK, gusset_outline_get_section(along, 3, &measure));
     CHECK(measure.girth == 1.0 && measure.area == 0.0);
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_measure(along, 4, &measure));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(along, 3, NULL));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_measure(NULL, 3, &measure));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_section(along, 4, &measure));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_section(along, 3, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_outline_get_section(NULL, 3, &measure));
 
-    EXPECT(GUSSET_OK, gusset_frame_slice(context, frame, middle, up, &section));
-    EXPECT(GUSSET_OK, gusset_outline_measure(section, 0, &measure));
+    EXPECT(GUSSET_OK, gusset_frame_slice_create(context, frame, middle, up, &section));
+    EXPECT(GUSSET_OK, gusset_outline_get_section(section, 0, &measure));
     CHECK(fabs(measure.centre[2] - 0.5) < 1e-15);
     gusset_outline_destroy(section);
-    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_slice(context, frame, middle, nothing, &section));
+    EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_frame_slice_create(context, frame, middle, nothing, &section));
     CHECK(section == NULL);
-    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_frame_slice(context, frame, nan, up, &section));
-    EXPECT(GUSSET_ERROR_NO_NODE, gusset_frame_slice(context, frame, up, up, &section));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, NULL, middle, up, &section));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, frame, NULL, up, &section));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, frame, middle, NULL, &section));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice(context, frame, middle, up, NULL));
+    EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_frame_slice_create(context, frame, nan, up, &section));
+    EXPECT(GUSSET_ERROR_NO_NODE, gusset_frame_slice_create(context, frame, up, up, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice_create(context, NULL, middle, up, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice_create(context, frame, NULL, up, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice_create(context, frame, middle, NULL, &section));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_frame_slice_create(context, frame, middle, up, NULL));
     gusset_frame_destroy(frame);
     gusset_frame_destroy(NULL);
 }

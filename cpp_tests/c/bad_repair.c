@@ -21,8 +21,8 @@ static void weld(void) {
     const gusset_mesh_view mesh = triangles();
     gusset_mesh_view view, bad = mesh;
     gusset_weld_options options = {0};
-    gusset_weld_parts parts;
-    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    gusset_weld_view parts;
+    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     gusset_weld *weld = (gusset_weld *)misaligned();
 
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_create(context, NULL, NULL, &weld));
@@ -43,7 +43,7 @@ static void weld(void) {
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_weld_create(context, &mesh, &options, &weld));
     options.unused = 0, options.tolerance_mode = 1, options.tolerance = -1e-300;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_weld_create(context, &mesh, &options, &weld));
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.value == -1e-300);
     options.tolerance = INFINITY;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_weld_create(context, &mesh, &options, &weld));
@@ -52,7 +52,7 @@ static void weld(void) {
     CHECK(weld == NULL);
     points[4][1] = NAN;
     EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_weld_create(context, &mesh, NULL, &weld));
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.element == GUSSET_ELEMENT_VERTEX && report.index == 4 && weld == NULL);
     points[4][1] = 1.0;
     bad.vertex_count = 5;
@@ -65,18 +65,18 @@ static void weld(void) {
     options.tolerance_mode = 0;
     EXPECT(GUSSET_OK, gusset_weld_create(context, &mesh, &options, &weld));
     memset(&parts, 0xff, sizeof parts), parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_get_view(NULL, &parts));
     CHECK(parts.vertex_map.data == NULL && parts.sewn_edges == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_view(weld, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_view(misaligned(), &parts));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_view(weld, misaligned()));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_mesh(weld, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_get_view(weld, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_get_view(misaligned(), &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_weld_get_view(weld, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_get_mesh(weld, NULL));
     memset(&view, 0xff, sizeof view), view.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_weld_mesh(weld, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_weld_get_mesh(weld, &view));
     view.struct_size = sizeof view;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_mesh(NULL, &view));
-    EXPECT(GUSSET_OK, gusset_weld_mesh(weld, &view));
-    EXPECT(GUSSET_OK, gusset_weld_view(weld, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_weld_get_mesh(NULL, &view));
+    EXPECT(GUSSET_OK, gusset_weld_get_mesh(weld, &view));
+    EXPECT(GUSSET_OK, gusset_weld_get_view(weld, &parts));
     CHECK(view.vertex_count == 4 && view.face_count == 2 && view.scalar == GUSSET_F64);
     CHECK(parts.vertex_map.count == 6 && parts.vertex_map.data[4] == 2 && parts.vertex_map.data[5] == 3);
     CHECK(parts.face_map.count == 2 && parts.welded_vertices == 2 && parts.sewn_edges == 1);
@@ -86,8 +86,8 @@ static void weld(void) {
     /* Everything in one point: no face is left. */
     options.tolerance_mode = 1, options.tolerance = 10.0, options.collapse = 1, options.unused = 1;
     EXPECT(GUSSET_OK, gusset_weld_create(NULL, &mesh, &options, &weld));
-    EXPECT(GUSSET_OK, gusset_weld_mesh(weld, &view));
-    EXPECT(GUSSET_OK, gusset_weld_view(weld, &parts));
+    EXPECT(GUSSET_OK, gusset_weld_get_mesh(weld, &view));
+    EXPECT(GUSSET_OK, gusset_weld_get_view(weld, &parts));
     CHECK(view.vertex_count == 0 && view.face_count == 0 && parts.dropped_faces == 2);
     CHECK(parts.vertex_map.data[0] == UINT32_MAX && parts.face_map.data[1] == UINT32_MAX);
     gusset_weld_destroy(weld);
@@ -98,7 +98,7 @@ static void orient(void) {
     static const uint32_t shared[6] = {0, 1, 2, 1, 2, 5};
     gusset_mesh_view mesh = triangles(), view;
     gusset_orient_options options = {0};
-    gusset_orient_parts parts;
+    gusset_orient_view parts;
     gusset_orient *orient = (gusset_orient *)misaligned();
 
     mesh.face_corners = shared;
@@ -122,17 +122,17 @@ static void orient(void) {
 
     EXPECT(GUSSET_OK, gusset_orient_create(context, &mesh, &options, &orient));
     memset(&parts, 0xff, sizeof parts), parts.struct_size = sizeof parts;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_view(NULL, &parts));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_get_view(NULL, &parts));
     CHECK(parts.turned == NULL && parts.face_count == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_view(orient, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_view(misaligned(), &parts));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_view(orient, misaligned()));
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_mesh(orient, NULL));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_get_view(orient, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_get_view(misaligned(), &parts));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_orient_get_view(orient, misaligned()));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_get_mesh(orient, NULL));
     memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_mesh(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_orient_get_mesh(NULL, &view));
     CHECK(view.positions == NULL);
-    EXPECT(GUSSET_OK, gusset_orient_mesh(orient, &view));
-    EXPECT(GUSSET_OK, gusset_orient_view(orient, &parts));
+    EXPECT(GUSSET_OK, gusset_orient_get_mesh(orient, &view));
+    EXPECT(GUSSET_OK, gusset_orient_get_view(orient, &parts));
     /* The second face is turned: as many on either side, and the first one stays. It keeps its first corner. */
     CHECK(parts.face_count == 2 && parts.turned[0] == 0 && parts.turned[1] == 1 && parts.turned_faces == 1);
     CHECK(((const uint32_t *)view.face_corners)[3] == 1 && ((const uint32_t *)view.face_corners)[4] == 5);

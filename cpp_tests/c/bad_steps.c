@@ -10,7 +10,7 @@ static void steps(void) {
     gusset_facing_options options = {0};
     gusset_facing *facing = (gusset_facing *)misaligned();
     gusset_facing_view view;
-    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     uint32_t j[8] = {9, 9, 9, 9, 9, 9, 9, 9};
     size_t written = 7;
 
@@ -19,7 +19,7 @@ static void steps(void) {
     CHECK(facing == NULL);
     a[3] = 0.5;
     EXPECT(GUSSET_ERROR_PLANES_UNDECIDED, gusset_facing_create(context, a, 2, b, 2, NULL, &facing));
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.input == 1);
     b[0] = 1.5;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_facing_create(context, NULL, 2, b, 2, NULL, &facing));
@@ -39,24 +39,24 @@ static void steps(void) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_facing_create(context, a, 2, b, 2, &options, &facing));
     b[4] = NAN;
     EXPECT(GUSSET_ERROR_NOT_FINITE, gusset_facing_create(context, a, 2, b, 2, NULL, &facing));
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
     CHECK(report.input == 1 && report.element == GUSSET_ELEMENT_LOOP_PLACE && report.index == 1 && facing == NULL);
     b[4] = 1.0;
 
     memcpy(bytes + 1, a, sizeof a);
     EXPECT(GUSSET_OK, gusset_facing_create(context, (const double *)(const void *)(bytes + 1), 2, b, 2, NULL, &facing));
     memset(&view, 0xff, sizeof view), view.struct_size = sizeof view;
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_facing_arcs(NULL, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_facing_get_view(NULL, &view));
     CHECK(view.distances[0] == NULL && view.taken[1][1] == 0);
-    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_facing_arcs(facing, NULL));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_facing_arcs(misaligned(), &view));
-    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_facing_arcs(facing, misaligned()));
-    EXPECT(GUSSET_OK, gusset_facing_arcs(facing, &view));
+    EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_facing_get_view(facing, NULL));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_facing_get_view(misaligned(), &view));
+    EXPECT(GUSSET_ERROR_MISALIGNED_ARGUMENT, gusset_facing_get_view(facing, misaligned()));
+    EXPECT(GUSSET_OK, gusset_facing_get_view(facing, &view));
     CHECK(view.centre[0][0] == 0.25 && view.centre[1][0] == 1.75 && view.normal[0][0] == 1.5 && view.normal[1][0] == -1.5);
     CHECK(view.runs[0].count == 2 && view.taken[0][0] == 1 && view.taken[0][1] == 1 && view.taken[1][0] == 0);
     CHECK(view.distances[0][0] == -0.25 && view.distances[0][1] == 0.25 && view.distances[1][0] == 0.25);
     view.struct_size = 8;
-    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_facing_arcs(facing, &view));
+    EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_facing_get_view(facing, &view));
     gusset_facing_destroy(facing);
     gusset_facing_destroy(NULL);
 

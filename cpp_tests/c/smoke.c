@@ -12,22 +12,22 @@ static void layouts(void) {
         CHECK(sizeof(gusset_boundary_options) == 16);
         CHECK(sizeof(gusset_loop_view) == 80 && offsetof(gusset_loop_view, length) == 64);
         CHECK(sizeof(gusset_defect) == 16);
-        CHECK(sizeof(gusset_report) == 40 && offsetof(gusset_report, value) == 24);
+        CHECK(sizeof(gusset_error_report) == 40 && offsetof(gusset_error_report, value) == 24);
         CHECK(sizeof(gusset_stitch_options) == 96 && offsetof(gusset_stitch_options, search) == 72);
-        CHECK(sizeof(gusset_stitch_parts) == 216 && offsetof(gusset_stitch_parts, turned) == 184);
+        CHECK(sizeof(gusset_stitch_view) == 216 && offsetof(gusset_stitch_view, turned) == 184);
         CHECK(offsetof(gusset_stitch_options, tolerance) == 48 && offsetof(gusset_stitch_options, arc_b) == 64);
         CHECK(sizeof(gusset_facing_options) == 32 && offsetof(gusset_facing_options, tolerance) == 16);
         CHECK(sizeof(gusset_facing_view) == 168 && offsetof(gusset_facing_view, taken) == 152);
         CHECK(sizeof(gusset_winged_options) == 16);
-        CHECK(sizeof(gusset_strip_options) == 24 && sizeof(gusset_strip_parts) == 48);
+        CHECK(sizeof(gusset_strip_options) == 24 && sizeof(gusset_strip_view) == 48);
         CHECK(sizeof(gusset_assembly_options) == 96 && offsetof(gusset_assembly_options, max_gap) == 32);
-        CHECK(sizeof(gusset_assembly_parts) == 136 && offsetof(gusset_assembly_parts, loops_left) == 128);
+        CHECK(sizeof(gusset_assembly_view) == 136 && offsetof(gusset_assembly_view, loops_left) == 128);
         CHECK(sizeof(gusset_joint) == 104 && offsetof(gusset_joint, outcome) == 92);
         CHECK(sizeof(gusset_left_loop) == 24 && sizeof(gusset_piece_map) == 32 && sizeof(gusset_loop_pair) == 16);
         CHECK(sizeof(gusset_winged_edge) == 36 && offsetof(gusset_winged_edge, marks) == 32);
         CHECK(sizeof(gusset_winged_view) == 120 && offsetof(gusset_winged_view, loop_offsets) == 104);
-        CHECK(sizeof(gusset_check_report) == 192 && offsetof(gusset_check_report, unused_vertices) == 176);
-        CHECK(sizeof(gusset_quality) == 56 && offsetof(gusset_quality, loops_left) == 44);
+        CHECK(sizeof(gusset_check_view) == 192 && offsetof(gusset_check_view, unused_vertices) == 176);
+        CHECK(sizeof(gusset_quality_report) == 56 && offsetof(gusset_quality_report, loops_left) == 44);
     }
 }
 
@@ -40,7 +40,7 @@ static void loop_of_a_pyramid(void) {
 
     EXPECT(GUSSET_OK, gusset_boundary_create(NULL, &mesh, NULL, &boundary));
     CHECK(gusset_boundary_loop_count(boundary) == 1 && gusset_boundary_walk_count(boundary) == 1);
-    EXPECT(GUSSET_OK, gusset_boundary_loop(boundary, 0, &loop));
+    EXPECT(GUSSET_OK, gusset_boundary_get_loop(boundary, 0, &loop));
     CHECK(loop.struct_size == sizeof loop && loop.flags == 0 && loop.vertices.count == 4 && loop.half_edges.count == 4);
     for (i = 0; i < 4 && i < loop.vertices.count; ++i) {
         const uint32_t h = loop.half_edges.data[i];
@@ -50,9 +50,9 @@ static void loop_of_a_pyramid(void) {
         CHECK(loop.vertices.data[(i + 1) % 4] == loop.vertices.data[i] % 4 + 1);
     }
     CHECK(loop.length > 5.656854 && loop.length < 5.656855);
-    EXPECT(GUSSET_OK, gusset_boundary_defects(boundary, &defects, &defect_count));
+    EXPECT(GUSSET_OK, gusset_boundary_get_defects(boundary, &defects, &defect_count));
     CHECK(defect_count == 0);
-    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_boundary_loop(boundary, 1, &loop));
+    EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_boundary_get_loop(boundary, 1, &loop));
     CHECK(loop.vertices.data == NULL && loop.struct_size == sizeof loop);
     gusset_boundary_destroy(boundary);
 }
@@ -63,8 +63,8 @@ static void stitch_two_pyramids(gusset_context *context) {
     const gusset_indices loop = {rim, 4};
     gusset_stitch_options options = {0};
     gusset_mesh_view whole = {sizeof whole, NULL, 0, 0, NULL, NULL, 0, 0, 0, 0, 0}, strip = whole;
-    gusset_stitch_parts parts;
-    gusset_quality quality;
+    gusset_stitch_view parts;
+    gusset_quality_report quality;
     gusset_stitch *stitch = NULL;
     int round;
 
@@ -77,15 +77,15 @@ static void stitch_two_pyramids(gusset_context *context) {
         } else {
             EXPECT(GUSSET_OK, gusset_stitch_create(context, &up, &loop, &down, &loop, &options, &stitch));
         }
-        EXPECT(GUSSET_OK, gusset_stitch_mesh(stitch, &whole));
+        EXPECT(GUSSET_OK, gusset_stitch_get_mesh(stitch, &whole));
         CHECK(whole.vertex_count == 10 && whole.face_count == 16 && whole.scalar == GUSSET_F64);
         CHECK(memcmp(whole.positions, pyramid_up, sizeof pyramid_up) == 0);
-        EXPECT(GUSSET_OK, gusset_stitch_strip(stitch, &strip));
+        EXPECT(GUSSET_OK, gusset_stitch_get_strip(stitch, &strip));
         CHECK(strip.vertex_count == 8 && strip.face_count == 8);
 
         memset(&parts, 0, sizeof parts);
         parts.struct_size = sizeof parts;
-        EXPECT(GUSSET_OK, gusset_stitch_view(stitch, &parts));
+        EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
         CHECK(parts.vertex_map[0].count == 5 && parts.vertex_map[1].count == 5 && parts.vertex_map[1].data[0] == 5);
         CHECK(parts.face_map[0].count == 4 && parts.face_map[1].data[3] == 7);
         CHECK(parts.rim[0].count == 4 && parts.rim[1].count == 4 && parts.turned == 0);
@@ -95,7 +95,7 @@ static void stitch_two_pyramids(gusset_context *context) {
 
         memset(&quality, 0, sizeof quality);
         quality.struct_size = sizeof quality;
-        EXPECT(GUSSET_OK, gusset_stitch_quality(stitch, &quality));
+        EXPECT(GUSSET_OK, gusset_stitch_get_quality(stitch, &quality));
         CHECK(quality.loops_left == 0 && quality.non_manifold_edges == 0 && quality.orientation_conflicts == 0);
         /* A square tube of side sqrt(2) and height 2. */
         CHECK(quality.area > 11.3137 && quality.area < 11.3138 && quality.degenerate_faces == 0);
@@ -114,7 +114,7 @@ static void stitch_arcs(void) {
     const uint32_t face[4] = {0, 1, 2, 3};
     gusset_mesh_view a = pyramid(pyramid_up), b = a;
     gusset_stitch_options options = {0};
-    gusset_stitch_parts parts = {0};
+    gusset_stitch_view parts = {0};
     gusset_stitch *stitch = NULL;
 
     a.positions = left, b.positions = right;
@@ -127,7 +127,7 @@ static void stitch_arcs(void) {
     options.meridians = GUSSET_MERIDIANS_INDEX;
     parts.struct_size = sizeof parts;
     EXPECT(GUSSET_OK, gusset_stitch_create(NULL, &a, NULL, &b, NULL, &options, &stitch));
-    EXPECT(GUSSET_OK, gusset_stitch_view(stitch, &parts));
+    EXPECT(GUSSET_OK, gusset_stitch_get_view(stitch, &parts));
     CHECK(parts.closed == 0 && parts.row_count == 2 && parts.strip_face_count == 3);
     CHECK(parts.rim[0].count == 2 && parts.rim[1].count == 2 && parts.meridians.count == 4 && parts.matrix.count == 8);
     CHECK(parts.parents.count == 8 && parts.weights != NULL && fabs(parts.weights[0] - 1.0 / 3.0) < 1e-15);
@@ -141,12 +141,12 @@ static void tables_and_check(void) {
     gusset_winged *winged = NULL;
     gusset_winged_view tables = {0};
     gusset_check *check = NULL;
-    gusset_check_report report = {0};
+    gusset_check_view report = {0};
     size_t i;
 
     EXPECT(GUSSET_OK, gusset_winged_create(NULL, &mesh, NULL, &winged));
     tables.struct_size = sizeof tables;
-    EXPECT(GUSSET_OK, gusset_winged_tables(winged, &tables));
+    EXPECT(GUSSET_OK, gusset_winged_get_view(winged, &tables));
     CHECK(tables.edge_count == 8 && tables.edge_of_half_edge.count == 12 && tables.edge_of_face.count == 4);
     CHECK(tables.loop_offsets.count == 2 && tables.loop_vertices.count == 4 && tables.loop_edges.count == 4);
     for (i = 0; i < tables.loop_edges.count; ++i) {
@@ -158,7 +158,7 @@ static void tables_and_check(void) {
 
     EXPECT(GUSSET_OK, gusset_check_create(NULL, &mesh, &check));
     report.struct_size = sizeof report;
-    EXPECT(GUSSET_OK, gusset_check_view(check, &report));
+    EXPECT(GUSSET_OK, gusset_check_get_view(check, &report));
     CHECK(report.vertex_count == 5 && report.edge_count == 8 && report.face_count == 4 && report.euler == 1);
     CHECK(report.properties == (GUSSET_MESH_MANIFOLD | GUSSET_MESH_ORIENTED | GUSSET_MESH_ORIENTABLE));
     CHECK(report.component_count == 1 && report.boundary_walk_count == 1 && report.genus == 0);
@@ -184,7 +184,7 @@ static void context_of_a_call(void) {
     const gusset_mesh_view mesh = pyramid(pyramid_up);
     gusset_context *context = NULL;
     gusset_boundary *boundary = NULL;
-    gusset_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
+    gusset_error_report report = {sizeof report, 0, 0, 0, 0.0, 0, 0};
     int steps = 0;
 
     EXPECT(GUSSET_OK, gusset_context_create(&context));
@@ -192,7 +192,7 @@ static void context_of_a_call(void) {
     EXPECT(GUSSET_OK, gusset_context_set_log(context, ignore, NULL));
     EXPECT(GUSSET_OK, gusset_context_set_progress(context, count_steps, &steps));
     EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
-    CHECK(steps > 0 && gusset_context_progress(context) == 1.0);
+    CHECK(steps > 0 && gusset_context_get_progress(context) == 1.0);
     gusset_boundary_destroy(boundary);
     stitch_two_pyramids(context);
 
@@ -200,11 +200,11 @@ static void context_of_a_call(void) {
     EXPECT(GUSSET_OK, gusset_context_set_progress(context, stop_at_once, NULL));
     EXPECT(GUSSET_ERROR_CANCELLED, gusset_boundary_create(context, &mesh, NULL, &boundary));
     CHECK(boundary == NULL);
-    EXPECT(GUSSET_OK, gusset_context_report(context, &report));
-    CHECK(report.status == GUSSET_ERROR_CANCELLED && strlen(gusset_context_message(context)) > 0);
+    EXPECT(GUSSET_OK, gusset_context_get_report(context, &report));
+    CHECK(report.status == GUSSET_ERROR_CANCELLED && strlen(gusset_context_get_message(context)) > 0);
     EXPECT(GUSSET_OK, gusset_context_set_progress(context, NULL, NULL));
     EXPECT(GUSSET_OK, gusset_boundary_create(context, &mesh, NULL, &boundary));
-    CHECK(strlen(gusset_context_message(context)) == 0);
+    CHECK(strlen(gusset_context_get_message(context)) == 0);
     gusset_boundary_destroy(boundary);
 
     /* The host's cancel stays until it is taken back. */

@@ -17,7 +17,7 @@ int main(void) {
         return 1;
     }
     if (gusset_stitch_create(NULL, &a, NULL, &b, NULL, NULL, &stitch) != GUSSET_OK ||
-        gusset_stitch_mesh(stitch, &joined) != GUSSET_OK) {
+        gusset_stitch_get_mesh(stitch, &joined) != GUSSET_OK) {
         return 1;
     }
     vertices = joined.vertex_count;

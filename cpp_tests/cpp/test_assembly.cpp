@@ -178,7 +178,7 @@ int octant(Point p) { return (p[0] > 0) + 2 * (p[1] > 0) + 4 * (p[2] > 0); }
 /// is one for CGAL, with the loops that the account says.
 Verdict check_account(const gusset::Assembly &done, const std::vector<Soup> &pieces, bool intersections = true) {
     const gusset::MeshView mesh = done.mesh();
-    const gusset_assembly_parts parts = done.parts();
+    const gusset_assembly_view parts = done.parts();
     std::vector<int> faces(mesh.face_count()), vertices(mesh.vertex_count());
     REQUIRE(done.pieces().size() == pieces.size());
     for (std::size_t k = 0; k < pieces.size(); ++k) {

@@ -44,7 +44,7 @@ TEST_CASE("questions") {
     CHECK(std::abs(curve.lengths_at(curve.places_at(half))[0] - half[0]) < 1e-15);
     // From (0, 1) the nearest point has x^2 = 1/2.
     const std::array<gusset::Point3, 1> query{{{0, 1, 0}}};
-    const gusset_nearest nearest = curve.nearest(query)[0];
+    const gusset_curve_nearest_point nearest = curve.nearest(query)[0];
     CHECK(std::abs(nearest.place.t - std::sqrt(0.5)) < 1e-14);
     CHECK(std::abs(nearest.distance - std::sqrt(0.75)) < 1e-15);
     const gusset::Bounds bounds = circle(2, 0).bounds();

@@ -103,14 +103,14 @@ TEST_CASE("closed shapes are closed meshes, outwards") {
 }
 
 TEST_CASE("what solids measure") {
-    const gusset_moments box = Net::of_shape(Shape::box({1.0, 2.0, 3.0}, {2, 2, 2})).moments();
+    const gusset_net_moment_report box = Net::of_shape(Shape::box({1.0, 2.0, 3.0}, {2, 2, 2})).moments();
     CHECK(box.volume == doctest::Approx(6.0).epsilon(1e-13));
     CHECK(box.inertia[0] == doctest::Approx(6.0 * (4.0 + 9.0) / 12).epsilon(1e-12));
     CHECK(box.inertia[4] == doctest::Approx(6.0 * (1.0 + 9.0) / 12).epsilon(1e-12));
     CHECK(box.inertia[8] == doctest::Approx(6.0 * (1.0 + 4.0) / 12).epsilon(1e-12));
     CHECK(std::abs(box.inertia[1]) < 1e-13);
     CHECK(length({box.centroid[0], box.centroid[1], box.centroid[2]}) < 1e-14);
-    const gusset_measures measures = Net::of_shape(Shape::box({1.0, 2.0, 3.0}, {2, 2, 2})).measure();
+    const gusset_net_measure_report measures = Net::of_shape(Shape::box({1.0, 2.0, 3.0}, {2, 2, 2})).measure();
     CHECK(measures.area == doctest::Approx(22.0).epsilon(1e-13));
     CHECK(measures.low[2] == -1.5);
     CHECK(measures.high[1] == 1.0);
@@ -302,7 +302,7 @@ TEST_CASE("missing nodes, and corners filled") {
     filled.fill_corners = true;
     CHECK(NetMesh(net, filled).mesh().face_count() == 20);
     // From above counter-clockwise, though rows run against y.
-    const gusset_measures measures = net.measure();
+    const gusset_net_measure_report measures = net.measure();
     CHECK(measures.area_vector[2] == doctest::Approx(15.0));
     CHECK(Complex(net, gusset::NetCells::present).report().quad_count == 15);
     CHECK(Complex(net).report().quad_count == 20);
@@ -330,7 +330,7 @@ TEST_SUITE("real meshes") {
         gusset::HeightOptions options;
         options.spacing = {10.0, -10.0};
         const Net net = Net::of_heights(87, 61, heights.data(), options);
-        const gusset_measures measures = net.measure();
+        const gusset_net_measure_report measures = net.measure();
         CHECK(measures.low[2] == *std::min_element(heights.begin(), heights.end()));
         CHECK(measures.high[2] == *std::max_element(heights.begin(), heights.end()));
         CHECK(measures.area_vector[2] == doctest::Approx(600.0 * 860.0));

@@ -121,7 +121,7 @@ TEST_CASE("the frame of a ball: nodes, curves, new sections and their measures")
     cubic.curve = gusset::CurveKind::cubic_c2;
     const gusset::Frame frame(gusset::Outlines(points, true).offsets(offsets),
                               gusset::Correspondence::angle(16, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}), cubic, cubic);
-    const gusset_frame_parts parts = frame.parts();
+    const gusset_frame_view parts = frame.parts();
     REQUIRE(parts.rows == 9);
     REQUIRE(parts.columns == 16);
     CHECK(parts.max_gap < 1e-15);
@@ -131,7 +131,7 @@ TEST_CASE("the frame of a ball: nodes, curves, new sections and their measures")
     for (const Space &p : frame.nodes()) {
         CHECK(std::hypot(p[0], p[1], p[2]) == doctest::Approx(2).epsilon(1e-3));
     }
-    const gusset_measure measure = frame.slice({0, 0, 0.13}, {0, 0, 7}).measure();
+    const gusset_section_report measure = frame.slice({0, 0, 0.13}, {0, 0, 7}).measure();
     const double r = std::sqrt(4 - 0.13 * 0.13);
     CHECK(measure.girth == doctest::Approx(turn * r).epsilon(1e-3));
     CHECK(measure.area == doctest::Approx(turn / 2 * r * r).epsilon(1e-3));

@@ -397,7 +397,7 @@ TEST_CASE("scenes") {
     CHECK(entry.visible);
     CHECK(entry.transform.rows[3] == 1.0);
     CHECK(scene.entry(ring).kind == gusset::EntryKind::net);
-    const gusset_scene_counts counts = scene.count();
+    const gusset_scene_report counts = scene.count();
     CHECK(counts.instances == 7);
     CHECK(counts.net_instances == 4);
     CHECK(counts.nets == 2);

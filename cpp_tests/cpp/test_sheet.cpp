@@ -9,7 +9,7 @@
 #include <type_traits>
 
 namespace {
-using gusset::Carcass;
+using gusset::Surface;
 using gusset::Curve;
 using gusset::Point3;
 using gusset::Sheet;
@@ -18,11 +18,11 @@ using shapes::pi;
 
 /// The points of a sheet at steps of its parameters.
 std::vector<Point3> sampled(const Sheet &sheet, double step = 0.3) {
-    const Carcass carcass(sheet);
+    const Surface surface(sheet);
     std::vector<Point3> found;
     for (double u = 0; u <= double(sheet.rows()); u += step) {
         for (double v = 0; v <= double(sheet.columns()); v += step) {
-            found.push_back(shapes::of(carcass.evaluate(carcass.locate(0, u, v)).point));
+            found.push_back(shapes::of(surface.evaluate(surface.locate(0, u, v)).point));
         }
     }
     return found;
@@ -84,7 +84,7 @@ TEST_CASE("nodes in any memory make the same sheet") {
     }
     CHECK(largest_gap(expected, sampled(Sheet::from_nodes(10, 13, small, options))) < 2e-7);
 
-    const gusset_sheet_parts info = Sheet::from_nodes(10, 13, nodes, options).info();
+    const gusset_sheet_report info = Sheet::from_nodes(10, 13, nodes, options).info();
     CHECK(info.rows == 9);
     CHECK(info.columns == 12);
     CHECK(info.closed_u == 0);
@@ -195,12 +195,12 @@ TEST_CASE("curves and frames") {
 
 TEST_CASE("curves through points, on sheets, and near to each other") {
     const Sheet sheet = shapes::torus_sheet();
-    const Carcass carcass(sheet);
+    const Surface surface(sheet);
     for (const gusset::Along along : {gusset::Along::rows, gusset::Along::columns}) {
         const Curve curve = sheet.curve(along, 7.3);
         const gusset::Places places = curve.sample(gusset::Sample::count, 50);
         const std::vector<Point3> points(places.points().begin(), places.points().end());
-        for (const gusset::Closest &nearest : carcass.closest(points)) {
+        for (const gusset::Closest &nearest : surface.closest(points)) {
             CHECK(nearest.distance < 1e-12);
         }
     }
@@ -233,8 +233,8 @@ TEST_CASE("meshes of sheets are closed where the surface is") {
         CHECK(walks(*mesh).empty());
         CHECK(long(mesh->n_vertices()) - long(mesh->n_edges()) + long(mesh->n_faces()) == euler);
         // Vertices are on the surface, with its normals; the middles of faces are as near as is said.
-        const Carcass carcass(sheet);
-        const std::vector<gusset::SurfacePoint> at = carcass.evaluate(made.places());
+        const Surface surface(sheet);
+        const std::vector<gusset::SurfacePoint> at = surface.evaluate(made.places());
         std::vector<Point3> middles;
         for (std::size_t v = 0; v < at.size(); ++v) {
             REQUIRE(distance(shapes::of(at[v].point), made.mesh().position(v)) < 1e-14);
@@ -251,7 +251,7 @@ TEST_CASE("meshes of sheets are closed where the surface is") {
             middles.push_back(middle);
         }
         CHECK(made.deviation() > 0);
-        for (const gusset::Closest &nearest : carcass.closest(middles)) {
+        for (const gusset::Closest &nearest : surface.closest(middles)) {
             REQUIRE(nearest.bound <= made.deviation());
         }
     };
@@ -296,12 +296,12 @@ TEST_CASE("estimates, and the paper's search") {
     const gusset::MaskTask task = gusset::MaskTask::at(query);
     CHECK(shapes::of(task.point) == query);
     const gusset::Masked masked = sheet.mask(gusset::MaskTask::at(query).up_to(0.3));
-    const Carcass carcass(sheet);
+    const Surface surface(sheet);
     std::size_t near = 0;
     for (std::size_t i = 0; i < 24; ++i) {
         for (std::size_t j = 0; j < 40; ++j) {
             const gusset::SurfacePlace middle = gusset::surface_place(0, uint32_t(i), uint32_t(j));
-            if (distance(shapes::of(carcass.evaluate(middle).point), query) < 0.3) {
+            if (distance(shapes::of(surface.evaluate(middle).point), query) < 0.3) {
                 ++near;
                 CHECK(masked.mask(i, j));
             }
@@ -311,14 +311,14 @@ TEST_CASE("estimates, and the paper's search") {
     CHECK(masked.mask.count() >= near);
     CHECK(masked.mask.count() < 200);
     CHECK(masked.report.cells == masked.mask.count());
-    const gusset::Closest nearest = carcass.closest(query);
+    const gusset::Closest nearest = surface.closest(query);
     CHECK(sheet.mask(gusset::MaskTask::at(query)).mask(nearest.place.row, nearest.place.column));
     CHECK(sheet.mask(gusset::MaskTask::plane({2, 0, 0}, {1, 0, 0}).up_to(0.1)).mask.count() == 0);
     CHECK(sheet.mask(gusset::MaskTask::line({0, 0, 0}, {1, 0, 0}).up_to(0.01)).mask.count() > 0);
     CHECK(sheet.mask(gusset::MaskTask::segment({0, 0, 0}, {0.1, 0, 0}).up_to(0.01)).mask.count() == 0);
     CHECK(sheet.mask(gusset::MaskTask::slant({0, 0, 1}, 0.0).up_to(0.05)).mask.count() > 0);
 
-    const gusset_region_report region = sheet.region(masked.mask);
+    const gusset_mask_report region = sheet.region(masked.mask);
     CHECK(region.cells == masked.mask.count());
     CHECK(region.euler == 1);
     CHECK(sheet.region(gusset::CellMask::all(24, 40)).euler == 0);
@@ -337,7 +337,7 @@ TEST_CASE("estimates, and the paper's search") {
     const std::vector<gusset::SurfacePlace> places{gusset::surface_place(0, 4, 5, 0.3, 0.6), gusset::surface_place(0, 20, 33, 0.9, 0.1)};
     const std::vector<Point3> normals = sheet.normals_by_sections(places);
     for (std::size_t k = 0; k < places.size(); ++k) {
-        CHECK(distance(normals[k], shapes::of(carcass.evaluate(places[k]).normal)) < 1e-2);
+        CHECK(distance(normals[k], shapes::of(surface.evaluate(places[k]).normal)) < 1e-2);
     }
 }
 

@@ -114,7 +114,7 @@ TEST_CASE("every real mesh: the check says what the manifest says") {
         CAPTURE(file.name);
         const Soup soup = read_soup(file.path);
         const gusset::Check check(soup.view());
-        const gusset_check_report report = check.report();
+        const gusset_check_view report = check.report();
         CHECK(report.vertex_count == file.vertices);
         CHECK(report.face_count == file.faces);
         CHECK(report.euler == file.euler);

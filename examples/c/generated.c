@@ -80,7 +80,7 @@ static void write_mesh(const char *path, const gusset_mesh_view *mesh) {
 
 static void check(gusset_status status, const gusset_context *context) {
     if (status != GUSSET_OK) {
-        fprintf(stderr, "%s: %s\n", gusset_status_text(status), gusset_context_message(context));
+        fprintf(stderr, "%s: %s\n", gusset_status_text(status), gusset_context_get_message(context));
         exit(1);
     }
 }
@@ -90,7 +90,7 @@ int main(void) {
     gusset_context *context = NULL;
     gusset_stitch *stitch = NULL;
     gusset_mesh_view whole = {0};
-    gusset_quality quality = {0};
+    gusset_quality_report quality = {0};
     make_shell(&north, 100, 1.0);
     make_shell(&south, 73, -1.0);
     write_mesh("left.obj", &north.view);
@@ -100,8 +100,8 @@ int main(void) {
     check(gusset_stitch_create(context, &north.view, NULL, &south.view, NULL, NULL, &stitch), context);
     whole.struct_size = sizeof whole;
     quality.struct_size = sizeof quality;
-    check(gusset_stitch_mesh(stitch, &whole), NULL);
-    check(gusset_stitch_quality(stitch, &quality), NULL);
+    check(gusset_stitch_get_mesh(stitch, &whole), NULL);
+    check(gusset_stitch_get_quality(stitch, &quality), NULL);
     write_mesh("after.obj", &whole);
     printf("two shells of %lu and %lu faces, stitched: %lu faces, %u boundary loops left, area of the strip %g\n",
            (unsigned long)north.view.face_count, (unsigned long)south.view.face_count, (unsigned long)whole.face_count,

@@ -11,7 +11,7 @@ int main(void) {
     gusset_stitch *stitch = NULL;
     b.positions = down;
     gusset_status status = gusset_stitch_create(NULL, &a, NULL, &b, NULL, NULL, &stitch);
-    if (status != GUSSET_OK || (status = gusset_stitch_mesh(stitch, &joined)) != GUSSET_OK) {
+    if (status != GUSSET_OK || (status = gusset_stitch_get_mesh(stitch, &joined)) != GUSSET_OK) {
         printf("%s\n", gusset_status_text(status));
         return 1;
     }

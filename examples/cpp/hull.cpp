@@ -91,11 +91,11 @@ int main(int argc, char **argv) try {
         throw std::runtime_error("too few stations for a surface");
     }
     const Hull hull(stations);
-    std::vector<gusset::Carcass> solid;
+    std::vector<gusset::Surface> solid;
     for (const auto *pieces : {&hull.port, &hull.starboard, &hull.decks, &hull.transom}) {
         solid.emplace_back(*pieces);
     }
-    const gusset::Carcass &port = solid[0];
+    const gusset::Surface &port = solid[0];
     const Lines lines = ask(port, stations, request);
     if (request.draught == 0) {
         request.draught = lines.low[2] + 0.6 * (lines.high[2] - lines.low[2]);

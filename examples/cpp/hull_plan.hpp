@@ -53,7 +53,7 @@ struct Plan {
 
 /// The borders of a piece, as curves.
 inline std::vector<gusset::Curve> borders(const gusset::Sheet &sheet) {
-    const gusset_sheet_parts size = sheet.info();
+    const gusset_sheet_report size = sheet.info();
     std::vector<gusset::Curve> found;
     for (double end : {0.0, 1.0}) {
         found.push_back(sheet.curve(gusset::Along::rows, end * static_cast<double>(size.rows)));
@@ -91,7 +91,7 @@ struct Lines {
     std::vector<gusset::Closest> nearest;
 };
 
-inline Lines ask(const gusset::Carcass &port, const std::vector<Station> &stations, const Request &request) {
+inline Lines ask(const gusset::Surface &port, const std::vector<Station> &stations, const Request &request) {
     Point3 low = stations[0][0], high = low;
     for (const Station &station : stations) {
         for (const Point3 &p : station) {

@@ -91,7 +91,7 @@ inline void shade(const View &view, const gusset::Sheet &sheet, double tolerance
 
 /// Draws those parts of a curve that nothing hides. normals: none, or as many as points.
 inline void draw_seen(std::ostream &svg, const View &view, gusset::Span<const Point3> points, gusset::Span<const Point3> normals, bool closed,
-                      const std::vector<gusset::Carcass> &solid, double reach) {
+                      const std::vector<gusset::Surface> &solid, double reach) {
     std::vector<gusset::Line> rays;
     for (std::size_t k = 0; k < points.size(); ++k) {
         // From a little nearer to the eye, and out of the surface.
@@ -99,8 +99,8 @@ inline void draw_seen(std::ostream &svg, const View &view, gusset::Span<const Po
         rays.push_back(gusset::Line::ray(points[k] + reach * away, view.eye));
     }
     std::vector<bool> hidden(rays.size(), false);
-    for (const gusset::Carcass &carcass : solid) {
-        const std::vector<gusset::Hit> hits = carcass.first_hits(rays);
+    for (const gusset::Surface &surface : solid) {
+        const std::vector<gusset::Hit> hits = surface.first_hits(rays);
         for (std::size_t k = 0; k < hits.size(); ++k) {
             hidden[k] = hidden[k] || hits[k].is_found();
         }
@@ -123,7 +123,7 @@ inline void draw_seen(std::ostream &svg, const View &view, gusset::Span<const Po
     svg << (any ? "'/>\n" : "");
 }
 
-inline void draw_seen(std::ostream &svg, const View &view, const SurfacePaths &paths, const std::vector<gusset::Carcass> &solid, double reach) {
+inline void draw_seen(std::ostream &svg, const View &view, const SurfacePaths &paths, const std::vector<gusset::Surface> &solid, double reach) {
     for (const gusset::SurfacePath &path : paths) {
         draw_seen(svg, view, path.points, path.normals, path.closed, solid, reach);
     }
@@ -148,7 +148,7 @@ inline void style(std::ostream &svg) {
 }
 
 /// Surface, curves and silhouette in one view.
-inline void draw(std::ostream &svg, const View &view, const Hull &hull, const std::vector<gusset::Carcass> &solid, const Lines &lines,
+inline void draw(std::ostream &svg, const View &view, const Hull &hull, const std::vector<gusset::Surface> &solid, const Lines &lines,
                  double draught) {
     const double length = lines.high[0] - lines.low[0], reach = 2e-4 * length, levels[] = {draught};
     const auto chord = gusset::Between::chord(1e-4 * length);
@@ -165,7 +165,7 @@ inline void draw(std::ostream &svg, const View &view, const Hull &hull, const st
     }
     svg << "</g>\n<g fill='none'>\n";
     for (std::size_t k = 0; k < 2; ++k) { // Port and starboard.
-        const gusset::Carcass &side = solid[k];
+        const gusset::Surface &side = solid[k];
         svg << "<g stroke='#fff' stroke-opacity='.4' stroke-width='7'>\n";
         draw_seen(svg, view, side.sections({0, 0, 0}, {1, 0, 0}, lines.places, chord), solid, reach);
         draw_seen(svg, view, side.sections({0, 0, 0}, {0, 0, 1}, lines.heights, chord), solid, reach);
@@ -193,7 +193,7 @@ inline void draw(std::ostream &svg, const View &view, const Hull &hull, const st
     svg << "</g>\n</g>\n";
 }
 
-inline void write_view(std::ostream &svg, const Hull &hull, const std::vector<gusset::Carcass> &solid, const Lines &lines, double draught) {
+inline void write_view(std::ostream &svg, const Hull &hull, const std::vector<gusset::Surface> &solid, const Lines &lines, double draught) {
     const Point3 centre = 0.5 * (lines.low + lines.high);
     const double scale = 930 / (lines.high[0] - lines.low[0]);
     svg << std::fixed << std::setprecision(0) << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 960 640' stroke-linejoin='round' "

@@ -79,7 +79,7 @@ std::vector<double> differences(const gusset::Curve &reference, const gusset::Cu
     const gusset::Places places = reference.sample(gusset::Sample::count, count);
     std::vector<gusset::Point3> queries(places.points().begin(), places.points().end());
     std::vector<double> found;
-    for (const gusset_nearest &nearest : curve.nearest(queries)) {
+    for (const gusset_curve_nearest_point &nearest : curve.nearest(queries)) {
         found.push_back(nearest.distance);
     }
     return found;

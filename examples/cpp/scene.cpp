@@ -95,8 +95,8 @@ std::vector<Part> parts(double time) {
 void print(const std::string &name, const Net &net) {
     // The cells of hidden bridges are not there.
     const gusset::Complex complex(net, gusset::NetCells::present);
-    const gusset_net_complex_report report = complex.report();
-    const gusset_measures measures = net.measure();
+    const gusset_net_complex_view report = complex.report();
+    const gusset_net_measure_report measures = net.measure();
     std::cout << std::left << std::setw(15) << name << std::right << std::setw(4) << net.rows() << " x " << std::left << std::setw(4)
               << net.columns() << std::right << std::setw(6) << report.vertex_count << " vertices" << std::setw(6)
               << report.quad_count << " quads" << std::setw(5) << report.triangle_count << " triangles, chi " << std::setw(2)

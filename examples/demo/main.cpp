@@ -172,7 +172,7 @@ int run(const std::string &whole, const std::string &a, const std::string &b, co
     const auto start = std::chrono::steady_clock::now();
     const gusset::Stitch stitch = gusset::stitch(input_a.view(), input_b.view());
     const auto time = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start);
-    const gusset_quality quality = stitch.quality();
+    const gusset_quality_report quality = stitch.quality();
     std::cout << "stitched in " << time.count() << " ms" << (stitch.turned() ? "; the right piece was turned over" : "")
               << "\n  rims of " << stitch.rim(0).size() << " and " << stitch.rim(1).size() << " vertices, "
               << stitch.strip_faces().second << " new triangles\n  strip: area " << quality.area << ", longest edge "

@@ -64,7 +64,7 @@ int main() {
             nodes.emplace_back(i, j, 0.05 * (i - 6) * (j - 6));
         }
     }
-    const gusset::Carcass saddle(gusset::Sheet::borrow(12, 12, &nodes[0].x(), 0, 0));
+    const gusset::Surface saddle(gusset::Sheet::borrow(12, 12, &nodes[0].x(), 0, 0));
     const gusset::Closest nearest = saddle.closest({5.5, 5.5, 3.0});
     //! [surface]
     std::cout << joined.number_of_faces() << " faces, " << strip << " of the strip; nearest " << nearest.distance << '\n';

@@ -28,13 +28,13 @@ static gusset_mesh_view view_of(const vertex *vertices, size_t vertex_count, con
 //! [error]
 /* Every call that can fail says whether it did; with a context it says why, too. */
 static void must(gusset_status status, const gusset_context *context) {
-    gusset_report report = {0};
+    gusset_error_report report = {0};
     if (status == GUSSET_OK) {
         return;
     }
-    fprintf(stderr, "%s: %s\n", gusset_status_text(status), gusset_context_message(context));
+    fprintf(stderr, "%s: %s\n", gusset_status_text(status), gusset_context_get_message(context));
     report.struct_size = sizeof report;
-    if (context != NULL && gusset_context_report(context, &report) == GUSSET_OK && report.element != GUSSET_ELEMENT_NONE) {
+    if (context != NULL && gusset_context_get_report(context, &report) == GUSSET_OK && report.element != GUSSET_ELEMENT_NONE) {
         fprintf(stderr, "element %lu, value %g\n", (unsigned long)report.index, report.value);
     }
     exit(1);
@@ -58,7 +58,7 @@ static void print_loops(const gusset_context *context, const gusset_mesh_view *m
     must(gusset_boundary_create(context, mesh, NULL, &boundary), context);
     loop.struct_size = sizeof loop;
     for (i = 0; i < gusset_boundary_loop_count(boundary); ++i) {
-        must(gusset_boundary_loop(boundary, i, &loop), NULL);
+        must(gusset_boundary_get_loop(boundary, i, &loop), NULL);
         printf("a loop of %lu vertices, %g long%s\n", (unsigned long)loop.vertices.count, loop.length,
                loop.flags == 0 ? "" : ", and odd: see its flags");
     }
@@ -68,7 +68,7 @@ static void print_loops(const gusset_context *context, const gusset_mesh_view *m
 
 //! [attributes]
 /* What you keep for vertices goes with them: old ones by the map, new ones by their two parents. */
-static void carry_normals(const gusset_stitch_parts *parts, const vertex *const old[2], vertex *result, size_t count) {
+static void carry_normals(const gusset_stitch_view *parts, const vertex *const old[2], vertex *result, size_t count) {
     const size_t new_count = parts->parents.count / 2, first_new = count - new_count;
     size_t mesh, v, k;
     for (mesh = 0; mesh < 2; ++mesh) {
@@ -95,8 +95,8 @@ int main(void) {
     const gusset_mesh_view a = view_of(up, 5, faces, 4), b = view_of(down, 5, faces, 4);
     gusset_stitch_options options = {0};
     gusset_mesh_view whole = {0};
-    gusset_stitch_parts parts = {0};
-    gusset_quality quality = {0};
+    gusset_stitch_view parts = {0};
+    gusset_quality_report quality = {0};
     gusset_context *context = NULL;
     gusset_stitch *stitch = NULL;
     vertex *result;
@@ -121,9 +121,9 @@ int main(void) {
     whole.struct_size = sizeof whole;
     parts.struct_size = sizeof parts;
     quality.struct_size = sizeof quality;
-    must(gusset_stitch_mesh(stitch, &whole), NULL);
-    must(gusset_stitch_view(stitch, &parts), NULL);
-    must(gusset_stitch_quality(stitch, &quality), NULL);
+    must(gusset_stitch_get_mesh(stitch, &whole), NULL);
+    must(gusset_stitch_get_view(stitch, &parts), NULL);
+    must(gusset_stitch_get_quality(stitch, &quality), NULL);
     printf("%lu vertices, %lu faces, %lu of them new; %lu loops left\n", (unsigned long)whole.vertex_count,
            (unsigned long)whole.face_count, (unsigned long)parts.strip_face_count, (unsigned long)quality.loops_left);
     //! [result]

@@ -114,7 +114,7 @@ static void curves() {
 }
 
 static void surfaces() {
-    //! [carcass]
+    //! [surface]
     // Nodes of a vase, closed round: the last column repeats the first.
     std::vector<Point> nodes;
     for (int row = 0; row <= 12; ++row) {
@@ -125,13 +125,13 @@ static void surfaces() {
     }
     gusset::SheetOptions options;
     options.closed_v = true;
-    const gusset::Carcass vase(gusset::Sheet::from_nodes(13, 25, nodes, options));
+    const gusset::Surface vase(gusset::Sheet::from_nodes(13, 25, nodes, options));
     const gusset::Closest nearest = vase.closest({3, 0, 1.5});
     std::cout << "nearest at distance " << nearest.distance << ", proved from " << nearest.bound << '\n';
     for (const gusset::SurfacePath &ring : vase.section({0, 0, 1.6}, {0, 0, 1})) {
         std::cout << "a ring of " << ring.size() << " points on the surface\n";
     }
-    //! [carcass]
+    //! [surface]
 }
 
 static void nets() {

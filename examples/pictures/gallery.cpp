@@ -170,7 +170,7 @@ bool met(const std::string &file) {
     gusset::SheetOptions round;
     round.closed_v = true;
     const gusset::Sheet pipe = gusset::Sheet::from_nodes(15, 25, tube, round), sea = gusset::Sheet::from_nodes(21, 21, waves);
-    const gusset::Carcass a(pipe), b(sea);
+    const gusset::Surface a(pipe), b(sea);
     Drawing drawing(960, 470, {0.55, -1, 0.75}, 150);
     drawing.place(480, 215);
     for (const auto &[sheet, colour] : {std::pair(&pipe, ochre), std::pair(&sea, blue)}) {

@@ -20,21 +20,21 @@ static gusset_curve *a_curve_through_points(void) {
                                 .dimension = 2,
                                 .closed = 1};
     gusset_outline *outline = NULL;
-    gusset_outline_parts parts = {.struct_size = sizeof parts};
+    gusset_outline_view parts = {.struct_size = sizeof parts};
     gusset_outline_report report = {.struct_size = sizeof report};
-    gusset_measure measure;
+    gusset_section_report measure;
     gusset_curve *curve = NULL;
 
     circle(points, 12, 0.0);
     MUST(gusset_outline_create(NULL, &outlines, NULL, &outline));
-    MUST(gusset_outline_view(outline, &parts));
+    MUST(gusset_outline_get_view(outline, &parts));
     HOLDS(parts.outline_count == 1 && parts.statuses[0] == GUSSET_POINT_OK);
-    MUST(gusset_outline_account(outline, 0, &report));
+    MUST(gusset_outline_get_report(outline, 0, &report));
     HOLDS(report.fit == GUSSET_FIT_OK && report.max_residual < 1e-12 && about(report.size, 2.0));
-    MUST(gusset_outline_measure(outline, 0, &measure));
+    MUST(gusset_outline_get_section(outline, 0, &measure));
     HOLDS(fabs(measure.girth - 2.0 * pi) < 0.05 && fabs(measure.area - pi) < 0.05);
     /* A copy that outlives the outline. */
-    MUST(gusset_outline_curve(NULL, outline, 0, &curve));
+    MUST(gusset_outline_curve_create(NULL, outline, 0, &curve));
     gusset_outline_destroy(outline);
     return curve;
 }
@@ -46,10 +46,10 @@ static void one_section_a_point(void) {
     gusset_outlines outlines = {
         .struct_size = sizeof outlines, .points = points, .point_count = 3, .dimension = 2, .closed = 0};
     gusset_sections *sections = NULL;
-    gusset_sections_parts parts = {.struct_size = sizeof parts};
+    gusset_sections_view parts = {.struct_size = sizeof parts};
 
     MUST(gusset_sections_create(NULL, &outlines, NULL, &sections));
-    MUST(gusset_sections_view(sections, &parts));
+    MUST(gusset_sections_get_view(sections, &parts));
     /* The quadratic (0, 0), (1, 2), (2, 0) passes (1, 1) half way. */
     HOLDS(parts.count == 3 && about(parts.controls[3], 1.0) && about(parts.controls[4], 2.0));
     HOLDS(about(parts.parameters[1], 0.5));
@@ -70,24 +70,24 @@ static void a_body_and_a_new_section(void) {
                                 .dimension = 3,
                                 .closed = 1};
     gusset_frame *frame = NULL;
-    gusset_frame_parts parts = {.struct_size = sizeof parts};
+    gusset_frame_view parts = {.struct_size = sizeof parts};
     const gusset_outline *across = NULL, *along = NULL;
-    gusset_outline_parts columns = {.struct_size = sizeof columns};
+    gusset_outline_view columns = {.struct_size = sizeof columns};
     gusset_outline *slice = NULL;
-    gusset_measure measure;
+    gusset_section_report measure;
     int k;
 
     for (k = 0; k < 3; ++k) {
         circle(points + 8 * k, 8, k);
     }
     MUST(gusset_frame_create(NULL, &sections, NULL, &frame));
-    MUST(gusset_frame_view(frame, &parts));
+    MUST(gusset_frame_get_view(frame, &parts));
     HOLDS(parts.rows == 3 && parts.columns == 8);
-    MUST(gusset_frame_curves(frame, &across, &along));
-    MUST(gusset_outline_view(along, &columns));
+    MUST(gusset_frame_curves_create(frame, &across, &along));
+    MUST(gusset_outline_get_view(along, &columns));
     HOLDS(columns.outline_count == 8);
-    MUST(gusset_frame_slice(NULL, frame, middle, upwards, &slice));
-    MUST(gusset_outline_measure(slice, 0, &measure));
+    MUST(gusset_frame_slice_create(NULL, frame, middle, upwards, &slice));
+    MUST(gusset_outline_get_section(slice, 0, &measure));
     HOLDS(about(measure.centre[2], 0.5) && fabs(measure.girth - 2.0 * pi) < 0.1);
     gusset_outline_destroy(slice);
     gusset_frame_destroy(frame);
@@ -100,10 +100,10 @@ static gusset_curve *an_arch(void) {
     const double points[5][2] = {{0, 0}, {0, 1}, {1, 1}, {2, 1}, {2, 0}};
     const uint32_t ends[3] = {0, 2, 4};
     gusset_curve *curve = NULL;
-    gusset_curve_parts parts = {.struct_size = sizeof parts};
+    gusset_curve_view parts = {.struct_size = sizeof parts};
 
     MUST(gusset_curve_create(NULL, points[0], 5, 2, ends, 3, 0, &curve));
-    MUST(gusset_curve_view(curve, &parts));
+    MUST(gusset_curve_get_view(curve, &parts));
     HOLDS(parts.point_count == 5 && parts.ends.count == 3 && parts.points[5] == 0.0);
     return curve;
 }
@@ -114,8 +114,8 @@ static void what_curves_are(const gusset_curve *arch) {
     const gusset_place top = {.segment = 1, .t = 0.0};
     const double queries[2][3] = {{1, 3, 0}, {-1, 0, 0}};
     double derivatives[6], tangent[3], curvature, length, at, half, bounds[6], area[3];
-    gusset_nearest nearest[2];
-    gusset_curve_moments moments = {.struct_size = sizeof moments};
+    gusset_curve_nearest_point nearest[2];
+    gusset_curve_moment_report moments = {.struct_size = sizeof moments};
     gusset_place place;
 
     /* The point (1, 1), and the first derivative there. */
@@ -134,7 +134,7 @@ static void what_curves_are(const gusset_curve *arch) {
     MUST(gusset_curve_bounds(NULL, arch, bounds));
     HOLDS(about(bounds[0], 0.0) && about(bounds[3], 2.0) && about(bounds[4], 1.0));
     MUST(gusset_curve_area_vector(NULL, arch, area));
-    MUST(gusset_curve_enclosed(NULL, arch, &moments));
+    MUST(gusset_curve_moments(NULL, arch, &moments));
     /* Run through clockwise, so that the area is negative: two parts of 5/6. */
     HOLDS(about(area[2], moments.area) && about(moments.area, -5.0 / 3.0) && about(moments.centroid[0], 1.0));
 }
@@ -146,23 +146,23 @@ static void places_on_curves(const gusset_curve *arch, const gusset_curve *round
     gusset_places *places = NULL;
     gusset_places_view view = {.struct_size = sizeof view};
 
-    MUST(gusset_curve_cross_plane(NULL, arch, origin, east, &places));
-    MUST(gusset_places_found(places, &view));
+    MUST(gusset_curve_intersect_plane_create(NULL, arch, origin, east, &places));
+    MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 1 && about(view.points[1], 1.0));
     gusset_places_destroy(places);
 
-    MUST(gusset_curve_cross_line(NULL, arch, start, along, &places));
-    MUST(gusset_places_found(places, &view));
+    MUST(gusset_curve_intersect_line_create(NULL, arch, start, along, &places));
+    MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 2 && about(view.points[0] + view.points[3], 2.0));
     gusset_places_destroy(places);
 
-    MUST(gusset_curve_intersect(NULL, arch, round, &places));
-    MUST(gusset_places_found(places, &view));
+    MUST(gusset_curve_intersect_create(NULL, arch, round, &places));
+    MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 1 && view.others != NULL && view.undecided == 0);
     gusset_places_destroy(places);
 
-    MUST(gusset_curve_sample(NULL, arch, GUSSET_SAMPLE_COUNT, 9.0, &places));
-    MUST(gusset_places_found(places, &view));
+    MUST(gusset_curve_sample_create(NULL, arch, GUSSET_SAMPLE_COUNT, 9.0, &places));
+    MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 9 && about(view.points[3 * 4], 1.0));
     gusset_places_destroy(places);
 }
@@ -173,31 +173,31 @@ static void curves_of_curves(const gusset_curve *arch) {
     const gusset_place from = {.segment = 0, .t = 0.5}, to = {.segment = 1, .t = 0.5};
     gusset_offset_options options = {.struct_size = sizeof options, .tolerance = 1e-6};
     gusset_offset_report report = {.struct_size = sizeof report};
-    gusset_curve_parts parts = {.struct_size = sizeof parts};
+    gusset_curve_view parts = {.struct_size = sizeof parts};
     gusset_curve *made = NULL;
     double deviations[2];
 
-    MUST(gusset_curve_part(NULL, arch, from, to, &made));
-    MUST(gusset_curve_view(made, &parts));
+    MUST(gusset_curve_part_create(NULL, arch, from, to, &made));
+    MUST(gusset_curve_get_view(made, &parts));
     HOLDS(about(parts.points[0], 0.25) && about(parts.points[3 * (parts.point_count - 1)], 1.75));
     gusset_curve_destroy(made);
-    MUST(gusset_curve_split(NULL, arch, from, 1, &made));
+    MUST(gusset_curve_split_create(NULL, arch, from, 1, &made));
     gusset_curve_destroy(made);
-    MUST(gusset_curve_reverse(NULL, arch, &made));
-    MUST(gusset_curve_view(made, &parts));
+    MUST(gusset_curve_reverse_create(NULL, arch, &made));
+    MUST(gusset_curve_get_view(made, &parts));
     HOLDS(parts.points[0] == 2.0);
     gusset_curve_destroy(made);
 
-    MUST(gusset_curve_elevate(NULL, arch, 1, 0, &made));
-    MUST(gusset_curve_view(made, &parts));
+    MUST(gusset_curve_elevate_create(NULL, arch, 1, 0, &made));
+    MUST(gusset_curve_get_view(made, &parts));
     HOLDS(parts.point_count == 7); /* cubics */
     gusset_curve_destroy(made);
-    MUST(gusset_curve_reduce(NULL, arch, 1, INFINITY, deviations, &made));
-    MUST(gusset_curve_view(made, &parts));
+    MUST(gusset_curve_reduce_create(NULL, arch, 1, INFINITY, deviations, &made));
+    MUST(gusset_curve_get_view(made, &parts));
     HOLDS(parts.point_count == 3 && deviations[0] > 0.1); /* straight */
     gusset_curve_destroy(made);
 
-    MUST(gusset_curve_offset(NULL, arch, 0.25, &options, &report, &made));
+    MUST(gusset_curve_offset_create(NULL, arch, 0.25, &options, &report, &made));
     HOLDS(report.reached == 1 && report.deviation <= 1e-6 && report.tight == 0);
     gusset_curve_destroy(made);
 }
@@ -208,24 +208,24 @@ static void other_forms(const gusset_curve *arch, const gusset_curve *round) {
     gusset_curve_form *form = NULL;
     gusset_curve_form_view view = {.struct_size = sizeof view};
 
-    MUST(gusset_curve_svg(NULL, arch, &form));
-    MUST(gusset_curve_form_parts(form, &view));
+    MUST(gusset_curve_svg_create(NULL, arch, &form));
+    MUST(gusset_curve_form_get_view(form, &view));
     HOLDS(view.text[0] == 'M' && strlen(view.text) == view.text_length);
     gusset_curve_form_destroy(form);
 
-    MUST(gusset_curve_contour(NULL, round, 0.0, &form));
-    MUST(gusset_curve_form_parts(form, &view));
+    MUST(gusset_curve_contour_create(NULL, round, 0.0, &form));
+    MUST(gusset_curve_form_get_view(form, &view));
     HOLDS(view.point_count > 0 && view.on_curve != NULL);
     gusset_curve_form_destroy(form);
 
-    MUST(gusset_curve_spline(NULL, arch, &form));
-    MUST(gusset_curve_form_parts(form, &view));
+    MUST(gusset_curve_spline_create(NULL, arch, &form));
+    MUST(gusset_curve_form_get_view(form, &view));
     HOLDS(view.degree == 2 && view.knot_count == view.point_count + 3);
     gusset_curve_form_destroy(form);
 }
 //! [curve_export]
 
-//! [carcass_curve]
+//! [surface_curve]
 static void curves_in_space(void) {
     const double bow[5][3] = {{0, 0, 0}, {1, 1, 0}, {2, 1.3, 0}, {3, 1, 0}, {4, 0, 0}};
     const double bar[5][3] = {{2, -1, 1}, {2, 0, 1}, {2, 1, 1}, {2, 2, 1}, {2, 3, 1}};
@@ -234,20 +234,20 @@ static void curves_in_space(void) {
     gusset_places *places = NULL;
     gusset_places_view view = {.struct_size = sizeof view};
 
-    MUST(gusset_curve_through(NULL, bow[0], 5, 0, GUSSET_SCHEME_SIX_TAP, &one));
-    MUST(gusset_curve_through(NULL, bar[0], 5, 0, GUSSET_SCHEME_SIX_TAP, &other));
-    MUST(gusset_curve_approach(NULL, one, other, 1.001, &places));
-    MUST(gusset_places_found(places, &view));
+    MUST(gusset_curve_through_create(NULL, bow[0], 5, 0, GUSSET_SCHEME_SIX_TAP, &one));
+    MUST(gusset_curve_through_create(NULL, bar[0], 5, 0, GUSSET_SCHEME_SIX_TAP, &other));
+    MUST(gusset_curve_near_misses_create(NULL, one, other, 1.001, &places));
+    MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 1 && about(view.points[0], 2.0)); /* one above the other */
     gusset_places_destroy(places);
-    MUST(gusset_curve_approach_line(NULL, one, &line, 1.001, &places));
-    MUST(gusset_places_found(places, &view));
+    MUST(gusset_curve_line_near_misses_create(NULL, one, &line, 1.001, &places));
+    MUST(gusset_places_get_view(places, &view));
     HOLDS(view.count == 1 && about(view.others[0].t, view.points[1]));
     gusset_places_destroy(places);
     gusset_curve_destroy(other);
     gusset_curve_destroy(one);
 }
-//! [carcass_curve]
+//! [surface_curve]
 
 int main(void) {
     gusset_curve *round = a_curve_through_points(), *arch = an_arch();

@@ -36,7 +36,7 @@ static void log_to(void *user, const char *message) {
 static void a_context(void) {
     gusset_context *context = NULL;
     gusset_boundary *boundary = NULL;
-    gusset_report report = {.struct_size = sizeof report};
+    gusset_error_report report = {.struct_size = sizeof report};
     gusset_mesh_view wrong = pyramid;
     const uint32_t beyond[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 9};
     int steps = 0;
@@ -47,13 +47,13 @@ static void a_context(void) {
     MUST(gusset_context_set_log(context, log_to, stderr));
     MUST(gusset_boundary_create(context, &pyramid, NULL, &boundary));
     gusset_boundary_destroy(boundary);
-    HOLDS(steps > 0 && gusset_context_progress(context) == 1.0);
+    HOLDS(steps > 0 && gusset_context_get_progress(context) == 1.0);
 
     /* What went wrong, for people and for programs. */
     wrong.face_corners = beyond;
     HOLDS(gusset_boundary_create(context, &wrong, NULL, &boundary) == GUSSET_ERROR_INDEX_OUT_OF_RANGE);
-    HOLDS(strlen(gusset_context_message(context)) > 0);
-    MUST(gusset_context_report(context, &report));
+    HOLDS(strlen(gusset_context_get_message(context)) > 0);
+    MUST(gusset_context_get_report(context, &report));
     HOLDS(report.element == GUSSET_ELEMENT_HALF_EDGE && report.index == 11 && report.value == 9.0);
 
     /* A cancel, which may come from another thread, holds until it is taken back. */
@@ -76,11 +76,11 @@ static void loops(void) {
     MUST(gusset_boundary_create(NULL, &pyramid, NULL, &boundary));
     HOLDS(gusset_boundary_walk_count(boundary) == 1);
     for (i = 0; i < gusset_boundary_loop_count(boundary); ++i) {
-        MUST(gusset_boundary_loop(boundary, i, &loop));
+        MUST(gusset_boundary_get_loop(boundary, i, &loop));
         HOLDS(loop.flags == 0 && loop.vertices.count == 4 && about(loop.length, 4.0 * sqrt(2.0)));
     }
     /* Nothing is odd about this mesh. */
-    MUST(gusset_boundary_defects(boundary, &defects, &defect_count));
+    MUST(gusset_boundary_get_defects(boundary, &defects, &defect_count));
     HOLDS(i == 1 && defect_count == 0);
     gusset_boundary_destroy(boundary);
 }
@@ -93,7 +93,7 @@ static void tables(void) {
     size_t i;
 
     MUST(gusset_winged_create(NULL, &pyramid, NULL, &winged));
-    MUST(gusset_winged_tables(winged, &view));
+    MUST(gusset_winged_get_view(winged, &view));
     HOLDS(view.edge_count == 8 && view.loop_edges.count == 4);
     for (i = 0; i < view.loop_edges.count; ++i) {
         const gusset_winged_edge *edge = &view.edges[view.loop_edges.data[i]];
@@ -106,10 +106,10 @@ static void tables(void) {
 //! [check]
 static void what_is_wrong(void) {
     gusset_check *check = NULL;
-    gusset_check_report report = {.struct_size = sizeof report};
+    gusset_check_view report = {.struct_size = sizeof report};
 
     MUST(gusset_check_create(NULL, &pyramid, &check));
-    MUST(gusset_check_view(check, &report));
+    MUST(gusset_check_get_view(check, &report));
     HOLDS(report.euler == 1 && report.boundary_edges.count == 4 && report.degenerate_faces.count == 0);
     HOLDS((report.properties & GUSSET_MESH_MANIFOLD) && !(report.properties & GUSSET_MESH_CLOSED));
     gusset_check_destroy(check);
@@ -122,7 +122,7 @@ static void a_soup_of_triangles(void) {
     double soup[12][3];
     uint32_t own[12];
     gusset_mesh_view mesh = pyramid, welded = {.struct_size = sizeof welded};
-    gusset_weld_parts parts = {.struct_size = sizeof parts};
+    gusset_weld_view parts = {.struct_size = sizeof parts};
     gusset_weld *weld = NULL;
     uint32_t h;
 
@@ -132,8 +132,8 @@ static void a_soup_of_triangles(void) {
     }
     mesh.positions = soup, mesh.vertex_count = 12, mesh.face_corners = own;
     MUST(gusset_weld_create(NULL, &mesh, NULL, &weld));
-    MUST(gusset_weld_mesh(weld, &welded));
-    MUST(gusset_weld_view(weld, &parts));
+    MUST(gusset_weld_get_mesh(weld, &welded));
+    MUST(gusset_weld_get_view(weld, &parts));
     HOLDS(welded.vertex_count == 5 && welded.face_count == 4);
     HOLDS(parts.welded_vertices == 7 && parts.sewn_edges == 4 && parts.vertex_map.data[11] == parts.vertex_map.data[1]);
     gusset_weld_destroy(weld);
@@ -144,13 +144,13 @@ static void a_soup_of_triangles(void) {
 static void a_face_turned_over(void) {
     const uint32_t mixed[12] = {0, 1, 2, 0, 2, 3, 0, 4, 3, 0, 4, 1};
     gusset_mesh_view mesh = pyramid, oriented = {.struct_size = sizeof oriented};
-    gusset_orient_parts parts = {.struct_size = sizeof parts};
+    gusset_orient_view parts = {.struct_size = sizeof parts};
     gusset_orient *orient = NULL;
 
     mesh.face_corners = mixed;
     MUST(gusset_orient_create(NULL, &mesh, NULL, &orient));
-    MUST(gusset_orient_mesh(orient, &oriented));
-    MUST(gusset_orient_view(orient, &parts));
+    MUST(gusset_orient_get_mesh(orient, &oriented));
+    MUST(gusset_orient_get_view(orient, &parts));
     HOLDS(parts.turned_faces == 1 && parts.turned[2] == 1 && parts.one_sided_faces.count == 0);
     HOLDS(memcmp(oriented.face_corners, corners, sizeof corners) == 0);
     gusset_orient_destroy(orient);

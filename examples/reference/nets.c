@@ -34,11 +34,11 @@ static void a_shape(void) {
                                         .scalar = GUSSET_F32,
                                         .radius = 2.0,
                                         .minor_radius = 0.5};
-    gusset_net_arrays arrays = {.struct_size = sizeof arrays};
+    gusset_net_view arrays = {.struct_size = sizeof arrays};
     gusset_net *net = NULL;
 
     MUST(gusset_net_primitive_create(NULL, &shape, &net));
-    MUST(gusset_net_view(net, &arrays));
+    MUST(gusset_net_get_view(net, &arrays));
     HOLDS(arrays.rows == 33 && arrays.columns == 65 && arrays.scalar == GUSSET_F32); /* the default size */
     gusset_net_destroy(net);
 }
@@ -49,9 +49,9 @@ static void whose_memory(void) {
     /* A tent of 2 x 3 nodes as three matrices of the host's. */
     float x[6] = {0, 1, 2, 0, 1, 2}, y[6] = {0, 0, 0, 1, 1, 1}, z[6] = {0, 1, 0, 0, 1, 0};
     double copy[6][3];
-    const gusset_net_arrays mine = {
+    const gusset_net_view mine = {
         .struct_size = sizeof mine, .rows = 2, .columns = 3, .x = x, .y = y, .z = z, .scalar = GUSSET_F32};
-    const gusset_net_arrays points = {.struct_size = sizeof points,
+    const gusset_net_view points = {.struct_size = sizeof points,
                                       .rows = 2,
                                       .columns = 3,
                                       .x = &copy[0][0],
@@ -59,19 +59,19 @@ static void whose_memory(void) {
                                       .z = &copy[0][2],
                                       .column_stride = sizeof copy[0],
                                       .scalar = GUSSET_F64};
-    gusset_net_arrays lent = {.struct_size = sizeof lent};
+    gusset_net_view lent = {.struct_size = sizeof lent};
     gusset_net *copied = NULL, *borrowed = NULL, *clone = NULL, *doubles = NULL;
 
     MUST(gusset_net_create(NULL, &mine, NULL, &copied));   /* a copy of the coordinates */
-    MUST(gusset_net_borrow(NULL, &mine, NULL, &borrowed)); /* the host's own memory */
-    MUST(gusset_net_clone(NULL, copied, &clone));          /* shares memory until one of the two is changed */
+    MUST(gusset_net_borrow_create(NULL, &mine, NULL, &borrowed)); /* the host's own memory */
+    MUST(gusset_net_clone_create(NULL, copied, &clone));          /* shares memory until one of the two is changed */
     MUST(gusset_net_edit(NULL, borrowed, &lent));
     HOLDS(lent.z == z);
     ((float *)lent.z)[1] = 2.0F;
     MUST(gusset_net_edit(NULL, clone, &lent));
     ((float *)lent.z)[1] = 3.0F;
     HOLDS(z[1] == 2.0F);
-    MUST(gusset_net_view(copied, &lent));
+    MUST(gusset_net_get_view(copied, &lent));
     HOLDS(((const float *)lent.z)[1] == 1.0F);
 
     /* To doubles, and out to the host's points. */
@@ -96,12 +96,12 @@ static void what_is_glued(void) {
     gusset_seam seams[1];
 
     MUST(gusset_net_set_gluing(NULL, net, &tube));
-    MUST(gusset_net_topology(net, &sides, &seam_count, &reversed));
+    MUST(gusset_net_get_topology(net, &sides, &seam_count, &reversed));
     HOLDS(sides == GUSSET_SIDES_TUBE && seam_count == 0 && reversed == 0);
     /* The characteristic matrix: the horizontal links of row 0, then the vertical ones; the last one leads back. */
-    MUST(gusset_net_matrix(net, matrix, sizeof matrix, &written));
+    MUST(gusset_net_get_matrix(net, matrix, sizeof matrix, &written));
     HOLDS(written == sizeof matrix && matrix[5] == 1 && matrix[4] == 0 && matrix[6] == 0);
-    MUST(gusset_net_seams(net, seams, 1, &written));
+    MUST(gusset_net_get_seams(net, seams, 1, &written));
     HOLDS(written == 0);
     gusset_net_destroy(net);
 }
@@ -123,7 +123,7 @@ static void gluing_by_hand(void) {
     MUST(gusset_net_classes(NULL, net, classes, 20, &written));
     HOLDS(written == 20 && classes[7] == 6 && classes[8] == 8);
     MUST(gusset_net_groups_create(NULL, net, &groups));
-    MUST(gusset_net_groups_view(groups, &offsets, &members));
+    MUST(gusset_net_groups_get_view(groups, &offsets, &members));
     HOLDS(offsets.count == 2 && members.count == 2 && members.data[0] == 6 && members.data[1] == 7);
     gusset_net_groups_destroy(groups);
 
@@ -147,10 +147,10 @@ static void gluing_by_hand(void) {
 static void what_surface_it_is(void) {
     gusset_net *net = sphere();
     gusset_net_complex *complex = NULL;
-    gusset_net_complex_report report = {.struct_size = sizeof report};
+    gusset_net_complex_view report = {.struct_size = sizeof report};
 
     MUST(gusset_net_complex_create(NULL, net, GUSSET_NET_CELLS_ALL, &complex));
-    MUST(gusset_net_complex_view(complex, &report));
+    MUST(gusset_net_complex_get_view(complex, &report));
     HOLDS(report.euler == 2 && report.genus == 0 && (report.properties & GUSSET_NET_CLOSED));
     gusset_net_complex_destroy(complex);
     gusset_net_destroy(net);
@@ -162,18 +162,18 @@ static void whether_it_is_right(void) {
     gusset_net *net = sphere();
     const gusset_net_gluing none = {.struct_size = sizeof none};
     gusset_net_validation *validation = NULL;
-    gusset_net_validation_report report = {.struct_size = sizeof report};
+    gusset_net_validation_view report = {.struct_size = sizeof report};
     gusset_sides sides = 0;
 
-    MUST(gusset_net_validate_create(NULL, net, 0.0, &validation));
-    MUST(gusset_net_validate_view(validation, &report));
+    MUST(gusset_net_validation_create(NULL, net, 0.0, &validation));
+    MUST(gusset_net_validation_get_view(validation, &report));
     HOLDS(report.violation_count == 0);
-    gusset_net_validate_destroy(validation);
+    gusset_net_validation_destroy(validation);
 
     /* What was glued is forgotten, and found again from the coordinates. */
     MUST(gusset_net_set_gluing(NULL, net, &none));
     MUST(gusset_net_derive(NULL, net, 0.0));
-    MUST(gusset_net_topology(net, &sides, NULL, NULL));
+    MUST(gusset_net_get_topology(net, &sides, NULL, NULL));
     HOLDS(sides == GUSSET_SIDES_TWO_POLES);
     gusset_net_destroy(net);
 }
@@ -184,7 +184,7 @@ static void moved(void) {
     const gusset_operation operations[2] = {{.kind = GUSSET_OPERATION_SCALE, .values = {2}},
                                             {.kind = GUSSET_OPERATION_TRANSLATE, .values = {0, 0, 5}}};
     gusset_net *net = sphere();
-    gusset_measures measures = {.struct_size = sizeof measures};
+    gusset_net_measure_report measures = {.struct_size = sizeof measures};
 
     MUST(gusset_net_transform(NULL, net, operations, 2));
     MUST(gusset_net_measure(NULL, net, &measures));
@@ -213,7 +213,7 @@ static void deformed(void) {
     double factor = 0.5;
     uint64_t apart = 9;
     gusset_net *net = sphere();
-    gusset_measures measures = {.struct_size = sizeof measures};
+    gusset_net_measure_report measures = {.struct_size = sizeof measures};
 
     MUST(gusset_net_deform(NULL, net, &twist, 1, 0.0));
     MUST(gusset_net_deform_rows(NULL, net, flatten, &factor)); /* any map of the host's */
@@ -237,20 +237,20 @@ static void what_a_deformation_does(void) {
                                  .values = {0, 0, 0, 0, 0, 1, 0, 0, 1}};
     gusset_net *before = sphere(), *after = NULL;
     gusset_net_analysis *analysis = NULL;
-    gusset_net_analysis_parts parts = {.struct_size = sizeof parts};
+    gusset_net_analysis_view parts = {.struct_size = sizeof parts};
 
-    MUST(gusset_net_clone(NULL, before, &after));
+    MUST(gusset_net_clone_create(NULL, before, &after));
     MUST(gusset_net_deform(NULL, after, &flat_z, 1, 0.0));
-    MUST(gusset_net_analyse_create(NULL, before, after, 1e-12, &analysis));
-    MUST(gusset_net_analysis_view(analysis, &parts));
+    MUST(gusset_net_analysis_create(NULL, before, after, 1e-12, &analysis));
+    MUST(gusset_net_analysis_get_view(analysis, &parts));
     HOLDS(parts.soft == 0 && parts.folded_count > 0 && parts.torn_count == 0 && parts.determinants == NULL);
     /* Links that have become a point may be made part of the gluing. */
     MUST(gusset_net_absorb(NULL, after, parts.contracted, parts.contracted_count));
     gusset_net_analysis_destroy(analysis);
 
     /* The same without a deformed net, and with the determinants of the field. */
-    MUST(gusset_net_analyse_fields_create(NULL, before, &flat_z, 1, 0.0, 1e-12, &analysis));
-    MUST(gusset_net_analysis_view(analysis, &parts));
+    MUST(gusset_net_analysis_of_fields_create(NULL, before, &flat_z, 1, 0.0, 1e-12, &analysis));
+    MUST(gusset_net_analysis_get_view(analysis, &parts));
     HOLDS(parts.determinants != NULL && fabs(parts.determinants[0]) < 1e-6);
     gusset_net_analysis_destroy(analysis);
     gusset_net_destroy(after);
@@ -273,9 +273,9 @@ static void normals(void) {
 //! [net_measure]
 static void measured(void) {
     gusset_net *net = sphere();
-    gusset_measures measures = {.struct_size = sizeof measures};
-    gusset_moments moments = {.struct_size = sizeof moments};
-    gusset_planarity planarity = {.struct_size = sizeof planarity};
+    gusset_net_measure_report measures = {.struct_size = sizeof measures};
+    gusset_net_moment_report moments = {.struct_size = sizeof moments};
+    gusset_net_planarity_report planarity = {.struct_size = sizeof planarity};
     size_t cells = 0;
 
     MUST(gusset_net_measure(NULL, net, &measures));

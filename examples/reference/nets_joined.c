@@ -15,9 +15,9 @@ static gusset_net *tube(void) {
     return net;
 }
 
-static gusset_net_arrays size_of(const gusset_net *net) {
-    gusset_net_arrays arrays = {.struct_size = sizeof arrays};
-    MUST(gusset_net_view(net, &arrays));
+static gusset_net_view size_of(const gusset_net *net) {
+    gusset_net_view arrays = {.struct_size = sizeof arrays};
+    MUST(gusset_net_get_view(net, &arrays));
     return arrays;
 }
 
@@ -82,16 +82,16 @@ static void joined_and_taken_apart(void) {
     gusset_bridge bridge = {.struct_size = sizeof bridge};
     size_t count = 0;
 
-    MUST(gusset_net_clone(NULL, first, &second));
+    MUST(gusset_net_clone_create(NULL, first, &second));
     nets[0] = first, nets[1] = second;
     MUST(gusset_net_concatenate_create(NULL, nets, 2, &options, &joined));
     HOLDS(size_of(joined).rows == 10);
     MUST(gusset_net_bridge_count(joined, &count));
-    MUST(gusset_net_bridge(joined, 0, &bridge));
+    MUST(gusset_net_get_bridge(joined, 0, &bridge));
     HOLDS(count == 1 && bridge.at == 5 && bridge.kind == GUSSET_BRIDGE_TUBE);
     /* The band between the two is not to be there. */
     MUST(gusset_net_set_bridge(NULL, joined, 0, GUSSET_BRIDGE_HIDE, 0.0, &soft));
-    MUST(gusset_net_split(NULL, joined, 0, &parts[0], &parts[1]));
+    MUST(gusset_net_split_create(NULL, joined, 0, &parts[0], &parts[1]));
     HOLDS(size_of(parts[0]).rows == 5 && size_of(parts[1]).rows == 5);
     gusset_net_destroy(parts[1]);
     gusset_net_destroy(parts[0]);
@@ -115,18 +115,18 @@ static void to_meshes_and_back(void) {
     gusset_net_mesh *mesh = NULL;
     gusset_net_grid *grid = NULL;
     gusset_mesh_view view = {.struct_size = sizeof view};
-    gusset_net_mesh_maps maps = {.struct_size = sizeof maps};
-    gusset_net_grid_parts parts = {.struct_size = sizeof parts};
+    gusset_net_mesh_view maps = {.struct_size = sizeof maps};
+    gusset_net_grid_view parts = {.struct_size = sizeof parts};
 
     MUST(gusset_net_mesh_create(NULL, net, &options, &mesh));
-    MUST(gusset_net_mesh_view(mesh, &view));
-    MUST(gusset_net_mesh_parts(mesh, &maps));
+    MUST(gusset_net_mesh_get_mesh(mesh, &view));
+    MUST(gusset_net_mesh_get_view(mesh, &maps));
     HOLDS(view.vertex_count == 5 * 8 && view.face_count == 4 * 8 && maps.texture_count > 0); /* closed round */
 
     /* Rows and columns found in a mesh of quads. */
     MUST(gusset_net_grid_create(NULL, &view, UINT32_MAX, &grid));
-    MUST(gusset_net_grid_view(grid, &parts));
-    MUST(gusset_net_grid_net(NULL, grid, &found));
+    MUST(gusset_net_grid_get_view(grid, &parts));
+    MUST(gusset_net_grid_net_create(NULL, grid, &found));
     HOLDS(parts.face_of_cell.count == 32 && size_of(found).rows * size_of(found).columns == 5 * 9);
     gusset_net_destroy(found);
     gusset_net_grid_destroy(grid);
@@ -144,8 +144,8 @@ static void a_scene(void) {
     const gusset_transform right = {.rows = {1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0}};
     gusset_net *net = tube(), *flat = NULL, *again = NULL;
     gusset_scene *scene = NULL, *apart = NULL;
-    gusset_scene_entry entry = {.struct_size = sizeof entry};
-    gusset_scene_counts counts = {.struct_size = sizeof counts};
+    gusset_scene_entry_report entry = {.struct_size = sizeof entry};
+    gusset_scene_report counts = {.struct_size = sizeof counts};
     gusset_scene_instance instances[8];
     uint32_t wheel = 9, axle = 9, spare = 9, children[4];
     size_t written = 0;
@@ -157,11 +157,11 @@ static void a_scene(void) {
     MUST(gusset_scene_add_child(NULL, scene, axle, wheel)); /* the same net twice */
     MUST(gusset_scene_set_transform(NULL, scene, axle, &right));
     MUST(gusset_scene_set_net(NULL, scene, wheel, net));
-    MUST(gusset_scene_children(NULL, scene, axle, children, 4, &written));
+    MUST(gusset_scene_get_children(NULL, scene, axle, children, 4, &written));
     HOLDS(written == 2 && children[0] == wheel && children[1] == wheel);
-    MUST(gusset_scene_entry_view(scene, axle, &entry));
+    MUST(gusset_scene_get_entry(scene, axle, &entry));
     HOLDS(entry.kind == GUSSET_SCENE_GROUP && entry.child_count == 2 && entry.visible == 1);
-    MUST(gusset_scene_count(scene, &counts));
+    MUST(gusset_scene_get_report(scene, &counts));
     HOLDS(counts.instances == 3 && counts.net_instances == 2 && counts.levels == 2);
     MUST(gusset_scene_world_transforms(NULL, scene, instances, 8, &written));
     HOLDS(written == 3 && instances[1].world.rows[3] == 3.0);
@@ -169,18 +169,18 @@ static void a_scene(void) {
     /* All visible nets in one, and a scene of them again. */
     MUST(gusset_scene_flatten_create(NULL, scene, NULL, &flat));
     MUST(gusset_scene_unflatten_create(NULL, flat, GUSSET_DIRECTION_DOWN, &apart));
-    MUST(gusset_scene_count(apart, &counts));
+    MUST(gusset_scene_get_report(apart, &counts));
     HOLDS(counts.nets == 2);
     gusset_scene_destroy(apart);
     gusset_net_destroy(flat);
 
     MUST(gusset_scene_add_net(NULL, scene, net, &spare));
     MUST(gusset_scene_set_visible(NULL, scene, spare, 0));
-    MUST(gusset_scene_net(NULL, scene, spare, &again));
+    MUST(gusset_scene_net_create(NULL, scene, spare, &again));
     gusset_net_destroy(again);
     MUST(gusset_scene_remove(NULL, scene, spare));
     MUST(gusset_scene_remove_child(NULL, scene, axle, wheel));
-    MUST(gusset_scene_count(scene, &counts));
+    MUST(gusset_scene_get_report(scene, &counts));
     HOLDS(counts.net_instances == 1);
     gusset_scene_destroy(scene);
     gusset_net_destroy(net);
@@ -192,13 +192,13 @@ static void as_bytes(void) {
     const gusset_stream_options options = {.struct_size = sizeof options, .mode = GUSSET_STREAM_LOSSLESS};
     gusset_net *net = tube(), *back = NULL, *rows = NULL;
     gusset_stream *stream = NULL;
-    gusset_stream_info info = {.struct_size = sizeof info};
+    gusset_stream_report info = {.struct_size = sizeof info};
     gusset_stream_decoder *decoder = NULL;
     const void *data = NULL;
     size_t size = 0, done = 0;
 
     MUST(gusset_net_encode_create(NULL, net, &options, &stream));
-    MUST(gusset_stream_view(stream, &data, &size));
+    MUST(gusset_stream_get_view(stream, &data, &size));
     MUST(gusset_stream_inspect(NULL, data, size, &info));
     HOLDS(info.rows == 5 && info.columns == 9 && info.scalar == GUSSET_F64);
     MUST(gusset_net_decode_create(NULL, data, size, &back));
@@ -210,10 +210,10 @@ static void as_bytes(void) {
     MUST(gusset_stream_decoder_push(NULL, decoder, data, size / 2, &done));
     HOLDS(done <= 5);
     MUST(gusset_stream_decoder_push(NULL, decoder, (const char *)data + size / 2, size - size / 2, &done));
-    MUST(gusset_stream_decoder_preview(NULL, decoder, &rows));
+    MUST(gusset_stream_decoder_preview_create(NULL, decoder, &rows));
     HOLDS(done == 5 && size_of(rows).rows == 5);
     gusset_net_destroy(rows);
-    MUST(gusset_stream_decoder_finish(NULL, decoder, &back));
+    MUST(gusset_stream_decoder_finish_create(NULL, decoder, &back));
     gusset_net_destroy(back);
     gusset_stream_decoder_destroy(decoder);
     gusset_stream_destroy(stream);

@@ -26,7 +26,7 @@ static void which_vertices_face_each_other(void) {
     gusset_facing_view view = {.struct_size = sizeof view};
 
     MUST(gusset_facing_create(NULL, left[0], 4, right[0], 4, NULL, &facing));
-    MUST(gusset_facing_arcs(facing, &view));
+    MUST(gusset_facing_get_view(facing, &view));
     HOLDS(view.taken[0][0] == 1 && view.taken[0][1] == 2); /* two vertices from place 1 on */
     HOLDS(view.taken[1][0] == 3 && view.taken[1][1] == 2); /* two from place 3 on, past the end of the loop */
     gusset_facing_destroy(facing);
@@ -50,16 +50,16 @@ static void two_loops_joined(void) {
     const gusset_mesh_view a = pyramid(up), b = pyramid(down);
     gusset_stitch_options options = {.struct_size = sizeof options, .rows = GUSSET_ROWS_COUNT, .row_count = 1};
     gusset_mesh_view whole = {.struct_size = sizeof whole}, strip = {.struct_size = sizeof strip};
-    gusset_stitch_parts parts = {.struct_size = sizeof parts};
-    gusset_quality quality = {.struct_size = sizeof quality};
+    gusset_stitch_view parts = {.struct_size = sizeof parts};
+    gusset_quality_report quality = {.struct_size = sizeof quality};
     gusset_stitch *stitch = NULL;
 
     /* NULL for both loops: those that lie nearest to each other. */
     MUST(gusset_stitch_create(NULL, &a, NULL, &b, NULL, &options, &stitch));
-    MUST(gusset_stitch_mesh(stitch, &whole));
-    MUST(gusset_stitch_strip(stitch, &strip));
-    MUST(gusset_stitch_view(stitch, &parts));
-    MUST(gusset_stitch_quality(stitch, &quality));
+    MUST(gusset_stitch_get_mesh(stitch, &whole));
+    MUST(gusset_stitch_get_strip(stitch, &strip));
+    MUST(gusset_stitch_get_view(stitch, &parts));
+    MUST(gusset_stitch_get_quality(stitch, &quality));
     HOLDS(quality.loops_left == 0 && quality.orientation_conflicts == 0);
     /* The faces of A, those of B, then the strip; old vertices keep their bits. */
     HOLDS(parts.strip_face_first == 8 && whole.face_count == 8 + strip.face_count);
@@ -75,10 +75,10 @@ static void a_strip_of_no_mesh(void) {
     const double a[3][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     const double b[2][3] = {{0, 1, 0}, {2, 1, 0}};
     gusset_strip *strip = NULL;
-    gusset_strip_parts parts = {.struct_size = sizeof parts};
+    gusset_strip_view parts = {.struct_size = sizeof parts};
 
     MUST(gusset_strip_create(NULL, a[0], 3, b[0], 2, NULL, &strip));
-    MUST(gusset_strip_view(strip, &parts));
+    MUST(gusset_strip_get_view(strip, &parts));
     HOLDS(parts.triangles.count == 3 * 3 && parts.meridians.count == 2 * 4);
     gusset_strip_destroy(strip);
 }
@@ -88,15 +88,15 @@ static void a_strip_of_no_mesh(void) {
 static void a_hole_filled(void) {
     const gusset_mesh_view mesh = pyramid(up);
     gusset_mesh_view filled = {.struct_size = sizeof filled};
-    gusset_fill_parts parts = {.struct_size = sizeof parts};
-    gusset_quality quality = {.struct_size = sizeof quality};
+    gusset_fill_view parts = {.struct_size = sizeof parts};
+    gusset_quality_report quality = {.struct_size = sizeof quality};
     gusset_fill *fill = NULL;
 
     /* No loops named: all that the mesh has. */
     MUST(gusset_fill_create(NULL, &mesh, NULL, 0, NULL, &fill));
-    MUST(gusset_fill_mesh(fill, &filled));
-    MUST(gusset_fill_view(fill, &parts));
-    MUST(gusset_fill_quality(fill, &quality));
+    MUST(gusset_fill_get_mesh(fill, &filled));
+    MUST(gusset_fill_get_view(fill, &parts));
+    MUST(gusset_fill_get_quality(fill, &quality));
     HOLDS(parts.hole_count == 1 && parts.holes[0].status == GUSSET_HOLE_FILLED);
     HOLDS(filled.face_count == 6 && about(quality.area, 2.0) && quality.loops_left == 0);
     gusset_fill_destroy(fill);
@@ -108,12 +108,12 @@ static void many_pieces(void) {
     const gusset_mesh_view pieces[2] = {pyramid(up), pyramid(down)};
     gusset_assembly_options options = {.struct_size = sizeof options, .gap = GUSSET_GAP_GIVEN, .max_gap = 2.5, .fill = 1};
     gusset_mesh_view whole = {.struct_size = sizeof whole};
-    gusset_assembly_parts parts = {.struct_size = sizeof parts};
+    gusset_assembly_view parts = {.struct_size = sizeof parts};
     gusset_assembly *assembly = NULL;
 
     MUST(gusset_assembly_create(NULL, pieces, 2, &options, &assembly));
-    MUST(gusset_assembly_mesh(assembly, &whole));
-    MUST(gusset_assembly_view(assembly, &parts));
+    MUST(gusset_assembly_get_mesh(assembly, &whole));
+    MUST(gusset_assembly_get_view(assembly, &parts));
     HOLDS(parts.joint_count == 1 && parts.joints[0].outcome == GUSSET_JOINT_JOINED && parts.loops_left == 0);
     HOLDS(whole.face_count == 16 && parts.pieces[1].faces.data[0] == 4);
     gusset_assembly_destroy(assembly);

@@ -1,4 +1,4 @@
-/* Smooth surfaces: sheets, carcasses, and what is asked of them. */
+/* Smooth surfaces: sheets, surfaces, and what is asked of them. */
 #include "example.h"
 
 enum { ROWS = 9, COLUMNS = 13 };
@@ -21,7 +21,7 @@ static gusset_sheet *tube(void) {
             points[i][j][0] = cos(angle), points[i][j][1] = sin(angle), points[i][j][2] = 0.5 * i;
         }
     }
-    MUST(gusset_sheet_from_nodes(NULL, &nodes, &sheet));
+    MUST(gusset_sheet_from_nodes_create(NULL, &nodes, &sheet));
     return sheet;
 }
 
@@ -29,37 +29,37 @@ static gusset_sheet *tube(void) {
 static gusset_sheet *table(double height) {
     const double points[4][3] = {{-2, -2, height}, {-2, 2, height}, {2, -2, height}, {2, 2, height}};
     gusset_sheet *sheet = NULL;
-    MUST(gusset_sheet_from_patches(NULL, points[0], 1, 1, 1, 1, &sheet));
+    MUST(gusset_sheet_from_patches_create(NULL, points[0], 1, 1, 1, 1, &sheet));
     return sheet;
 }
 
-//! [carcass]
-static gusset_carcass *indexed(const gusset_sheet *sheet) {
-    const gusset_carcass_options options = {.struct_size = sizeof options, .tolerance = 1e-9};
-    gusset_carcass *carcass = NULL;
+//! [surface]
+static gusset_surface *indexed(const gusset_sheet *sheet) {
+    const gusset_surface_options options = {.struct_size = sizeof options, .tolerance = 1e-9};
+    gusset_surface *surface = NULL;
 
-    MUST(gusset_carcass_create(NULL, &sheet, 1, &options, &carcass));
-    return carcass; /* it keeps what it needs: the sheet may be destroyed */
+    MUST(gusset_surface_create(NULL, &sheet, 1, &options, &surface));
+    return surface; /* it keeps what it needs: the sheet may be destroyed */
 }
 
-/* What was found with a carcass stays when it is destroyed. */
+/* What was found with a surface stays when it is destroyed. */
 static void found_and_kept(const gusset_sheet *sheet) {
     const double query[3] = {2, 0, 1};
-    gusset_carcass *carcass = indexed(sheet);
+    gusset_surface *surface = indexed(sheet);
     gusset_surface_region *region = NULL;
     gusset_surface_paths *paths = NULL;
-    gusset_surface_region_parts cells = {.struct_size = sizeof cells};
+    gusset_surface_region_view cells = {.struct_size = sizeof cells};
     const double origin[3] = {0, 0, 1.1}, upwards[3] = {0, 0, 1}, offset = 0.0;
 
-    MUST(gusset_carcass_region(NULL, carcass, query, 1.1, &region));
-    MUST(gusset_carcass_section(NULL, carcass, origin, upwards, &offset, 1, NULL, &paths));
-    gusset_carcass_destroy(carcass);
-    MUST(gusset_surface_region_view(region, &cells));
+    MUST(gusset_surface_region_create(NULL, surface, query, 1.1, &region));
+    MUST(gusset_surface_section_create(NULL, surface, origin, upwards, &offset, 1, NULL, &paths));
+    gusset_surface_destroy(surface);
+    MUST(gusset_surface_region_get_view(region, &cells));
     HOLDS(cells.cell_count > 0);
     gusset_surface_paths_destroy(paths);
     gusset_surface_region_destroy(region);
 }
-//! [carcass]
+//! [surface]
 
 //! [sheet]
 static void through_nodes(void) {
@@ -75,8 +75,8 @@ static void through_nodes(void) {
             points[i][j][0] = i, points[i][j][1] = j, points[i][j][2] = 0.1 * i * j;
         }
     }
-    MUST(gusset_sheet_from_nodes(NULL, &nodes, &copied));
-    MUST(gusset_sheet_borrow(NULL, &nodes, &borrowed));
+    MUST(gusset_sheet_from_nodes_create(NULL, &nodes, &copied));
+    MUST(gusset_sheet_borrow_create(NULL, &nodes, &borrowed));
     gusset_sheet_destroy(borrowed);
     gusset_sheet_destroy(copied);
 }
@@ -86,9 +86,9 @@ static void through_nodes(void) {
 static void what_a_sheet_is(const gusset_sheet *sheet) {
     enum { CELLS = (ROWS - 1) * (COLUMNS - 1) };
     double errors[CELLS], bilinear[CELLS], triangles[CELLS], crease = 9.0;
-    gusset_sheet_parts parts = {.struct_size = sizeof parts};
+    gusset_sheet_report parts = {.struct_size = sizeof parts};
 
-    MUST(gusset_sheet_info(sheet, &parts));
+    MUST(gusset_sheet_get_report(sheet, &parts));
     HOLDS(parts.rows == ROWS - 1 && parts.columns == COLUMNS - 1 && parts.closed_v == 1 && parts.closed_u == 0);
     MUST(gusset_sheet_estimates(NULL, sheet, errors, bilinear, triangles, CELLS));
     /* Twelve nodes round: the sagitta is 1 - cos(15 degrees), the surface is a hundred times nearer to the circle. */
@@ -121,12 +121,12 @@ static void other_kinds(void) {
                                   .degree_v = 2};
     gusset_sheet *sheet = NULL;
 
-    MUST(gusset_sheet_from_tangents(NULL, &nodes, &tangents, &sheet));
+    MUST(gusset_sheet_from_tangents_create(NULL, &nodes, &tangents, &sheet));
     gusset_sheet_destroy(sheet);
     /* One patch, linear in u and quadratic in v, and the same as a B-spline. */
-    MUST(gusset_sheet_from_patches(NULL, controls[0][0], 1, 2, 1, 1, &sheet));
+    MUST(gusset_sheet_from_patches_create(NULL, controls[0][0], 1, 2, 1, 1, &sheet));
     gusset_sheet_destroy(sheet);
-    MUST(gusset_sheet_from_spline(NULL, &spline, &sheet));
+    MUST(gusset_sheet_from_spline_create(NULL, &spline, &sheet));
     gusset_sheet_destroy(sheet);
 }
 
@@ -144,7 +144,7 @@ static void skin(void) {
         MUST(gusset_curve_create(NULL, arc[0], 3, 3, ends, 2, 0, &rows[k]));
         lent[k] = rows[k];
     }
-    MUST(gusset_sheet_from_curves(NULL, &net, &sheet));
+    MUST(gusset_sheet_from_curves_create(NULL, &net, &sheet));
     gusset_sheet_destroy(sheet);
     for (k = 0; k < 3; ++k) {
         gusset_curve_destroy(rows[k]);
@@ -167,7 +167,7 @@ static void body(void) {
     gusset_sheet *sheet = NULL;
 
     MUST(gusset_frame_create(NULL, &sections, NULL, &frame));
-    MUST(gusset_sheet_from_frame(NULL, frame, GUSSET_FRAME_NODES, &sheet));
+    MUST(gusset_sheet_from_frame_create(NULL, frame, GUSSET_FRAME_NODES, &sheet));
     gusset_frame_destroy(frame);
     gusset_sheet_destroy(sheet);
 }
@@ -178,91 +178,91 @@ static void a_mesh_of_it(const gusset_sheet *sheet) {
     const gusset_sheet_mesh_options options = {.struct_size = sizeof options, .tolerance = 1e-3, .triangles = 1};
     gusset_sheet_mesh *mesh = NULL;
     gusset_mesh_view view = {.struct_size = sizeof view};
-    gusset_sheet_mesh_parts parts = {.struct_size = sizeof parts};
+    gusset_sheet_mesh_view parts = {.struct_size = sizeof parts};
 
     MUST(gusset_sheet_mesh_create(NULL, sheet, &options, &mesh));
-    MUST(gusset_sheet_mesh_view(mesh, &view));
-    MUST(gusset_sheet_mesh_info(mesh, &parts));
+    MUST(gusset_sheet_mesh_get_mesh(mesh, &view));
+    MUST(gusset_sheet_mesh_get_view(mesh, &parts));
     HOLDS(parts.vertex_count == view.vertex_count && parts.deviation <= 1e-3);
     gusset_sheet_mesh_destroy(mesh);
 }
 //! [sheet_mesh]
 
-//! [carcass_info]
-static void what_a_carcass_is(const gusset_carcass *carcass) {
-    gusset_carcass_facts facts = {.struct_size = sizeof facts};
-    gusset_carcass_sheet_facts sheet = {.struct_size = sizeof sheet};
+//! [surface_info]
+static void what_a_surface_is(const gusset_surface *surface) {
+    gusset_surface_report facts = {.struct_size = sizeof facts};
+    gusset_surface_sheet_report sheet = {.struct_size = sizeof sheet};
 
-    MUST(gusset_carcass_info(carcass, &facts));
-    MUST(gusset_carcass_sheet(carcass, 0, &sheet));
+    MUST(gusset_surface_get_report(surface, &facts));
+    MUST(gusset_surface_get_sheet(surface, 0, &sheet));
     HOLDS(facts.sheet_count == 1 && facts.cell_count == sheet.rows * sheet.columns && facts.low[2] <= 0.0);
 }
-//! [carcass_info]
+//! [surface_info]
 
-//! [carcass_closest]
-static void nearest_points(const gusset_carcass *carcass) {
+//! [surface_closest]
+static void nearest_points(const gusset_surface *surface) {
     const double queries[2][3] = {{3, 0, 2}, {0, 0.5, 1}};
-    const gusset_closest_options options = {.struct_size = sizeof options, .most = 2};
-    gusset_surface_closest found[2];
+    const gusset_nearest_options options = {.struct_size = sizeof options, .most = 2};
+    gusset_surface_nearest_point found[2];
     gusset_surface_points *points = NULL;
-    gusset_surface_points_parts all = {.struct_size = sizeof all};
+    gusset_surface_points_view all = {.struct_size = sizeof all};
     gusset_surface_region *region = NULL;
-    gusset_surface_region_parts cells = {.struct_size = sizeof cells};
+    gusset_surface_region_view cells = {.struct_size = sizeof cells};
 
-    MUST(gusset_carcass_closest(NULL, carcass, queries[0], 2, 0, NULL, found));
-    HOLDS(about(found[0].distance, 2.0) && (found[0].flags & GUSSET_SURFACE_CLOSEST_PROVEN));
+    MUST(gusset_surface_nearest(NULL, surface, queries[0], 2, 0, NULL, found));
+    HOLDS(about(found[0].distance, 2.0) && (found[0].flags & GUSSET_NEAREST_PROVEN));
     HOLDS(about(found[1].point[1], 1.0) && found[1].bound <= found[1].distance);
     /* From within there are two: before and behind. */
-    MUST(gusset_carcass_minima(NULL, carcass, queries[1], &options, &points));
-    MUST(gusset_surface_points_view(points, &all));
+    MUST(gusset_surface_minima_create(NULL, surface, queries[1], &options, &points));
+    MUST(gusset_surface_points_get_view(points, &all));
     HOLDS(all.count >= 1 && about(all.points[0].distance, 0.5));
     gusset_surface_points_destroy(points);
     /* The cells within a radius. */
-    MUST(gusset_carcass_region(NULL, carcass, queries[0], 2.1, &region));
-    MUST(gusset_surface_region_view(region, &cells));
+    MUST(gusset_surface_region_create(NULL, surface, queries[0], 2.1, &region));
+    MUST(gusset_surface_region_get_view(region, &cells));
     HOLDS(cells.cell_count > 0 && cells.cell_count < (ROWS - 1) * (COLUMNS - 1));
     gusset_surface_region_destroy(region);
 }
-//! [carcass_closest]
+//! [surface_closest]
 
-//! [carcass_line]
-static void lines_and_curves(const gusset_carcass *carcass) {
+//! [surface_line]
+static void lines_and_curves(const gusset_surface *surface) {
     const gusset_line line = {.origin = {-5, 0, 1}, .direction = {1, 0, 0}, .from = -INFINITY, .to = INFINITY};
     const double bow[3][3] = {{-3, 0, 1}, {0, 0, 3}, {3, 0, 1}};
     const uint32_t ends[2] = {0, 2};
     gusset_surface_hits *hits = NULL;
-    gusset_surface_hits_parts parts = {.struct_size = sizeof parts};
+    gusset_surface_hits_view parts = {.struct_size = sizeof parts};
     gusset_surface_hit first;
     gusset_curve *curve = NULL;
 
-    MUST(gusset_carcass_lines(NULL, carcass, &line, 1, GUSSET_WHICH_ALL, &hits));
-    MUST(gusset_surface_hits_view(hits, &parts));
+    MUST(gusset_surface_line_hits_create(NULL, surface, &line, 1, GUSSET_HITS_ALL, &hits));
+    MUST(gusset_surface_hits_get_view(hits, &parts));
     HOLDS(parts.hit_count == 2 && about(parts.hits[0].t, 4.0) && about(parts.hits[1].t, 6.0));
     gusset_surface_hits_destroy(hits);
-    MUST(gusset_carcass_first_hits(NULL, carcass, &line, 1, &first));
+    MUST(gusset_surface_first_hits(NULL, surface, &line, 1, &first));
     HOLDS(first.kind == GUSSET_HIT_CROSSING && about(first.t, 4.0) && about(fabs(first.normal[0]), 1.0));
 
     MUST(gusset_curve_create(NULL, bow[0], 3, 3, ends, 2, 0, &curve));
-    MUST(gusset_carcass_curve(NULL, carcass, curve, GUSSET_WHICH_ALL, &hits));
-    MUST(gusset_surface_hits_view(hits, &parts));
+    MUST(gusset_surface_curve_hits_create(NULL, surface, curve, GUSSET_HITS_ALL, &hits));
+    MUST(gusset_surface_hits_get_view(hits, &parts));
     HOLDS(parts.hit_count == 2 && parts.on_curve != NULL && about(parts.hits[0].point[0], -1.0));
     gusset_surface_hits_destroy(hits);
     gusset_curve_destroy(curve);
 }
-//! [carcass_line]
+//! [surface_line]
 
-//! [carcass_level]
-static void sections(const gusset_carcass *carcass) {
+//! [surface_level]
+static void sections(const gusset_surface *surface) {
     static double heights[ROWS * COLUMNS];
     const double origin[3] = {0, 0, 0}, upwards[3] = {0, 0, 1}, eastwards[3] = {1, 0, 0};
     const double offsets[2] = {1.1, 2.2}, across = 0.5 * pi;
     gusset_surface_paths *paths = NULL;
-    gusset_surface_paths_parts parts = {.struct_size = sizeof parts};
-    gusset_nearest_angle nearest = {.struct_size = sizeof nearest};
+    gusset_surface_paths_view parts = {.struct_size = sizeof parts};
+    gusset_nearest_angle_report nearest = {.struct_size = sizeof nearest};
     int k;
 
-    MUST(gusset_carcass_section(NULL, carcass, origin, upwards, offsets, 2, NULL, &paths));
-    MUST(gusset_surface_paths_view(paths, &parts));
+    MUST(gusset_surface_section_create(NULL, surface, origin, upwards, offsets, 2, NULL, &paths));
+    MUST(gusset_surface_paths_get_view(paths, &parts));
     HOLDS(parts.path_count == 2 && parts.closed[0] == 1 && about(parts.points[2], 1.1) && parts.unresolved_count == 0);
     gusset_surface_paths_destroy(paths);
 
@@ -270,100 +270,100 @@ static void sections(const gusset_carcass *carcass) {
     for (k = 0; k < ROWS * COLUMNS; ++k) {
         heights[k] = 0.5 * (k / COLUMNS);
     }
-    MUST(gusset_carcass_contours(NULL, carcass, heights, ROWS * COLUMNS, offsets, 2, NULL, &paths));
-    MUST(gusset_surface_paths_view(paths, &parts));
+    MUST(gusset_surface_contours_create(NULL, surface, heights, ROWS * COLUMNS, offsets, 2, NULL, &paths));
+    MUST(gusset_surface_paths_get_view(paths, &parts));
     HOLDS(parts.path_count == 2 && about(parts.points[2], 1.1));
     gusset_surface_paths_destroy(paths);
 
     /* The silhouette seen from the east: two lines along the tube. */
-    MUST(gusset_carcass_isophotes(NULL, carcass, eastwards, &across, 1, NULL, &paths));
-    MUST(gusset_surface_paths_view(paths, &parts));
+    MUST(gusset_surface_isophotes_create(NULL, surface, eastwards, &across, 1, NULL, &paths));
+    MUST(gusset_surface_paths_get_view(paths, &parts));
     HOLDS(parts.path_count == 2 && parts.closed[0] == 0);
     gusset_surface_paths_destroy(paths);
     /* No normal of the tube looks up: the nearest are level. */
-    MUST(gusset_carcass_nearest_angle(NULL, carcass, upwards, 0.0, NULL, &nearest));
+    MUST(gusset_surface_nearest_angle(NULL, surface, upwards, 0.0, NULL, &nearest));
     HOLDS(about(nearest.angle, 0.5 * pi) && about(nearest.deviation, 0.5 * pi));
 }
-//! [carcass_level]
+//! [surface_level]
 
-//! [carcass_meet]
-static void intersections(const gusset_carcass *a, const gusset_carcass *b) {
+//! [surface_meet]
+static void intersections(const gusset_surface *a, const gusset_surface *b) {
     gusset_surface_paths *paths = NULL;
-    gusset_surface_paths_parts parts = {.struct_size = sizeof parts};
+    gusset_surface_paths_view parts = {.struct_size = sizeof parts};
     gusset_cell_pairs *pairs = NULL;
-    gusset_cell_pairs_parts near = {.struct_size = sizeof near};
+    gusset_cell_pairs_view near = {.struct_size = sizeof near};
 
-    MUST(gusset_carcass_intersect(NULL, a, b, NULL, &paths));
-    MUST(gusset_surface_paths_view(paths, &parts));
+    MUST(gusset_surface_intersection_create(NULL, a, b, NULL, &paths));
+    MUST(gusset_surface_paths_get_view(paths, &parts));
     HOLDS(parts.path_count == 1 && parts.closed[0] == 1 && parts.others != NULL && about(parts.points[2], 1.7));
     gusset_surface_paths_destroy(paths);
     /* Cells that may meet, for a search of the host's own. */
-    MUST(gusset_carcass_candidates(NULL, a, b, 0.0, &pairs));
-    MUST(gusset_cell_pairs_view(pairs, &near));
+    MUST(gusset_surface_cell_pairs_create(NULL, a, b, 0.0, &pairs));
+    MUST(gusset_cell_pairs_get_view(pairs, &near));
     HOLDS(near.count >= COLUMNS - 1);
     gusset_cell_pairs_destroy(pairs);
 }
-//! [carcass_meet]
+//! [surface_meet]
 
-//! [carcass_evaluate]
-static void points(const gusset_carcass *carcass) {
+//! [surface_evaluate]
+static void points(const gusset_surface *surface) {
     const double middle[2] = {4.0, 0.0};
     gusset_surface_place place;
     gusset_surface_point point;
 
-    MUST(gusset_carcass_locate(NULL, carcass, 0, middle, 1, &place));
-    MUST(gusset_carcass_evaluate(NULL, carcass, &place, 1, &point));
+    MUST(gusset_surface_locate(NULL, surface, 0, middle, 1, &place));
+    MUST(gusset_surface_evaluate(NULL, surface, &place, 1, &point));
     HOLDS(about(point.point[0], 1.0) && about(point.point[2], 2.0) && point.normal_kind == GUSSET_NORMAL_REGULAR);
     /* A cylinder of radius 1 bends one way only. */
     HOLDS(point.is_curved == 1 && fabs(fabs(point.principal[0] + point.principal[1]) - 1.0) < 0.1 && fabs(point.gaussian) < 1e-9);
 }
-//! [carcass_evaluate]
+//! [surface_evaluate]
 
 //! [sheet_curve]
 static void a_line_of_nodes(const gusset_sheet *sheet) {
     gusset_curve *curve = NULL;
     double length = 0.0;
 
-    MUST(gusset_sheet_curve(NULL, sheet, GUSSET_ALONG_ROWS, 2.0, &curve));
+    MUST(gusset_sheet_curve_create(NULL, sheet, GUSSET_ALONG_ROWS, 2.0, &curve));
     MUST(gusset_curve_length(NULL, curve, &length));
     HOLDS(fabs(length - 2.0 * pi) < 1e-2); /* once round */
     gusset_curve_destroy(curve);
 }
 //! [sheet_curve]
 
-//! [carcass_leus]
+//! [surface_leus]
 static void the_papers_search(const gusset_sheet *sheet) {
-    const gusset_mask_task task = {
-        .struct_size = sizeof task, .object = GUSSET_MASK_POINT, .point = {3, 0, 2}, .within = 2.1};
+    const gusset_reference_task task = {
+        .struct_size = sizeof task, .object = GUSSET_REFERENCE_POINT, .point = {3, 0, 2}, .within = 2.1};
     const uint32_t from[2] = {0, 0}, to[2] = {7, 6};
     const gusset_surface_place place = {.row = 3, .column = 3, .u = 0.5, .v = 0.5};
     uint64_t words[2];
     uint32_t chain[2 * 96];
     double greatest[2], bound = 0.0, normal[3];
     size_t written = 0;
-    gusset_mask_report report = {.struct_size = sizeof report};
-    gusset_region_report region = {.struct_size = sizeof region};
+    gusset_reference_report report = {.struct_size = sizeof report};
+    gusset_mask_report region = {.struct_size = sizeof region};
 
     MUST(gusset_sheet_diameters(NULL, sheet, NULL, NULL, 0, &written, greatest));
     HOLDS(written == 96 && greatest[0] <= greatest[1]);
     MUST(gusset_sheet_curvature_bound(NULL, sheet, &bound));
     HOLDS(bound >= 1.0 - 0.1);
     /* The cells that may have a point within the distance: a bit for each. */
-    MUST(gusset_sheet_mask(NULL, sheet, &task, words, 2, &written, &report));
+    MUST(gusset_sheet_reference_mask(NULL, sheet, &task, words, 2, &written, &report));
     HOLDS(written == 2 && report.cells > 0 && report.cells < 96);
-    MUST(gusset_sheet_region(NULL, sheet, words, 2, &region));
+    MUST(gusset_sheet_mask_measure(NULL, sheet, words, 2, &region));
     HOLDS(region.cells == report.cells);
     /* A shortest chain of cells, over all of them: the moves of a king, and the tube is closed. */
-    MUST(gusset_sheet_chain(NULL, sheet, NULL, 0, from, to, chain, 96, &written));
+    MUST(gusset_sheet_mask_chain(NULL, sheet, NULL, 0, from, to, chain, 96, &written));
     HOLDS(written == 8 && chain[0] == 0 && chain[2 * 7] == 7 && chain[2 * 7 + 1] == 6);
     MUST(gusset_sheet_normals_by_sections(NULL, sheet, &place, 1, normal));
     HOLDS(fabs(normal[2]) < 1e-6);
 }
-//! [carcass_leus]
+//! [surface_leus]
 
 int main(void) {
     gusset_sheet *round = tube(), *flat = table(1.7);
-    gusset_carcass *a = indexed(round), *b = indexed(flat);
+    gusset_surface *a = indexed(round), *b = indexed(flat);
     through_nodes();
     found_and_kept(round);
     what_a_sheet_is(round);
@@ -371,7 +371,7 @@ int main(void) {
     skin();
     body();
     a_mesh_of_it(round);
-    what_a_carcass_is(a);
+    what_a_surface_is(a);
     nearest_points(a);
     lines_and_curves(a);
     sections(a);
@@ -379,8 +379,8 @@ int main(void) {
     points(a);
     a_line_of_nodes(round);
     the_papers_search(round);
-    gusset_carcass_destroy(b);
-    gusset_carcass_destroy(a);
+    gusset_surface_destroy(b);
+    gusset_surface_destroy(a);
     gusset_sheet_destroy(flat);
     gusset_sheet_destroy(round);
     return 0;

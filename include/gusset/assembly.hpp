@@ -65,14 +65,14 @@ public:
     MeshView mesh() const {
         gusset_mesh_view view{};
         view.struct_size = sizeof view;
-        detail::check(gusset_assembly_mesh(assembly_.get(), &view));
+        detail::check(gusset_assembly_get_mesh(assembly_.get(), &view));
         return MeshView(view);
     }
     /// The whole account; its lists live as long as this.
-    gusset_assembly_parts parts() const {
-        gusset_assembly_parts parts{};
+    gusset_assembly_view parts() const {
+        gusset_assembly_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_assembly_view(assembly_.get(), &parts));
+        detail::check(gusset_assembly_get_view(assembly_.get(), &parts));
         return parts;
     }
     /// Where each piece went.

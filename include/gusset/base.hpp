@@ -26,14 +26,14 @@ namespace gusset {
 class Error : public std::runtime_error {
 public:
     /// A sentence for people, and the report for programs.
-    Error(const char *sentence, const gusset_report &report) : std::runtime_error(sentence), report_(report) {}
+    Error(const char *sentence, const gusset_error_report &report) : std::runtime_error(sentence), report_(report) {}
     /// GUSSET_ERROR_...
     int32_t status() const noexcept { return report_.status; }
     /// Which element, and its value.
-    const gusset_report &report() const noexcept { return report_; }
+    const gusset_error_report &report() const noexcept { return report_; }
 
 private:
-    gusset_report report_;
+    gusset_error_report report_;
 };
 
 /// A run of elements in somebody else's memory.
@@ -76,7 +76,7 @@ inline constexpr bool is_span = IsSpan<std::remove_cv_t<T>>::value;
 inline Indices indices(const gusset_indices &lent) { return {lent.data, lent.count}; }
 inline void check(gusset_status status) {
     if (status != GUSSET_OK) {
-        gusset_report report{};
+        gusset_error_report report{};
         report.struct_size = sizeof report;
         report.status = status;
         throw Error(gusset_status_text(status), report);
@@ -120,7 +120,7 @@ public:
     void cancel() const noexcept { gusset_context_cancel(get()); }
     void reset() const noexcept { gusset_context_reset(get()); }
     /// How much of the running call is done, 0 to 1. From any thread.
-    double progress() const noexcept { return gusset_context_progress(get()); }
+    double progress() const noexcept { return gusset_context_get_progress(get()); }
 
     gusset_context *get() const noexcept { return context_.get(); }
 
@@ -136,12 +136,12 @@ public:
         if (status == GUSSET_OK) {
             return;
         }
-        gusset_report report{};
+        gusset_error_report report{};
         report.struct_size = sizeof report;
-        if (gusset_context_report(get(), &report) != GUSSET_OK) {
+        if (gusset_context_get_report(get(), &report) != GUSSET_OK) {
             detail::check(status);
         }
-        throw Error(gusset_context_message(get()), report);
+        throw Error(gusset_context_get_message(get()), report);
     }
 
 private:

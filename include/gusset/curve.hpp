@@ -60,7 +60,7 @@ private:
     gusset_places_view view() const {
         gusset_places_view view{};
         view.struct_size = sizeof view;
-        detail::check(gusset_places_found(places_.get(), &view));
+        detail::check(gusset_places_get_view(places_.get(), &view));
         return view;
     }
     std::unique_ptr<gusset_places, Destroy> places_;
@@ -101,7 +101,7 @@ private:
     gusset_curve_form_view view() const {
         gusset_curve_form_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_curve_form_parts(form_.get(), &parts));
+        detail::check(gusset_curve_form_get_view(form_.get(), &parts));
         return parts;
     }
     std::unique_ptr<gusset_curve_form, Destroy> form_;
@@ -150,7 +150,7 @@ public:
     static Curve through(Span<const Point3> nodes, bool closed, Scheme scheme = Scheme::six_tap,
                          const Context &context = Context()) {
         return made(context, [&](gusset_context *c, gusset_curve **curve) {
-            return gusset_curve_through(c, detail::numbers(nodes.data()), nodes.size(), closed ? 1 : 0,
+            return gusset_curve_through_create(c, detail::numbers(nodes.data()), nodes.size(), closed ? 1 : 0,
                                         static_cast<gusset_scheme>(scheme), curve);
         });
     }
@@ -158,7 +158,7 @@ public:
     const gusset_curve *get() const noexcept { return curve_.get(); }
     /// The control points.
     Span<const Point3> points() const {
-        const gusset_curve_parts parts = view();
+        const gusset_curve_view parts = view();
         return detail::points(parts.points, parts.point_count);
     }
     /// 0, then the place of the last control point of each segment.
@@ -196,8 +196,8 @@ public:
         });
         return out;
     }
-    std::vector<gusset_nearest> nearest(Span<const Point3> queries, const Context &context = Context()) const {
-        std::vector<gusset_nearest> out(queries.size());
+    std::vector<gusset_curve_nearest_point> nearest(Span<const Point3> queries, const Context &context = Context()) const {
+        std::vector<gusset_curve_nearest_point> out(queries.size());
         context.call([&](gusset_context *c) {
             return gusset_curve_nearest(c, get(), detail::numbers(queries.data()), queries.size(), out.data());
         });
@@ -234,38 +234,38 @@ public:
         context.call([&](gusset_context *c) { return gusset_curve_area_vector(c, get(), area.data()); });
         return area;
     }
-    gusset_curve_moments moments(const Context &context = Context()) const {
-        gusset_curve_moments moments{};
+    gusset_curve_moment_report moments(const Context &context = Context()) const {
+        gusset_curve_moment_report moments{};
         moments.struct_size = sizeof moments;
-        context.call([&](gusset_context *c) { return gusset_curve_enclosed(c, get(), &moments); });
+        context.call([&](gusset_context *c) { return gusset_curve_moments(c, get(), &moments); });
         return moments;
     }
 
     Places cross_plane(const Point3 &point, const Point3 &normal, const Context &context = Context()) const {
         return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_cross_plane(c, get(), point.data(), normal.data(), places);
+            return gusset_curve_intersect_plane_create(c, get(), point.data(), normal.data(), places);
         });
     }
     Places cross_line(const std::array<double, 2> &point, const std::array<double, 2> &direction,
                       const Context &context = Context()) const {
         return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_cross_line(c, get(), point.data(), direction.data(), places);
+            return gusset_curve_intersect_line_create(c, get(), point.data(), direction.data(), places);
         });
     }
     Places intersections(const Curve &other, const Context &context = Context()) const {
         return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_intersect(c, get(), other.get(), places);
+            return gusset_curve_intersect_create(c, get(), other.get(), places);
         });
     }
     Places self_intersections(const Context &context = Context()) const {
         return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_intersect(c, get(), nullptr, places);
+            return gusset_curve_intersect_create(c, get(), nullptr, places);
         });
     }
     /// Where two curves in space come as near to each other as `within`, and nearest.
     Places approach(const Curve &other, double within, const Context &context = Context()) const {
         return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_approach(c, get(), other.get(), within, places);
+            return gusset_curve_near_misses_create(c, get(), other.get(), within, places);
         });
     }
     /// The same with a line; the others are on its segment 0, with the line's own parameter.
@@ -273,36 +273,36 @@ public:
     /// `amount`: a count, a step of arc length, or a chord error.
     Places sample(Sample rule, double amount, const Context &context = Context()) const {
         return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_sample(c, get(), static_cast<uint32_t>(rule), amount, places);
+            return gusset_curve_sample_create(c, get(), static_cast<uint32_t>(rule), amount, places);
         });
     }
 
     Curve part(Place from, Place to, const Context &context = Context()) const {
         return made(context, [&](gusset_context *c, gusset_curve **out) {
-            return gusset_curve_part(c, get(), from, to, out);
+            return gusset_curve_part_create(c, get(), from, to, out);
         });
     }
     /// The parts before and after a place.
     std::pair<Curve, Curve> split(Place at, const Context &context = Context()) const {
         const auto half = [&](uint32_t after) {
             return made(context, [&](gusset_context *c, gusset_curve **out) {
-                return gusset_curve_split(c, get(), at, after, out);
+                return gusset_curve_split_create(c, get(), at, after, out);
             });
         };
         return {half(0), half(1)};
     }
     Curve reversed(const Context &context = Context()) const {
-        return made(context, [&](gusset_context *c, gusset_curve **out) { return gusset_curve_reverse(c, get(), out); });
+        return made(context, [&](gusset_context *c, gusset_curve **out) { return gusset_curve_reverse_create(c, get(), out); });
     }
     Curve elevated_by(uint32_t by, const Context &context = Context()) const {
         // By 0 the C function reads the degree to raise to: 1 changes nothing.
         return made(context, [&](gusset_context *c, gusset_curve **out) {
-            return gusset_curve_elevate(c, get(), by, 1, out);
+            return gusset_curve_elevate_create(c, get(), by, 1, out);
         });
     }
     Curve elevated_to(uint32_t degree, const Context &context = Context()) const {
         return made(context, [&](gusset_context *c, gusset_curve **out) {
-            return gusset_curve_elevate(c, get(), 0, degree, out);
+            return gusset_curve_elevate_create(c, get(), 0, degree, out);
         });
     }
     Reduced reduced(uint32_t degree, double tolerance, const Context &context = Context()) const;
@@ -311,16 +311,16 @@ public:
                   const Context &context = Context()) const;
 
     CurveForm svg(const Context &context = Context()) const {
-        return form(context, [&](gusset_context *c, gusset_curve_form **out) { return gusset_curve_svg(c, get(), out); });
+        return form(context, [&](gusset_context *c, gusset_curve_form **out) { return gusset_curve_svg_create(c, get(), out); });
     }
     CurveForm contour(double tolerance = 0.0, const Context &context = Context()) const {
         return form(context, [&](gusset_context *c, gusset_curve_form **out) {
-            return gusset_curve_contour(c, get(), tolerance, out);
+            return gusset_curve_contour_create(c, get(), tolerance, out);
         });
     }
     CurveForm spline(const Context &context = Context()) const {
         return form(context,
-                    [&](gusset_context *c, gusset_curve_form **out) { return gusset_curve_spline(c, get(), out); });
+                    [&](gusset_context *c, gusset_curve_form **out) { return gusset_curve_spline_create(c, get(), out); });
     }
 
 private:
@@ -345,10 +345,10 @@ private:
     static CurveForm form(const Context &context, Function &&function) {
         return create<CurveForm, gusset_curve_form>(context, function);
     }
-    gusset_curve_parts view() const {
-        gusset_curve_parts parts{};
+    gusset_curve_view view() const {
+        gusset_curve_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_curve_view(curve_.get(), &parts));
+        detail::check(gusset_curve_get_view(curve_.get(), &parts));
         return parts;
     }
     std::unique_ptr<gusset_curve, Destroy> curve_;
@@ -373,7 +373,7 @@ struct Offset {
 inline Reduced Curve::reduced(uint32_t degree, double tolerance, const Context &context) const {
     std::vector<double> deviations(segment_count());
     Curve curve = made(context, [&](gusset_context *c, gusset_curve **out) {
-        return gusset_curve_reduce(c, get(), degree, tolerance, deviations.empty() ? nullptr : deviations.data(), out);
+        return gusset_curve_reduce_create(c, get(), degree, tolerance, deviations.empty() ? nullptr : deviations.data(), out);
     });
     return {std::move(curve), std::move(deviations)};
 }
@@ -388,7 +388,7 @@ inline Offset Curve::offset(double distance, double tolerance, uint32_t degree, 
     gusset_offset_report report{};
     report.struct_size = sizeof report;
     Curve curve = made(context, [&](gusset_context *c, gusset_curve **out) {
-        return gusset_curve_offset(c, get(), distance, &options, &report, out);
+        return gusset_curve_offset_create(c, get(), distance, &options, &report, out);
     });
     return {std::move(curve), report};
 }

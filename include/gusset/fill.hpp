@@ -65,20 +65,20 @@ public:
     MeshView mesh() const {
         gusset_mesh_view view{};
         view.struct_size = sizeof view;
-        detail::check(gusset_fill_mesh(fill_.get(), &view));
+        detail::check(gusset_fill_get_mesh(fill_.get(), &view));
         return MeshView(view);
     }
     /// One account for each loop.
     Span<const gusset_hole> holes() const {
-        const gusset_fill_parts found = parts();
+        const gusset_fill_view found = parts();
         return {found.holes, found.hole_count};
     }
     /// The vertices of a hole's rim.
     Indices rim(const gusset_hole &hole) const { return {parts().rims.data + hole.rim_first, hole.rim_count}; }
-    gusset_quality quality() const {
-        gusset_quality quality{};
+    gusset_quality_report quality() const {
+        gusset_quality_report quality{};
         quality.struct_size = sizeof quality;
-        detail::check(gusset_fill_quality(fill_.get(), &quality));
+        detail::check(gusset_fill_get_quality(fill_.get(), &quality));
         return quality;
     }
 
@@ -95,10 +95,10 @@ private:
         });
         fill_.reset(created);
     }
-    gusset_fill_parts parts() const {
-        gusset_fill_parts parts{};
+    gusset_fill_view parts() const {
+        gusset_fill_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_fill_view(fill_.get(), &parts));
+        detail::check(gusset_fill_get_view(fill_.get(), &parts));
         return parts;
     }
     std::unique_ptr<gusset_fill, Destroy> fill_;

@@ -63,27 +63,27 @@ public:
         frame_.reset(created);
     }
     /// The nodes and what belongs to them, valid as long as this lives.
-    gusset_frame_parts parts() const {
-        gusset_frame_parts parts{};
+    gusset_frame_view parts() const {
+        gusset_frame_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_frame_view(frame_.get(), &parts));
+        detail::check(gusset_frame_get_view(frame_.get(), &parts));
         return parts;
     }
     /// Row by row.
     Points nodes() const {
-        const gusset_frame_parts all = parts();
+        const gusset_frame_view all = parts();
         return {reinterpret_cast<const std::array<double, 3> *>(all.nodes), all.rows * all.columns};
     }
     /// The curve through row k.
     OutlineCurve across(std::size_t k) const {
         const gusset_outline *lent = nullptr;
-        detail::check(gusset_frame_curves(frame_.get(), &lent, nullptr));
+        detail::check(gusset_frame_curves_create(frame_.get(), &lent, nullptr));
         return Outline::curve_of(detail::parts(lent), k);
     }
     /// The curve through column i.
     OutlineCurve along(std::size_t i) const {
         const gusset_outline *lent = nullptr;
-        detail::check(gusset_frame_curves(frame_.get(), nullptr, &lent));
+        detail::check(gusset_frame_curves_create(frame_.get(), nullptr, &lent));
         return Outline::curve_of(detail::parts(lent), i);
     }
     /// A new section: where the plane through a point across a normal cuts the curves along.
@@ -91,7 +91,7 @@ public:
                   const Context &context = Context()) const {
         gusset_outline *created = nullptr;
         context.call([&](gusset_context *c) {
-            return gusset_frame_slice(c, frame_.get(), point.data(), normal.data(), &created);
+            return gusset_frame_slice_create(c, frame_.get(), point.data(), normal.data(), &created);
         });
         return Outline(created);
     }

@@ -21,7 +21,7 @@ public:
     Net &operator=(Net &&) noexcept = default;
     Net &operator=(const Net &other) {
         gusset_net *copy = nullptr;
-        detail::check(gusset_net_clone(nullptr, other.get(), &copy));
+        detail::check(gusset_net_clone_create(nullptr, other.get(), &copy));
         net_.reset(copy);
         return *this;
     }
@@ -32,7 +32,7 @@ public:
     template <class Points>
     static Net of_points(std::size_t rows, std::size_t columns, const Points &points, const Gluing &gluing = {},
                          const Context &context = Context()) {
-        gusset_net_arrays arrays = of_container(rows, columns, points);
+        gusset_net_view arrays = of_container(rows, columns, points);
         return create(gusset_net_create, arrays, gluing, context);
     }
 
@@ -40,20 +40,20 @@ public:
     template <class T>
     static Net of_matrices(std::size_t rows, std::size_t columns, const T *x, const T *y, const T *z, const Gluing &gluing = {},
                            std::size_t row_stride = 0, const Context &context = Context()) {
-        gusset_net_arrays arrays = of_pointers(rows, columns, x, y, z);
+        gusset_net_view arrays = of_pointers(rows, columns, x, y, z);
         arrays.row_stride = detail::stride_in_bytes<T>(row_stride);
         return create(gusset_net_create, arrays, gluing, context);
     }
 
     /// A net in the caller's own memory, which must outlive it and is changed with it; copies have memory of their own. See
-    /// gusset_net_borrow.
+    /// gusset_net_borrow_create.
     template <class T>
     static Net borrow(std::size_t rows, std::size_t columns, T *x, T *y, T *z, const Gluing &gluing = {},
                       std::size_t row_stride = 0, const Context &context = Context()) {
         static_assert(!std::is_const_v<T>, "a net changes its coordinates");
-        gusset_net_arrays arrays = of_pointers(rows, columns, x, y, z);
+        gusset_net_view arrays = of_pointers(rows, columns, x, y, z);
         arrays.row_stride = detail::stride_in_bytes<T>(row_stride);
-        return create(gusset_net_borrow, arrays, gluing, context);
+        return create(gusset_net_borrow_create, arrays, gluing, context);
     }
 
     /// A net of a standard shape.
@@ -87,7 +87,7 @@ public:
     std::size_t columns() const { return view().columns; }
     /// rows() * columns().
     std::size_t node_count() const {
-        const gusset_net_arrays arrays = view();
+        const gusset_net_view arrays = view();
         return arrays.rows * arrays.columns;
     }
     /// True for double, false for float.
@@ -104,7 +104,7 @@ public:
     template <class T>
     Coordinates<T> edit() & {
         require<T>(view());
-        gusset_net_arrays arrays{};
+        gusset_net_view arrays{};
         arrays.struct_size = sizeof arrays;
         detail::check(gusset_net_edit(nullptr, get(), &arrays));
         return matrices<T>(arrays);
@@ -113,7 +113,7 @@ public:
     Coordinates<T> edit() && = delete;
     /// Node (i, j), whatever the type.
     Point3 at(std::size_t i, std::size_t j) const {
-        const gusset_net_arrays arrays = view();
+        const gusset_net_view arrays = view();
         if (i >= arrays.rows || j >= arrays.columns) {
             throw std::out_of_range("gusset: no such node");
         }
@@ -136,7 +136,7 @@ public:
     template <class Point = Point3>
     std::vector<Point> points(const Context &context = Context()) const {
         std::vector<Point> out(node_count());
-        gusset_net_arrays arrays = of_container(rows(), columns(), out);
+        gusset_net_view arrays = of_container(rows(), columns(), out);
         context.call([&](gusset_context *c) { return gusset_net_read(c, get(), &arrays); });
         return out;
     }
@@ -150,7 +150,7 @@ public:
         if (!like_x(out.y) || !like_x(out.z)) {
             throw std::invalid_argument("gusset: matrices of different sizes");
         }
-        gusset_net_arrays arrays = of_pointers(out.x.rows(), out.x.columns(), out.x.data(), out.y.data(), out.z.data());
+        gusset_net_view arrays = of_pointers(out.x.rows(), out.x.columns(), out.x.data(), out.y.data(), out.z.data());
         arrays.row_stride = detail::stride_in_bytes<T>(out.x.stride());
         context.call([&](gusset_context *c) { return gusset_net_read(c, get(), &arrays); });
     }
@@ -162,23 +162,23 @@ public:
     /// The sides, if they say all about the links.
     std::optional<Sides> sides() const {
         gusset_sides sides = 0;
-        detail::check(gusset_net_topology(get(), &sides, nullptr, nullptr));
+        detail::check(gusset_net_get_topology(get(), &sides, nullptr, nullptr));
         return sides == UINT32_MAX ? std::nullopt : std::optional<Sides>(static_cast<Sides>(sides));
     }
     bool is_reversed() const {
         uint32_t reversed = 0;
-        detail::check(gusset_net_topology(get(), nullptr, nullptr, &reversed));
+        detail::check(gusset_net_get_topology(get(), nullptr, nullptr, &reversed));
         return reversed != 0;
     }
     /// The characteristic matrix: 2 * rows rows of columns bytes.
     std::vector<uint8_t> matrix() const {
         return detail::filled<uint8_t>([&](uint8_t *out, std::size_t capacity, std::size_t *written) {
-            detail::check(gusset_net_matrix(get(), out, capacity, written));
+            detail::check(gusset_net_get_matrix(get(), out, capacity, written));
         });
     }
     std::vector<Seam> seams() const {
         return detail::filled<Seam>([&](Seam *out, std::size_t capacity, std::size_t *written) {
-            detail::check(gusset_net_seams(get(), out, capacity, written));
+            detail::check(gusset_net_get_seams(get(), out, capacity, written));
         });
     }
     /// Glues otherwise; positions stay what they are.
@@ -319,7 +319,7 @@ public:
                                          properties ? &*properties : nullptr);
         });
     }
-    /// The nets on both sides of a bridge, as they were joined; see gusset_net_split.
+    /// The nets on both sides of a bridge, as they were joined; see gusset_net_split_create.
     std::pair<Net, Net> split(std::size_t bridge, const Context &context = Context()) const;
 
     /// Moves all nodes by operations, the first one first.
@@ -357,15 +357,15 @@ public:
     }
 
     /// Area, volume, box.
-    gusset_measures measure(const Context &context = Context()) const {
-        gusset_measures found{};
+    gusset_net_measure_report measure(const Context &context = Context()) const {
+        gusset_net_measure_report found{};
         found.struct_size = sizeof found;
         context.call([&](gusset_context *c) { return gusset_net_measure(c, get(), &found); });
         return found;
     }
     /// Volume, centroid, tensor of inertia.
-    gusset_moments moments(const Context &context = Context()) const {
-        gusset_moments found{};
+    gusset_net_moment_report moments(const Context &context = Context()) const {
+        gusset_net_moment_report found{};
         found.struct_size = sizeof found;
         context.call([&](gusset_context *c) { return gusset_net_moments(c, get(), &found); });
         return found;
@@ -395,20 +395,20 @@ private:
     static std::optional<GluingType> type(gusset_gluing_type found) {
         return found == GUSSET_TYPE_NONE ? std::nullopt : std::optional<GluingType>(static_cast<GluingType>(found));
     }
-    gusset_net_arrays view() const {
-        gusset_net_arrays arrays{};
+    gusset_net_view view() const {
+        gusset_net_view arrays{};
         arrays.struct_size = sizeof arrays;
-        detail::check(gusset_net_view(get(), &arrays));
+        detail::check(gusset_net_get_view(get(), &arrays));
         return arrays;
     }
     template <class T>
-    static void require(const gusset_net_arrays &arrays) {
+    static void require(const gusset_net_view &arrays) {
         if (arrays.scalar != scalar_of<T>()) {
             throw std::invalid_argument("gusset: the net has coordinates of the other type");
         }
     }
     template <class T>
-    static Coordinates<T> matrices(const gusset_net_arrays &arrays) {
+    static Coordinates<T> matrices(const gusset_net_view &arrays) {
         require<T>(arrays);
         const auto one = [&](void *data) {
             return MatrixView<T>(static_cast<T *>(data), arrays.rows, arrays.columns, arrays.row_stride / sizeof(T));
@@ -416,13 +416,13 @@ private:
         return {one(arrays.x), one(arrays.y), one(arrays.z)};
     }
     template <class T>
-    static gusset_net_arrays of_pointers(std::size_t rows, std::size_t columns, const T *x, const T *y, const T *z) {
+    static gusset_net_view of_pointers(std::size_t rows, std::size_t columns, const T *x, const T *y, const T *z) {
         static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "coordinates of float or double");
-        gusset_net_arrays arrays{};
+        gusset_net_view arrays{};
         arrays.struct_size = sizeof arrays;
         arrays.rows = rows;
         arrays.columns = columns;
-        // Only gusset_net_borrow and gusset_net_read write there, and they are given what may be written.
+        // Only gusset_net_borrow_create and gusset_net_read write there, and they are given what may be written.
         arrays.x = const_cast<T *>(x);
         arrays.y = const_cast<T *>(y);
         arrays.z = const_cast<T *>(z);
@@ -430,7 +430,7 @@ private:
         return arrays;
     }
     template <class Points>
-    static gusset_net_arrays of_container(std::size_t rows, std::size_t columns, const Points &points) {
+    static gusset_net_view of_container(std::size_t rows, std::size_t columns, const Points &points) {
         using Point = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(points))>>;
         using T = std::decay_t<decltype(std::declval<const Point &>()[0])>;
         static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "points of float or double");
@@ -439,11 +439,11 @@ private:
             throw std::invalid_argument("gusset: the number of points is not rows * columns");
         }
         const T *data = reinterpret_cast<const T *>(std::data(points));
-        gusset_net_arrays arrays = of_pointers(rows, columns, data, data + 1, data + 2);
+        gusset_net_view arrays = of_pointers(rows, columns, data, data + 1, data + 2);
         arrays.column_stride = sizeof(Point);
         return arrays;
     }
-    static gusset_net_gluing as_c(const Gluing &gluing, const gusset_net_arrays &arrays) {
+    static gusset_net_gluing as_c(const Gluing &gluing, const gusset_net_view &arrays) {
         const std::size_t bytes = gluing.matrix.size();
         if (bytes != 0 && (arrays.columns == 0 || bytes / 2 / arrays.columns < arrays.rows)) {
             throw std::invalid_argument("gusset: the characteristic matrix has 2 * rows * columns bytes");
@@ -458,7 +458,7 @@ private:
         return given;
     }
     template <class Function>
-    static Net create(Function function, const gusset_net_arrays &arrays, const Gluing &gluing, const Context &context) {
+    static Net create(Function function, const gusset_net_view &arrays, const Gluing &gluing, const Context &context) {
         const gusset_net_gluing given = as_c(gluing, arrays);
         return made(context, [&](gusset_context *c, gusset_net **created) { return function(c, &arrays, &given, created); });
     }

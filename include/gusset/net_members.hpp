@@ -35,7 +35,7 @@ inline std::vector<Net> Net::pyramid(Interpolation interpolation, const Context 
 inline Bridge Net::bridge(std::size_t index) const {
     gusset_bridge found{};
     found.struct_size = sizeof found;
-    detail::check(gusset_net_bridge(get(), index, &found));
+    detail::check(gusset_net_get_bridge(get(), index, &found));
     return {static_cast<Direction>(found.direction), found.at,        found.start,
             found.end,                               static_cast<BridgeKind>(found.kind),
             static_cast<BridgeMode>(found.mode),     found.properties};
@@ -43,12 +43,12 @@ inline Bridge Net::bridge(std::size_t index) const {
 
 inline std::pair<Net, Net> Net::split(std::size_t bridge, const Context &context) const {
     gusset_net *first = nullptr, *second = nullptr;
-    context.call([&](gusset_context *c) { return gusset_net_split(c, get(), bridge, &first, &second); });
+    context.call([&](gusset_context *c) { return gusset_net_split_create(c, get(), bridge, &first, &second); });
     return {Net(first), Net(second)};
 }
 
 inline Planarity Net::planarity(double tolerance, const Context &context) const {
-    const gusset_net_arrays arrays = view();
+    const gusset_net_view arrays = view();
     Planarity found{};
     found.summary.struct_size = sizeof found.summary;
     found.cells.resize((arrays.rows - 1) * (arrays.columns - 1));

@@ -46,7 +46,7 @@ public:
     MeshView mesh() const {
         gusset_mesh_view view{};
         view.struct_size = sizeof view;
-        detail::check(gusset_net_mesh_view(mesh_.get(), &view));
+        detail::check(gusset_net_mesh_get_mesh(mesh_.get(), &view));
         return MeshView(view);
     }
     /// Node to vertex, or none.
@@ -62,7 +62,7 @@ public:
     /// u and v from 0 to 1: column and row.
     Span<const std::array<double, 2>> texture_coordinates() const {
         static_assert(sizeof(std::array<double, 2>) == 2 * sizeof(double), "packed");
-        const gusset_net_mesh_maps found = maps();
+        const gusset_net_mesh_view found = maps();
         return {reinterpret_cast<const std::array<double, 2> *>(found.texture_coordinates), found.texture_count};
     }
 
@@ -70,10 +70,10 @@ private:
     struct Destroy {
         void operator()(gusset_net_mesh *mesh) const noexcept { gusset_net_mesh_destroy(mesh); }
     };
-    gusset_net_mesh_maps maps() const {
-        gusset_net_mesh_maps maps{};
+    gusset_net_mesh_view maps() const {
+        gusset_net_mesh_view maps{};
         maps.struct_size = sizeof maps;
-        detail::check(gusset_net_mesh_parts(mesh_.get(), &maps));
+        detail::check(gusset_net_mesh_get_view(mesh_.get(), &maps));
         return maps;
     }
     std::unique_ptr<gusset_net_mesh, Destroy> mesh_;
@@ -94,7 +94,7 @@ public:
     /// The net itself, which outlives this.
     Net net(const Context &context = Context()) const {
         gusset_net *found = nullptr;
-        context.call([&](gusset_context *c) { return gusset_net_grid_net(c, grid_.get(), &found); });
+        context.call([&](gusset_context *c) { return gusset_net_grid_net_create(c, grid_.get(), &found); });
         return Net(found);
     }
     /// Of each node its vertex.
@@ -106,10 +106,10 @@ private:
     struct Destroy {
         void operator()(gusset_net_grid *grid) const noexcept { gusset_net_grid_destroy(grid); }
     };
-    gusset_net_grid_parts parts() const {
-        gusset_net_grid_parts parts{};
+    gusset_net_grid_view parts() const {
+        gusset_net_grid_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_net_grid_view(grid_.get(), &parts));
+        detail::check(gusset_net_grid_get_view(grid_.get(), &parts));
         return parts;
     }
     std::unique_ptr<gusset_net_grid, Destroy> grid_;

@@ -27,7 +27,7 @@ struct StreamOptions {
 /// Bytes in somebody else's memory.
 using Bytes = Span<const uint8_t>;
 /// What the first bytes of a stream say.
-using StreamInfo = gusset_stream_info;
+using StreamInfo = gusset_stream_report;
 
 /// The bytes of a net; see gusset_net_encode_create. Immutable.
 class Stream {
@@ -48,7 +48,7 @@ public:
     Bytes bytes() const & {
         const void *data = nullptr;
         std::size_t size = 0;
-        detail::check(gusset_stream_view(stream_.get(), &data, &size));
+        detail::check(gusset_stream_get_view(stream_.get(), &data, &size));
         return {static_cast<const uint8_t *>(data), size};
     }
     Bytes bytes() const && = delete;
@@ -93,16 +93,16 @@ public:
         });
         return rows;
     }
-    /// The rows that are complete, as a net of its own; see gusset_stream_decoder_preview.
+    /// The rows that are complete, as a net of its own; see gusset_stream_decoder_preview_create.
     Net preview(const Context &context = Context()) const {
         gusset_net *net = nullptr;
-        context.call([&](gusset_context *c) { return gusset_stream_decoder_preview(c, decoder_.get(), &net); });
+        context.call([&](gusset_context *c) { return gusset_stream_decoder_preview_create(c, decoder_.get(), &net); });
         return Net(net);
     }
     /// The whole net; the decoder is empty then.
     Net finish(const Context &context = Context()) {
         gusset_net *net = nullptr;
-        context.call([&](gusset_context *c) { return gusset_stream_decoder_finish(c, decoder_.get(), &net); });
+        context.call([&](gusset_context *c) { return gusset_stream_decoder_finish_create(c, decoder_.get(), &net); });
         return Net(net);
     }
 

@@ -9,7 +9,7 @@ namespace gusset {
 /// Which cells count.
 enum class NetCells : uint32_t { all = GUSSET_NET_CELLS_ALL, present = GUSSET_NET_CELLS_PRESENT };
 
-/// What surface a net is once glued nodes are one. It keeps nothing of the net. See gusset_net_complex_report, whose lists live
+/// What surface a net is once glued nodes are one. It keeps nothing of the net. See gusset_net_complex_view, whose lists live
 /// as long as this.
 class Complex {
 public:
@@ -20,10 +20,10 @@ public:
         });
         complex_.reset(created);
     }
-    gusset_net_complex_report report() const {
-        gusset_net_complex_report report{};
+    gusset_net_complex_view report() const {
+        gusset_net_complex_view report{};
         report.struct_size = sizeof report;
-        detail::check(gusset_net_complex_view(complex_.get(), &report));
+        detail::check(gusset_net_complex_get_view(complex_.get(), &report));
         return report;
     }
     /// No boundary edges.
@@ -45,7 +45,7 @@ public:
     std::size_t boundary_count() const { return report().boundary_offsets.count - 1; }
     /// The vertices of chain `i` of boundary edges, each by its smallest node; throws std::out_of_range.
     Indices boundary(std::size_t i) const {
-        const gusset_net_complex_report found = report();
+        const gusset_net_complex_view found = report();
         if (i + 1 >= found.boundary_offsets.count) {
             throw std::out_of_range("gusset: no such boundary");
         }
@@ -82,7 +82,7 @@ public:
     /// The nodes of group `i`, in order; throws std::out_of_range.
     Indices operator[](std::size_t i) const {
         gusset_indices offsets{}, members{};
-        detail::check(gusset_net_groups_view(groups_.get(), &offsets, &members));
+        detail::check(gusset_net_groups_get_view(groups_.get(), &offsets, &members));
         if (i + 1 >= offsets.count) {
             throw std::out_of_range("gusset: no such group");
         }
@@ -91,12 +91,12 @@ public:
     /// Group i has the nodes from members()[offsets()[i]] to members()[offsets()[i + 1] - 1].
     Indices offsets() const {
         gusset_indices offsets{}, members{};
-        detail::check(gusset_net_groups_view(groups_.get(), &offsets, &members));
+        detail::check(gusset_net_groups_get_view(groups_.get(), &offsets, &members));
         return detail::indices(offsets);
     }
     Indices members() const {
         gusset_indices offsets{}, members{};
-        detail::check(gusset_net_groups_view(groups_.get(), &offsets, &members));
+        detail::check(gusset_net_groups_get_view(groups_.get(), &offsets, &members));
         return detail::indices(members);
     }
 
@@ -124,24 +124,24 @@ class Validation {
 public:
     explicit Validation(const Net &net, double tolerance = 0.0, const Context &context = Context()) {
         gusset_net_validation *created = nullptr;
-        context.call([&](gusset_context *c) { return gusset_net_validate_create(c, net.get(), tolerance, &created); });
+        context.call([&](gusset_context *c) { return gusset_net_validation_create(c, net.get(), tolerance, &created); });
         validation_.reset(created);
     }
     /// No violations; there may be warnings.
     bool is_valid() const { return view().violation_count == 0; }
     /// Violations first, then warnings.
     Span<const Finding> findings() const {
-        const gusset_net_validation_report found = view();
+        const gusset_net_validation_view found = view();
         return {found.findings, found.count};
     }
     /// What is wrong.
     Span<const Finding> violations() const {
-        const gusset_net_validation_report found = view();
+        const gusset_net_validation_view found = view();
         return {found.findings, found.violation_count};
     }
     /// What is suspicious.
     Span<const Finding> warnings() const {
-        const gusset_net_validation_report found = view();
+        const gusset_net_validation_view found = view();
         // Without findings there is no pointer to add to.
         const Finding *first = found.count == 0 ? nullptr : found.findings + found.violation_count;
         return {first, found.count - found.violation_count};
@@ -149,26 +149,26 @@ public:
 
 private:
     struct Destroy {
-        void operator()(gusset_net_validation *validation) const noexcept { gusset_net_validate_destroy(validation); }
+        void operator()(gusset_net_validation *validation) const noexcept { gusset_net_validation_destroy(validation); }
     };
-    gusset_net_validation_report view() const {
-        gusset_net_validation_report report{};
+    gusset_net_validation_view view() const {
+        gusset_net_validation_view report{};
         report.struct_size = sizeof report;
-        detail::check(gusset_net_validate_view(validation_.get(), &report));
+        detail::check(gusset_net_validation_get_view(validation_.get(), &report));
         return report;
     }
     std::unique_ptr<gusset_net_validation, Destroy> validation_;
 };
 
 /// What a deformation does to a net. It keeps nothing of nets and fields; spans live as long as this. See
-/// gusset_net_analysis_parts.
+/// gusset_net_analysis_view.
 class Analysis {
 public:
     /// Of a net before and after.
     Analysis(const Net &before, const Net &after, double tolerance = 0.0, const Context &context = Context()) {
         gusset_net_analysis *created = nullptr;
         context.call([&](gusset_context *c) {
-            return gusset_net_analyse_create(c, before.get(), after.get(), tolerance, &created);
+            return gusset_net_analysis_create(c, before.get(), after.get(), tolerance, &created);
         });
         analysis_.reset(created);
     }
@@ -178,33 +178,33 @@ public:
         const std::vector<gusset_field> given = detail::as_c(fields);
         gusset_net_analysis *created = nullptr;
         context.call([&](gusset_context *c) {
-            return gusset_net_analyse_fields_create(c, net.get(), given.data(), given.size(), time, tolerance, &created);
+            return gusset_net_analysis_of_fields_create(c, net.get(), given.data(), given.size(), time, tolerance, &created);
         });
         analysis_.reset(created);
     }
     /// Of each link, its new length divided by its old one; NaN if it had none.
     Span<const double> links() const {
-        const gusset_net_analysis_parts found = parts();
+        const gusset_net_analysis_view found = parts();
         return {found.links, found.link_count};
     }
     /// Of each cell, its new area divided by its old one; negative where the surface is folded over.
     Span<const double> cells() const {
-        const gusset_net_analysis_parts found = parts();
+        const gusset_net_analysis_view found = parts();
         return {found.cells, found.cell_count};
     }
     /// Of each cell, the determinant of the fields' Jacobian at its centre; empty if nets were compared.
     Span<const double> determinants() const {
-        const gusset_net_analysis_parts found = parts();
+        const gusset_net_analysis_view found = parts();
         return {found.determinants, found.determinants != nullptr ? found.cell_count : 0};
     }
     /// The links that have become a point and are not glued: see Net::absorb.
     Indices contracted() const {
-        const gusset_net_analysis_parts found = parts();
+        const gusset_net_analysis_view found = parts();
         return {found.contracted, found.contracted_count};
     }
     /// Of contracted link `i`, what the star of its first node has become; throws std::out_of_range.
     GluingType star(std::size_t i) const {
-        const gusset_net_analysis_parts found = parts();
+        const gusset_net_analysis_view found = parts();
         if (i >= found.contracted_count) {
             throw std::out_of_range("gusset: no such contracted link");
         }
@@ -212,12 +212,12 @@ public:
     }
     /// The glued links whose ends have come apart.
     Indices torn() const {
-        const gusset_net_analysis_parts found = parts();
+        const gusset_net_analysis_view found = parts();
         return {found.torn, found.torn_count};
     }
     /// The cells that are turned the other way than most.
     Indices folded() const {
-        const gusset_net_analysis_parts found = parts();
+        const gusset_net_analysis_view found = parts();
         return {found.folded, found.folded_count};
     }
     /// Nothing is newly glued, torn or folded.
@@ -227,10 +227,10 @@ private:
     struct Destroy {
         void operator()(gusset_net_analysis *analysis) const noexcept { gusset_net_analysis_destroy(analysis); }
     };
-    gusset_net_analysis_parts parts() const {
-        gusset_net_analysis_parts parts{};
+    gusset_net_analysis_view parts() const {
+        gusset_net_analysis_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_net_analysis_view(analysis_.get(), &parts));
+        detail::check(gusset_net_analysis_get_view(analysis_.get(), &parts));
         return parts;
     }
     std::unique_ptr<gusset_net_analysis, Destroy> analysis_;

@@ -249,7 +249,7 @@ struct JoinOptions {
 /// How plane the cells of a net are; see gusset_net_planarity.
 struct Planarity {
     /// The worst, the mean, and how many are above the tolerance.
-    gusset_planarity summary;
+    gusset_net_planarity_report summary;
     /// Of each cell; NaN for cells that are not there.
     std::vector<double> cells;
 };

@@ -30,9 +30,9 @@ enum class Lock : uint32_t {
 };
 /// Where the joints of composite curves are.
 enum class JointShare : uint32_t {
-    half = GUSSET_JOINT_SHARE_HALF,
-    knot = GUSSET_JOINT_SHARE_KNOT,
-    g2 = GUSSET_JOINT_SHARE_G2
+    half = GUSSET_JOINT_PARAMETER_HALF,
+    knot = GUSSET_JOINT_PARAMETER_KNOT,
+    g2 = GUSSET_JOINT_PARAMETER_G2
 };
 /// How curves are sought.
 enum class Solver : uint32_t { fast = GUSSET_SOLVER_FAST, step = GUSSET_SOLVER_STEP };
@@ -42,10 +42,10 @@ enum class Ends : uint32_t { free = GUSSET_ENDS_FREE, perpendicular = GUSSET_END
 /// What is demanded of a curve at a point.
 struct Constraint : gusset_constraint {
     /// A corner at a point.
-    static Constraint corner(uint32_t point) { return {{point, GUSSET_DEMAND_CORNER, {0.0, 0.0, 0.0}}}; }
+    static Constraint corner(uint32_t point) { return {{point, GUSSET_CONSTRAINT_CORNER, {0.0, 0.0, 0.0}}}; }
     /// A direction at a point.
     static Constraint tangent(uint32_t point, double x, double y, double z = 0.0) {
-        return {{point, GUSSET_DEMAND_TANGENT, {x, y, z}}};
+        return {{point, GUSSET_CONSTRAINT_TANGENT, {x, y, z}}};
     }
 };
 static_assert(sizeof(Constraint) == sizeof(gusset_constraint), "a constraint is what C takes");
@@ -145,10 +145,10 @@ struct OutlineCurve {
 
 namespace detail {
 /// What can be asked of outlines, owned or lent.
-inline gusset_outline_parts parts(const gusset_outline *outline) {
-    gusset_outline_parts parts{};
+inline gusset_outline_view parts(const gusset_outline *outline) {
+    gusset_outline_view parts{};
     parts.struct_size = sizeof parts;
-    check(gusset_outline_view(outline, &parts));
+    check(gusset_outline_get_view(outline, &parts));
     return parts;
 }
 } // namespace detail
@@ -165,7 +165,7 @@ public:
         outline_.reset(created);
     }
     /// All arrays, valid as long as this lives.
-    gusset_outline_parts parts() const {
+    gusset_outline_view parts() const {
         return detail::parts(outline_.get());
     }
     /// The number of outlines.
@@ -175,7 +175,7 @@ public:
         return curve_of(parts(), k);
     }
     /// The curve of outline k of those that are lent.
-    static OutlineCurve curve_of(const gusset_outline_parts &all, std::size_t k) {
+    static OutlineCurve curve_of(const gusset_outline_view &all, std::size_t k) {
         if (k >= all.outline_count) {
             detail::check(GUSSET_ERROR_NO_SUCH_ELEMENT);
         }
@@ -186,32 +186,32 @@ public:
     /// A copy of the curve of outline k, for what curves can do.
     Curve curve_copy(std::size_t k = 0, const Context &context = Context()) const {
         gusset_curve *created = nullptr;
-        context.call([&](gusset_context *c) { return gusset_outline_curve(c, outline_.get(), k, &created); });
+        context.call([&](gusset_context *c) { return gusset_outline_curve_create(c, outline_.get(), k, &created); });
         return Curve(created);
     }
     /// Girth, area and centre of outline k.
-    gusset_measure measure(std::size_t k = 0) const {
-        gusset_measure measure{};
-        detail::check(gusset_outline_measure(outline_.get(), k, &measure));
+    gusset_section_report measure(std::size_t k = 0) const {
+        gusset_section_report measure{};
+        detail::check(gusset_outline_get_section(outline_.get(), k, &measure));
         return measure;
     }
     /// What became of outline k.
     gusset_outline_report report(std::size_t k = 0) const {
         gusset_outline_report report{};
         report.struct_size = sizeof report;
-        detail::check(gusset_outline_account(outline_.get(), k, &report));
+        detail::check(gusset_outline_get_report(outline_.get(), k, &report));
         return report;
     }
     /// What became of each point: GUSSET_POINT_...
     Span<const uint8_t> statuses() const {
-        const gusset_outline_parts all = parts();
+        const gusset_outline_view all = parts();
         return {all.statuses, all.point_count};
     }
     /// The segment of its curve that each point lies on.
     Indices segments() const { return detail::indices(parts().segments); }
     /// The parameter of each point there.
     Span<const double> parameters() const {
-        const gusset_outline_parts all = parts();
+        const gusset_outline_view all = parts();
         return {all.parameters, all.point_count};
     }
     const gusset_outline *get() const noexcept { return outline_.get(); }
@@ -238,17 +238,17 @@ public:
     }
     /// The control point of each section.
     Points controls() const {
-        const gusset_sections_parts all = parts();
+        const gusset_sections_view all = parts();
         return {reinterpret_cast<const std::array<double, 3> *>(all.controls), all.count};
     }
     /// The parameter of each point on its section.
     Span<const double> parameters() const {
-        const gusset_sections_parts all = parts();
+        const gusset_sections_view all = parts();
         return {all.parameters, all.count};
     }
     /// GUSSET_POINT_...
     Span<const uint8_t> statuses() const {
-        const gusset_sections_parts all = parts();
+        const gusset_sections_view all = parts();
         return {all.statuses, all.count};
     }
 
@@ -256,10 +256,10 @@ private:
     struct Destroy {
         void operator()(gusset_sections *sections) const noexcept { gusset_sections_destroy(sections); }
     };
-    gusset_sections_parts parts() const {
-        gusset_sections_parts parts{};
+    gusset_sections_view parts() const {
+        gusset_sections_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_sections_view(sections_.get(), &parts));
+        detail::check(gusset_sections_get_view(sections_.get(), &parts));
         return parts;
     }
     std::unique_ptr<gusset_sections, Destroy> sections_;

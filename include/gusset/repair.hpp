@@ -49,7 +49,7 @@ public:
     MeshView mesh() const {
         gusset_mesh_view view{};
         view.struct_size = sizeof view;
-        detail::check(gusset_weld_mesh(weld_.get(), &view));
+        detail::check(gusset_weld_get_mesh(weld_.get(), &view));
         return MeshView(view);
     }
     /// Old index to new one, or none.
@@ -71,10 +71,10 @@ private:
     struct Destroy {
         void operator()(gusset_weld *weld) const noexcept { gusset_weld_destroy(weld); }
     };
-    gusset_weld_parts parts() const {
-        gusset_weld_parts parts{};
+    gusset_weld_view parts() const {
+        gusset_weld_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_weld_view(weld_.get(), &parts));
+        detail::check(gusset_weld_get_view(weld_.get(), &parts));
         return parts;
     }
     std::unique_ptr<gusset_weld, Destroy> weld_;
@@ -98,12 +98,12 @@ public:
     MeshView mesh() const {
         gusset_mesh_view view{};
         view.struct_size = sizeof view;
-        detail::check(gusset_orient_mesh(orient_.get(), &view));
+        detail::check(gusset_orient_get_mesh(orient_.get(), &view));
         return MeshView(view);
     }
     /// Per face, 1 if it was turned over.
     Span<const uint8_t> turned() const {
-        const gusset_orient_parts found = parts();
+        const gusset_orient_view found = parts();
         return {found.turned, found.face_count};
     }
     /// How many faces were turned over.
@@ -121,10 +121,10 @@ private:
     struct Destroy {
         void operator()(gusset_orient *orient) const noexcept { gusset_orient_destroy(orient); }
     };
-    gusset_orient_parts parts() const {
-        gusset_orient_parts parts{};
+    gusset_orient_view parts() const {
+        gusset_orient_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_orient_view(orient_.get(), &parts));
+        detail::check(gusset_orient_get_view(orient_.get(), &parts));
         return parts;
     }
     std::unique_ptr<gusset_orient, Destroy> orient_;

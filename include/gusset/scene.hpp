@@ -9,7 +9,7 @@ namespace gusset {
 /// What an entry of a scene is.
 enum class EntryKind : uint32_t { net = GUSSET_SCENE_NET, group = GUSSET_SCENE_GROUP };
 
-/// An entry of a scene; see gusset_scene_entry.
+/// An entry of a scene; see gusset_scene_entry_report.
 struct Entry {
     /// A net or a group.
     EntryKind kind;
@@ -78,28 +78,28 @@ public:
     }
 
     Entry entry(uint32_t entry) const {
-        gusset_scene_entry found{};
+        gusset_scene_entry_report found{};
         found.struct_size = sizeof found;
-        detail::check(gusset_scene_entry_view(get(), entry, &found));
+        detail::check(gusset_scene_get_entry(get(), entry, &found));
         return {static_cast<EntryKind>(found.kind), found.transform, found.visible != 0, found.child_count};
     }
     /// The net of an entry, which shares its memory until it is changed.
     Net net(uint32_t entry, const Context &context = Context()) const {
         gusset_net *found = nullptr;
-        context.call([&](gusset_context *c) { return gusset_scene_net(c, get(), entry, &found); });
+        context.call([&](gusset_context *c) { return gusset_scene_net_create(c, get(), entry, &found); });
         return Net(found);
     }
     /// The entries in a group, in order.
     std::vector<uint32_t> children(uint32_t group, const Context &context = Context()) const {
         return detail::filled<uint32_t>([&](uint32_t *out, std::size_t capacity, std::size_t *written) {
-            context.call([&](gusset_context *c) { return gusset_scene_children(c, get(), group, out, capacity, written); });
+            context.call([&](gusset_context *c) { return gusset_scene_get_children(c, get(), group, out, capacity, written); });
         });
     }
     /// How much is in it.
-    gusset_scene_counts count() const {
-        gusset_scene_counts found{};
+    gusset_scene_report count() const {
+        gusset_scene_report found{};
         found.struct_size = sizeof found;
-        detail::check(gusset_scene_count(get(), &found));
+        detail::check(gusset_scene_get_report(get(), &found));
         return found;
     }
     /// All instances and where they are, each behind the group that it is in.

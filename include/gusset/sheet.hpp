@@ -14,7 +14,7 @@ public:
     /// Through a copy of nodes.
     static Sheet from_nodes(const NodesView &nodes, const Context &context = Context()) {
         return made(context, [&](gusset_context *c, gusset_sheet **out) {
-            return gusset_sheet_from_nodes(c, &nodes.get(), out);
+            return gusset_sheet_from_nodes_create(c, &nodes.get(), out);
         });
     }
     /// The same, of points row after row: any container that keeps its elements side by side, whose first bytes are three floats or
@@ -25,7 +25,7 @@ public:
         return from_nodes(NodesView(rows, columns, points, options), context);
     }
     /// Through nodes in the caller's own memory, of doubles, which must stay valid and unchanged until the sheet and all that was made
-    /// of it are gone. See gusset_sheet_borrow.
+    /// of it are gone. See gusset_sheet_borrow_create.
     template <class Points>
     static Sheet borrow(std::size_t rows, std::size_t columns, const Points &points, const SheetOptions &options = {},
                         const Context &context = Context()) {
@@ -68,7 +68,7 @@ public:
             }
         }
         return made(context, [&](gusset_context *c, gusset_sheet **out) {
-            return gusset_sheet_from_patches(c, detail::numbers(points.data()), degree_u, degree_v, rows, columns, out);
+            return gusset_sheet_from_patches_create(c, detail::numbers(points.data()), degree_u, degree_v, rows, columns, out);
         });
     }
     /// Of a B-spline: control points row after row, rows follow each other in u.
@@ -91,7 +91,7 @@ public:
         given.closed_u = u.closed ? 1 : 0;
         given.closed_v = v.closed ? 1 : 0;
         return made(context,
-                    [&](gusset_context *c, gusset_sheet **out) { return gusset_sheet_from_spline(c, &given, out); });
+                    [&](gusset_context *c, gusset_sheet **out) { return gusset_sheet_from_spline_create(c, &given, out); });
     }
     /// Gordon's surface of a net of curves, or the skin of a row of them.
     static Sheet from_curves(const CurveNet &net, const Context &context = Context()) {
@@ -113,24 +113,24 @@ public:
         given.closed_u = net.closed_u ? 1 : 0;
         given.closed_v = net.closed_v ? 1 : 0;
         return made(context,
-                    [&](gusset_context *c, gusset_sheet **out) { return gusset_sheet_from_curves(c, &given, out); });
+                    [&](gusset_context *c, gusset_sheet **out) { return gusset_sheet_from_curves_create(c, &given, out); });
     }
     /// Of the frame of an outline.
     static Sheet from_frame(const Frame &frame, FrameSurface kind = FrameSurface::nodes, const Context &context = Context()) {
         return made(context, [&](gusset_context *c, gusset_sheet **out) {
-            return gusset_sheet_from_frame(c, frame.get(), static_cast<uint32_t>(kind), out);
+            return gusset_sheet_from_frame_create(c, frame.get(), static_cast<uint32_t>(kind), out);
         });
     }
 
     const gusset_sheet *get() const noexcept { return sheet_.get(); }
-    gusset_sheet_parts info() const { return detail::lent(gusset_sheet_info, get()); }
+    gusset_sheet_report info() const { return detail::lent(gusset_sheet_get_report, get()); }
     /// Rows of cells: u runs from 0 to this.
     std::size_t rows() const { return info().rows; }
     /// Columns of cells.
     std::size_t columns() const { return info().columns; }
     /// Cells of all rows.
     std::size_t cell_count() const {
-        const gusset_sheet_parts all = info();
+        const gusset_sheet_report all = info();
         return all.rows * all.columns;
     }
 
@@ -152,7 +152,7 @@ public:
     Curve curve(Along along, double parameter, const Context &context = Context()) const {
         gusset_curve *created = nullptr;
         context.call([&](gusset_context *c) {
-            return gusset_sheet_curve(c, get(), static_cast<uint32_t>(along), parameter, &created);
+            return gusset_sheet_curve_create(c, get(), static_cast<uint32_t>(along), parameter, &created);
         });
         return Curve(created);
     }
@@ -177,13 +177,13 @@ public:
     }
     /// The paper's search, the reference: which cells may have what is looked for. None that has is missing.
     Masked mask(const MaskTask &task, const Context &context = Context()) const {
-        const gusset_sheet_parts size = info();
+        const gusset_sheet_report size = info();
         std::vector<uint64_t> words((size.rows * size.columns + 63) / 64);
         std::size_t written = 0;
-        gusset_mask_report report{};
+        gusset_reference_report report{};
         report.struct_size = sizeof report;
         context.call([&](gusset_context *c) {
-            return gusset_sheet_mask(c, get(), &task, words.data(), words.size(), &written, &report);
+            return gusset_sheet_reference_mask(c, get(), &task, words.data(), words.size(), &written, &report);
         });
         return {CellMask::from_words(size.rows, size.columns, std::move(words)), report};
     }
@@ -197,19 +197,19 @@ public:
         static_assert(sizeof cells[0] == sizeof(uint32_t[2]), "packed");
         std::size_t written = 0;
         context.call([&](gusset_context *c) {
-            return gusset_sheet_chain(c, get(), region.words().data(), region.words().size(), from.data(), to.data(),
+            return gusset_sheet_mask_chain(c, get(), region.words().data(), region.words().size(), from.data(), to.data(),
                                       reinterpret_cast<uint32_t *>(cells.data()), cells.size(), &written);
         });
         cells.resize(written);
         return cells;
     }
     /// What a region of cells is like. The mask must have the sheet's rows and columns.
-    gusset_region_report region(const CellMask &cells, const Context &context = Context()) const {
+    gusset_mask_report region(const CellMask &cells, const Context &context = Context()) const {
         check_shape(cells);
-        gusset_region_report report{};
+        gusset_mask_report report{};
         report.struct_size = sizeof report;
         context.call([&](gusset_context *c) {
-            return gusset_sheet_region(c, get(), cells.words().data(), cells.words().size(), &report);
+            return gusset_sheet_mask_measure(c, get(), cells.words().data(), cells.words().size(), &report);
         });
         return report;
     }
@@ -224,7 +224,7 @@ public:
 
 private:
     void check_shape(const CellMask &mask) const {
-        const gusset_sheet_parts size = info();
+        const gusset_sheet_report size = info();
         if (mask.rows() != size.rows || mask.columns() != size.columns) {
             throw std::invalid_argument("gusset: the mask has not as many rows and columns as the sheet");
         }
@@ -240,7 +240,7 @@ private:
     }
     static Sheet borrowed(const NodesView &nodes, const Context &context) {
         return made(context,
-                    [&](gusset_context *c, gusset_sheet **out) { return gusset_sheet_borrow(c, &nodes.get(), out); });
+                    [&](gusset_context *c, gusset_sheet **out) { return gusset_sheet_borrow_create(c, &nodes.get(), out); });
     }
     static Sheet hermite(const NodesView &nodes, Span<const Point3> u, Span<const Point3> v, gusset_twists kind,
                          Span<const Point3> twists, const Context &context) {
@@ -258,7 +258,7 @@ private:
         given.twists = kind == GUSSET_TWISTS_GIVEN ? detail::numbers(twists.data()) : nullptr;
         given.twist = kind;
         return made(context, [&](gusset_context *c, gusset_sheet **out) {
-            return gusset_sheet_from_tangents(c, &nodes.get(), &given, out);
+            return gusset_sheet_from_tangents_create(c, &nodes.get(), &given, out);
         });
     }
     std::unique_ptr<gusset_sheet, Destroy> sheet_;

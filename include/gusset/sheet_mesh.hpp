@@ -34,18 +34,18 @@ public:
     }
 
     MeshView mesh() const & {
-        return MeshView(detail::lent<gusset_mesh_view>(gusset_sheet_mesh_view, mesh_.get()));
+        return MeshView(detail::lent<gusset_mesh_view>(gusset_sheet_mesh_get_mesh, mesh_.get()));
     }
     MeshView mesh() const && = delete;
     /// Of each vertex.
     Span<const SurfacePlace> places() const & {
-        const gusset_sheet_mesh_parts all = parts();
+        const gusset_sheet_mesh_view all = parts();
         return {all.places, all.vertex_count};
     }
     Span<const SurfacePlace> places() const && = delete;
     /// Of each vertex the unit normal; 0 where there is none.
     Span<const Point3> normals() const & {
-        const gusset_sheet_mesh_parts all = parts();
+        const gusset_sheet_mesh_view all = parts();
         return detail::points(all.normals, all.vertex_count);
     }
     Span<const Point3> normals() const && = delete;
@@ -56,7 +56,7 @@ private:
     struct Destroy {
         void operator()(gusset_sheet_mesh *mesh) const noexcept { gusset_sheet_mesh_destroy(mesh); }
     };
-    gusset_sheet_mesh_parts parts() const { return detail::lent(gusset_sheet_mesh_info, mesh_.get()); }
+    gusset_sheet_mesh_view parts() const { return detail::lent(gusset_sheet_mesh_get_view, mesh_.get()); }
     std::unique_ptr<gusset_sheet_mesh, Destroy> mesh_;
 };
 

@@ -115,19 +115,19 @@ struct CellDiameters {
     double greatest_euclidean, greatest_intrinsic;
 };
 
-/// What the paper's search looks for, and how; see gusset_mask_task.
-struct MaskTask : gusset_mask_task {
+/// What the paper's search looks for, and how; see gusset_reference_task.
+struct MaskTask : gusset_reference_task {
     /// A point. It is kept in the field `point`.
-    static MaskTask at(const Point3 &place) { return {GUSSET_MASK_POINT, place, {}}; }
+    static MaskTask at(const Point3 &place) { return {GUSSET_REFERENCE_POINT, place, {}}; }
     /// What is near a plane.
-    static MaskTask plane(const Point3 &place, const Point3 &normal) { return {GUSSET_MASK_PLANE, place, normal}; }
+    static MaskTask plane(const Point3 &place, const Point3 &normal) { return {GUSSET_REFERENCE_PLANE, place, normal}; }
     /// What is near a line.
-    static MaskTask line(const Point3 &place, const Point3 &along) { return {GUSSET_MASK_LINE, place, along}; }
+    static MaskTask line(const Point3 &place, const Point3 &along) { return {GUSSET_REFERENCE_LINE, place, along}; }
     /// From a place to the place and the direction.
-    static MaskTask segment(const Point3 &place, const Point3 &along) { return {GUSSET_MASK_SEGMENT, place, along}; }
+    static MaskTask segment(const Point3 &place, const Point3 &along) { return {GUSSET_REFERENCE_SEGMENT, place, along}; }
     /// Normals at an angle to a direction. bound: of the principal curvatures; 0: cones of normals instead.
     static MaskTask slant(const Point3 &along, double radians, bool unsigned_normal = false, double bound = 0.0) {
-        MaskTask made(GUSSET_MASK_ANGLE, {}, along);
+        MaskTask made(GUSSET_REFERENCE_ANGLE, {}, along);
         made.angle = radians;
         made.unsigned_normals = unsigned_normal ? 1 : 0;
         made.curvature = bound;
@@ -148,15 +148,15 @@ struct MaskTask : gusset_mask_task {
     }
 
 private:
-    MaskTask(gusset_mask_object kind, const Point3 &place, const Point3 &along) : gusset_mask_task{} {
-        struct_size = sizeof(gusset_mask_task);
+    MaskTask(gusset_reference_object kind, const Point3 &place, const Point3 &along) : gusset_reference_task{} {
+        struct_size = sizeof(gusset_reference_task);
         object = kind;
         least = 1;
         std::memcpy(point, place.data(), sizeof point);
         std::memcpy(direction, along.data(), sizeof direction);
     }
 };
-static_assert(sizeof(MaskTask) == sizeof(gusset_mask_task), "nothing added");
+static_assert(sizeof(MaskTask) == sizeof(gusset_reference_task), "nothing added");
 
 /// A bit for each cell of a sheet: the paper's logical scale. Made by name: all, none, from_words.
 class CellMask {
@@ -234,7 +234,7 @@ struct Masked {
     /// The cells that are left.
     CellMask mask;
     /// What the search did.
-    gusset_mask_report report;
+    gusset_reference_report report;
 };
 
 } // namespace gusset

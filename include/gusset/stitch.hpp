@@ -93,7 +93,7 @@ public:
     gusset_facing_view view() const {
         gusset_facing_view view{};
         view.struct_size = sizeof view;
-        detail::check(gusset_facing_arcs(facing_.get(), &view));
+        detail::check(gusset_facing_get_view(facing_.get(), &view));
         return view;
     }
     /// The run taken on loop 0 or 1.
@@ -150,10 +150,10 @@ private:
     struct Destroy {
         void operator()(gusset_strip *strip) const noexcept { gusset_strip_destroy(strip); }
     };
-    gusset_strip_parts parts() const {
-        gusset_strip_parts parts{};
+    gusset_strip_view parts() const {
+        gusset_strip_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_strip_view(strip_.get(), &parts));
+        detail::check(gusset_strip_get_view(strip_.get(), &parts));
         return parts;
     }
     std::unique_ptr<gusset_strip, Destroy> strip_;
@@ -209,13 +209,13 @@ inline gusset_stitch_options as_c(const StitchOptions &options) {
 /// A finished stitch: the whole mesh, the strip, and where everything went. Made by stitch() and stitch_within().
 class Stitch {
 public:
-    MeshView mesh() const { return view(gusset_stitch_mesh); }
-    MeshView strip() const { return view(gusset_stitch_strip); }
+    MeshView mesh() const { return view(gusset_stitch_get_mesh); }
+    MeshView strip() const { return view(gusset_stitch_get_strip); }
 
-    gusset_quality quality() const {
-        gusset_quality quality{};
+    gusset_quality_report quality() const {
+        gusset_quality_report quality{};
         quality.struct_size = sizeof quality;
-        detail::check(gusset_stitch_quality(stitch_.get(), &quality));
+        detail::check(gusset_stitch_get_quality(stitch_.get(), &quality));
         return quality;
     }
 
@@ -229,7 +229,7 @@ public:
     Indices meridians() const { return detail::indices(parts().meridians); }
     /// The strip's faces in the result: the first, and how many.
     std::pair<std::size_t, std::size_t> strip_faces() const {
-        const gusset_stitch_parts found = parts();
+        const gusset_stitch_view found = parts();
         return {found.strip_face_first, found.strip_face_count};
     }
     /// The paper's matrix P, row by row: (row_count() + 2) rows of as many vertices as there are meridians.
@@ -240,14 +240,14 @@ public:
     Indices parents() const { return detail::indices(parts().parents); }
     /// Of each new vertex the weight of its second parent.
     Span<const double> weights() const {
-        const gusset_stitch_parts found = parts();
+        const gusset_stitch_view found = parts();
         return {found.weights, found.parents.count / 2};
     }
     /// True if the strip is a closed band between whole loops.
     bool is_closed_band() const { return parts().closed != 0; }
     /// Pairs of faces of mesh() that cut each other, by turns; nothing if they were not looked for.
     std::optional<Indices> intersections() const {
-        const gusset_stitch_parts found = parts();
+        const gusset_stitch_view found = parts();
         return found.intersections_known != 0 ? std::optional<Indices>(detail::indices(found.intersections)) : std::nullopt;
     }
     /// How often the fairing had to be taken back in places.
@@ -282,10 +282,10 @@ private:
         detail::check(get(stitch_.get(), &view));
         return MeshView(view);
     }
-    gusset_stitch_parts parts() const {
-        gusset_stitch_parts parts{};
+    gusset_stitch_view parts() const {
+        gusset_stitch_view parts{};
         parts.struct_size = sizeof parts;
-        detail::check(gusset_stitch_view(stitch_.get(), &parts));
+        detail::check(gusset_stitch_get_view(stitch_.get(), &parts));
         return parts;
     }
 

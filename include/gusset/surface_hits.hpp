@@ -34,7 +34,7 @@ struct Line : gusset_line {
 static_assert(sizeof(Line) == sizeof(gusset_line), "a line is what C takes");
 
 /// Which hits are wanted.
-enum class Which : uint32_t { all = GUSSET_WHICH_ALL, first = GUSSET_WHICH_FIRST, any = GUSSET_WHICH_ANY };
+enum class Which : uint32_t { all = GUSSET_HITS_ALL, first = GUSSET_HITS_FIRST, any = GUSSET_HITS_ANY };
 /// What a hit is; see the constants.
 enum class HitKind : uint32_t {
     none = GUSSET_HIT_NONE,
@@ -71,7 +71,7 @@ public:
     std::size_t size() const { return parts().line_count; }
     /// Of line `i`, by rising t; throws std::out_of_range.
     Hits operator[](std::size_t i) const & {
-        const gusset_surface_hits_parts all = parts();
+        const gusset_surface_hits_view all = parts();
         if (i >= all.line_count) {
             throw std::out_of_range("gusset: no such line");
         }
@@ -86,13 +86,13 @@ public:
 
     /// Of all lines, one line after the other.
     Hits hits() const & {
-        const gusset_surface_hits_parts all = parts();
+        const gusset_surface_hits_view all = parts();
         return {all.hits, all.hit_count};
     }
     Hits hits() const && = delete;
     /// Of a curve, three places on it for each hit: its own, and where its span begins and ends.
     Span<const Place> on_curve() const & {
-        const gusset_surface_hits_parts all = parts();
+        const gusset_surface_hits_view all = parts();
         return {all.on_curve, all.on_curve != nullptr ? 3 * all.hit_count : 0};
     }
     Span<const Place> on_curve() const && = delete;
@@ -101,13 +101,13 @@ private:
     struct Destroy {
         void operator()(gusset_surface_hits *hits) const noexcept { gusset_surface_hits_destroy(hits); }
     };
-    gusset_surface_hits_parts parts() const { return detail::lent(gusset_surface_hits_view, hits_.get()); }
+    gusset_surface_hits_view parts() const { return detail::lent(gusset_surface_hits_get_view, hits_.get()); }
     std::unique_ptr<gusset_surface_hits, Destroy> hits_;
 };
 
 inline Places Curve::approach(const Line &line, double within, const Context &context) const {
     return found(context, [&](gusset_context *c, gusset_places **places) {
-        return gusset_curve_approach_line(c, get(), &line, within, places);
+        return gusset_curve_line_near_misses_create(c, get(), &line, within, places);
     });
 }
 

@@ -126,7 +126,7 @@ struct SurfacePath {
     std::size_t size() const noexcept { return points.size(); }
 };
 
-/// Curves on a surface; a range of SurfacePath. It keeps nothing of the surface. See gusset_surface_paths_parts. What has spans is not
+/// Curves on a surface; a range of SurfacePath. It keeps nothing of the surface. See gusset_surface_paths_view. What has spans is not
 /// lent by a temporary, which is gone before they are read.
 class SurfacePaths {
 public:
@@ -139,7 +139,7 @@ public:
     bool empty() const { return size() == 0; }
     /// Path `i`; throws std::out_of_range.
     SurfacePath operator[](std::size_t i) const & {
-        const gusset_surface_paths_parts all = parts();
+        const gusset_surface_paths_view all = parts();
         if (i >= all.path_count) {
             throw std::out_of_range("gusset: no such path");
         }
@@ -159,13 +159,13 @@ public:
 
     /// The points of all paths, one path after the other.
     Span<const Point3> points() const & {
-        const gusset_surface_paths_parts all = parts();
+        const gusset_surface_paths_view all = parts();
         return detail::points(all.points, all.point_count);
     }
     Span<const Point3> points() const && = delete;
     /// Cells in which something may be that could not be resolved.
     Span<const SurfacePlace> unresolved() const & {
-        const gusset_surface_paths_parts all = parts();
+        const gusset_surface_paths_view all = parts();
         return {all.unresolved, all.unresolved_count};
     }
     Span<const SurfacePlace> unresolved() const && = delete;
@@ -174,7 +174,7 @@ private:
     struct Destroy {
         void operator()(gusset_surface_paths *paths) const noexcept { gusset_surface_paths_destroy(paths); }
     };
-    gusset_surface_paths_parts parts() const { return detail::lent(gusset_surface_paths_view, paths_.get()); }
+    gusset_surface_paths_view parts() const { return detail::lent(gusset_surface_paths_get_view, paths_.get()); }
     std::unique_ptr<gusset_surface_paths, Destroy> paths_;
 };
 

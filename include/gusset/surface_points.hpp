@@ -8,22 +8,22 @@
 
 namespace gusset {
 
-/// A point that was found for a query; see gusset_surface_closest.
-struct Closest : gusset_surface_closest {
+/// A point that was found for a query; see gusset_surface_nearest_point.
+struct Closest : gusset_surface_nearest_point {
     /// Nothing found.
-    Closest() : gusset_surface_closest{} {}
+    Closest() : gusset_surface_nearest_point{} {}
     /// A point as the C interface has it.
-    explicit Closest(const gusset_surface_closest &found) : gusset_surface_closest(found) {}
+    explicit Closest(const gusset_surface_nearest_point &found) : gusset_surface_nearest_point(found) {}
     /// There is one within the limit.
-    bool is_found() const noexcept { return (flags & GUSSET_SURFACE_CLOSEST_FOUND) != 0; }
+    bool is_found() const noexcept { return (flags & GUSSET_NEAREST_FOUND) != 0; }
     /// Its distance is proved.
-    bool is_proven() const noexcept { return (flags & GUSSET_SURFACE_CLOSEST_PROVEN) != 0; }
+    bool is_proven() const noexcept { return (flags & GUSSET_NEAREST_PROVEN) != 0; }
     /// Another point, elsewhere, is as near.
-    bool is_one_of_many() const noexcept { return (flags & GUSSET_SURFACE_CLOSEST_MANY) != 0; }
+    bool is_one_of_many() const noexcept { return (flags & GUSSET_NEAREST_AMBIGUOUS) != 0; }
 };
-static_assert(sizeof(Closest) == sizeof(gusset_surface_closest) && std::is_standard_layout_v<Closest>, "nothing added");
+static_assert(sizeof(Closest) == sizeof(gusset_surface_nearest_point) && std::is_standard_layout_v<Closest>, "nothing added");
 
-/// What is looked for; see gusset_closest_options.
+/// What is looked for; see gusset_nearest_options.
 struct ClosestOptions {
     /// Nothing farther than this; nothing: no limit.
     std::optional<double> limit;
@@ -32,8 +32,8 @@ struct ClosestOptions {
 };
 
 namespace detail {
-inline gusset_closest_options as_c(const ClosestOptions &options) {
-    gusset_closest_options given{};
+inline gusset_nearest_options as_c(const ClosestOptions &options) {
+    gusset_nearest_options given{};
     given.struct_size = sizeof given;
     given.limit = options.limit.value_or(0.0);
     given.limited = options.limit ? 1 : 0;
@@ -42,13 +42,13 @@ inline gusset_closest_options as_c(const ClosestOptions &options) {
 }
 } // namespace detail
 
-/// Places where the distance is locally least, the nearest first: a range of Closest; see gusset_carcass_minima. It keeps nothing of the
+/// Places where the distance is locally least, the nearest first: a range of Closest; see gusset_surface_minima_create. It keeps nothing of the
 /// surface. Runs and iterators live as long as this, and are not lent by a temporary.
 class SurfacePoints {
 public:
     using value_type = Closest;
     /// What the points lie in.
-    using Points = Values<Closest, gusset_surface_closest>;
+    using Points = Values<Closest, gusset_surface_nearest_point>;
     using iterator = Points::iterator;
 
     explicit SurfacePoints(gusset_surface_points *owned) : points_(owned) {}
@@ -80,17 +80,17 @@ private:
         void operator()(gusset_surface_points *points) const noexcept { gusset_surface_points_destroy(points); }
     };
     Points all() const {
-        const gusset_surface_points_parts lent = parts();
+        const gusset_surface_points_view lent = parts();
         return {lent.points, lent.count};
     }
-    gusset_surface_points_parts parts() const { return detail::lent(gusset_surface_points_view, points_.get()); }
+    gusset_surface_points_view parts() const { return detail::lent(gusset_surface_points_get_view, points_.get()); }
     std::unique_ptr<gusset_surface_points, Destroy> points_;
 };
 
 /// A cell of a region; see gusset_surface_cell.
 using RegionCell = gusset_surface_cell;
 
-/// The cells that come within a radius of a point: a range of RegionCell; see gusset_carcass_region. It keeps nothing of the surface.
+/// The cells that come within a radius of a point: a range of RegionCell; see gusset_surface_region_create. It keeps nothing of the surface.
 /// Spans and iterators live as long as this, and are not lent by a temporary.
 class SurfaceRegion {
 public:
@@ -103,7 +103,7 @@ public:
     bool empty() const { return size() == 0; }
     /// Cell `i`; throws std::out_of_range.
     RegionCell operator[](std::size_t i) const {
-        const gusset_surface_region_parts all = parts();
+        const gusset_surface_region_view all = parts();
         if (i >= all.cell_count) {
             throw std::out_of_range("gusset: no such cell");
         }
@@ -115,7 +115,7 @@ public:
     iterator end() const && = delete;
     /// Whether a cell is one of them; false where there is no such cell. O(log cells).
     bool contains(std::size_t sheet, std::size_t row, std::size_t column) const {
-        const gusset_surface_region_parts all = parts();
+        const gusset_surface_region_view all = parts();
         const auto key = [](const RegionCell &cell) { return std::array<std::size_t, 3>{cell.sheet, cell.row, cell.column}; };
         const std::array<std::size_t, 3> sought{sheet, row, column};
         const RegionCell *last = all.cells + all.cell_count;
@@ -125,19 +125,19 @@ public:
     }
     /// By sheet, row, column.
     Span<const RegionCell> cells() const & {
-        const gusset_surface_region_parts all = parts();
+        const gusset_surface_region_view all = parts();
         return {all.cells, all.cell_count};
     }
     Span<const RegionCell> cells() const && = delete;
     /// A bit for each cell of all sheets.
     Span<const uint64_t> mask() const & {
-        const gusset_surface_region_parts all = parts();
+        const gusset_surface_region_view all = parts();
         return {all.mask, all.word_count};
     }
     Span<const uint64_t> mask() const && = delete;
     /// By sheet its first bit; then the number of bits.
     Span<const uint64_t> first() const & {
-        const gusset_surface_region_parts all = parts();
+        const gusset_surface_region_view all = parts();
         return {all.first, all.sheet_count + 1};
     }
     Span<const uint64_t> first() const && = delete;
@@ -146,7 +146,7 @@ private:
     struct Destroy {
         void operator()(gusset_surface_region *region) const noexcept { gusset_surface_region_destroy(region); }
     };
-    gusset_surface_region_parts parts() const { return detail::lent(gusset_surface_region_view, region_.get()); }
+    gusset_surface_region_view parts() const { return detail::lent(gusset_surface_region_get_view, region_.get()); }
     std::unique_ptr<gusset_surface_region, Destroy> region_;
 };
 

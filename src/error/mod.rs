@@ -353,7 +353,7 @@ pub enum Error {
         /// The number that is wrong.
         value: f64,
     },
-    /// The greatest absolute coordinate of a sheet is too large or too small for a carcass.
+    /// The greatest absolute coordinate of a sheet is too large or too small for a surface.
     SheetOutOfRange {
         /// Which of the sheets given.
         sheet: u64,

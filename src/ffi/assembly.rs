@@ -123,7 +123,7 @@ pub struct gusset_joint {
     pub face_first: usize,
     /// How many faces it has.
     pub face_count: usize,
-    /// Pairs of faces that cut each other, as in gusset_stitch_parts.
+    /// Pairs of faces that cut each other, as in gusset_stitch_view.
     pub intersections: gusset_indices,
     /// 1 if they were looked for.
     pub intersections_known: u32,
@@ -150,8 +150,8 @@ pub struct gusset_left_loop {
 /// The account of an assembly. Pointers are valid until it is destroyed; they are NULL where the count is 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_assembly_parts {
-    /// sizeof(gusset_assembly_parts), set by the caller.
+pub struct gusset_assembly_view {
+    /// sizeof(gusset_assembly_view), set by the caller.
     pub struct_size: usize,
     /// One for each piece.
     pub pieces: *const gusset_piece_map,
@@ -200,13 +200,13 @@ unsafe impl Versioned for gusset_assembly_options {
     const LEAST_SIZE: usize = 96;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_assembly_parts {
+unsafe impl Versioned for gusset_assembly_view {
     const LEAST_SIZE: usize = 136;
 }
 const _: () = assert!(
     size_of::<usize>() != 8
         || (size_of::<gusset_assembly_options>() == 96
-            && size_of::<gusset_assembly_parts>() == 136
+            && size_of::<gusset_assembly_view>() == 136
             && size_of::<gusset_joint>() == 104
             && size_of::<gusset_left_loop>() == 24
             && size_of::<gusset_loop_pair>() == 16)
@@ -371,7 +371,7 @@ pub unsafe extern "C" fn gusset_assembly_destroy(assembly: *mut gusset_assembly)
 /// BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_assembly_mesh(
+pub unsafe extern "C" fn gusset_assembly_get_mesh(
     assembly: *const gusset_assembly,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
@@ -382,18 +382,18 @@ pub unsafe extern "C" fn gusset_assembly_mesh(
     })
 }
 
-/// Lends the account. Errors and validity as for gusset_assembly_mesh.
+/// Lends the account. Errors and validity as for gusset_assembly_get_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_assembly_view(
+pub unsafe extern "C" fn gusset_assembly_get_view(
     assembly: *const gusset_assembly,
-    parts: *mut gusset_assembly_parts,
+    parts: *mut gusset_assembly_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let all = input::reference(assembly, "assembly")?;
-        out.write(gusset_assembly_parts {
-            struct_size: size_of::<gusset_assembly_parts>(),
+        out.write(gusset_assembly_view {
+            struct_size: size_of::<gusset_assembly_view>(),
             pieces: lent(&all.pieces),
             piece_count: all.pieces.len(),
             joints: lent(&all.joints),

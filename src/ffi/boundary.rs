@@ -170,7 +170,7 @@ impl From<&Defect> for gusset_defect {
 /// its vertices once: where the boundary touches itself it is cut into several loops. Loops come in the order of their
 /// smallest half-edges. A loop has at least one edge with exactly one face: walks along edges with three or more faces alone
 /// are left out. A face of fewer than three sides of different ends has no border; its neighbours are taken to touch each
-/// other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_defects.
+/// other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_get_defects.
 ///
 /// options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure. Errors: those
 /// of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex,
@@ -216,7 +216,7 @@ pub unsafe extern "C" fn gusset_boundary_walk_count(boundary: *const gusset_boun
 /// BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_boundary_loop(
+pub unsafe extern "C" fn gusset_boundary_get_loop(
     boundary: *const gusset_boundary,
     index: usize,
     view: *mut gusset_loop_view,
@@ -245,7 +245,7 @@ pub unsafe extern "C" fn gusset_boundary_loop(
 /// O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_boundary_defects(
+pub unsafe extern "C" fn gusset_boundary_get_defects(
     boundary: *const gusset_boundary,
     defects: *mut *const gusset_defect,
     count: *mut usize,

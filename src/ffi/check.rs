@@ -24,8 +24,8 @@ pub struct gusset_check(Check);
 /// destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_check_report {
-    /// sizeof(gusset_check_report), set by the caller.
+pub struct gusset_check_view {
+    /// sizeof(gusset_check_view), set by the caller.
     pub struct_size: usize,
     /// Vertices, unused ones too.
     pub vertex_count: u32,
@@ -65,10 +65,10 @@ pub struct gusset_check_report {
 }
 
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_check_report {
+unsafe impl Versioned for gusset_check_view {
     const LEAST_SIZE: usize = 192;
 }
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_check_report>() == 192);
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_check_view>() == 192);
 
 /// Checks a mesh. What it finds is no error.
 ///
@@ -97,16 +97,16 @@ pub unsafe extern "C" fn gusset_check_destroy(check: *mut gusset_check) {
 /// Lends what the check found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_check_view(
+pub unsafe extern "C" fn gusset_check_get_view(
     check: *const gusset_check,
-    report: *mut gusset_check_report,
+    report: *mut gusset_check_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(report, "report")?;
         let c = &input::reference(check, "check")?.0;
         let bit = |set, bit| if set { bit } else { 0 };
-        out.write(gusset_check_report {
-            struct_size: size_of::<gusset_check_report>(),
+        out.write(gusset_check_view {
+            struct_size: size_of::<gusset_check_view>(),
             vertex_count: c.vertices,
             edge_count: c.edges,
             face_count: c.faces,

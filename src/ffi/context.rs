@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
 /// Threads, progress, cancel, log, and the outcome of the last call. Opaque; one thread uses it at a time, but
-/// gusset_context_cancel and gusset_context_progress may be called from any.
+/// gusset_context_cancel and gusset_context_get_progress may be called from any.
 pub struct gusset_context {
     cancelled: AtomicBool,
     /// The bits of an f64.
@@ -24,7 +24,7 @@ pub struct gusset_context {
 
 /// Called now and then during long work, on the thread that made the call. fraction: part done, 0 to 1. stage: what is
 /// being done, valid during the callback only. Return nonzero to cancel the call. It must not use the context, except for
-/// gusset_context_cancel and gusset_context_progress, and must not throw or longjmp.
+/// gusset_context_cancel and gusset_context_get_progress, and must not throw or longjmp.
 pub type gusset_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64, stage: *const c_char) -> c_int>;
 
@@ -44,14 +44,14 @@ struct Settings {
 struct State {
     settings: Settings,
     message: CString,
-    report: gusset_report,
+    report: gusset_error_report,
 }
 
 /// What went wrong in the last call, for programs.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_report {
-    /// sizeof(gusset_report), set by the caller.
+pub struct gusset_error_report {
+    /// sizeof(gusset_error_report), set by the caller.
     pub struct_size: usize,
     /// The status that the call returned.
     pub status: i32,
@@ -68,14 +68,14 @@ pub struct gusset_report {
 }
 
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_report {
+unsafe impl Versioned for gusset_error_report {
     const LEAST_SIZE: usize = 40;
 }
-const _: () = assert!(size_of::<gusset_report>() == 40);
+const _: () = assert!(size_of::<gusset_error_report>() == 40);
 
-impl gusset_report {
-    const OK: gusset_report = gusset_report {
-        struct_size: size_of::<gusset_report>(),
+impl gusset_error_report {
+    const OK: gusset_error_report = gusset_error_report {
+        struct_size: size_of::<gusset_error_report>(),
         status: 0,
         element: 0,
         index: 0,
@@ -167,15 +167,15 @@ impl gusset_context {
 impl State {
     fn record(&mut self, outcome: Result<(), Failure>) -> gusset_status {
         let (status, message, report) = match outcome {
-            Ok(()) => (gusset_status::GUSSET_OK, CString::default(), gusset_report::OK),
+            Ok(()) => (gusset_status::GUSSET_OK, CString::default(), gusset_error_report::OK),
             Err(failure) => {
-                let report = gusset_report {
+                let report = gusset_error_report {
                     status: failure.status as i32,
                     element: failure.element,
                     index: failure.index,
                     value: failure.value,
                     input: failure.input,
-                    ..gusset_report::OK
+                    ..gusset_error_report::OK
                 };
                 (failure.status, CString::new(failure.message.into_owned()).unwrap_or_default(), report)
             }
@@ -194,7 +194,7 @@ pub unsafe extern "C" fn gusset_context_create(context: *mut *mut gusset_context
         let out = input::output(context, ptr::null_mut(), "context")?;
         let none = ptr::null_mut();
         let settings = Settings { threads: 0, progress: None, progress_user: none, log: None, log_user: none };
-        let state = Mutex::new(State { settings, message: CString::default(), report: gusset_report::OK });
+        let state = Mutex::new(State { settings, message: CString::default(), report: gusset_error_report::OK });
         let created = gusset_context { cancelled: AtomicBool::new(false), fraction: AtomicU64::new(0), state };
         *out = Box::into_raw(Box::new(created));
         Ok(())
@@ -261,14 +261,14 @@ pub unsafe extern "C" fn gusset_context_reset(context: *const gusset_context) {
 
 /// How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread. O(1).
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_context_progress(context: *const gusset_context) -> f64 {
+pub unsafe extern "C" fn gusset_context_get_progress(context: *const gusset_context) -> f64 {
     input::reference(context, "context").map_or(0.0, |context| f64::from_bits(context.fraction.load(Ordering::Relaxed)))
 }
 
 /// What went wrong in the last call with this context, as an English sentence; empty after a success. Never NULL. Valid
 /// until the next call with the context. Empty too for NULL, and while a call is running. O(1).
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_context_message(context: *const gusset_context) -> *const c_char {
+pub unsafe extern "C" fn gusset_context_get_message(context: *const gusset_context) -> *const c_char {
     let state = input::reference(context, "context").and_then(gusset_context::lock);
     state.map_or(c"".as_ptr(), |state| state.message.as_ptr())
 }
@@ -276,9 +276,9 @@ pub unsafe extern "C" fn gusset_context_message(context: *const gusset_context) 
 /// What went wrong in the last call with this context, as numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
 /// BAD_STRUCT_SIZE, CONTEXT_BUSY. O(1).
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_context_report(
+pub unsafe extern "C" fn gusset_context_get_report(
     context: *const gusset_context,
-    report: *mut gusset_report,
+    report: *mut gusset_error_report,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(report, "report")?;

@@ -30,8 +30,8 @@ pub struct gusset_place {
 /// The parts of a curve. Pointers are valid until it is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_curve_parts {
-    /// sizeof(gusset_curve_parts), set by the caller.
+pub struct gusset_curve_view {
+    /// sizeof(gusset_curve_view), set by the caller.
     pub struct_size: usize,
     /// The control points: x, y, z of each; z is 0 for a plane curve.
     pub points: *const f64,
@@ -51,11 +51,11 @@ unsafe impl bytemuck::Zeroable for gusset_place {}
 // SAFETY: as above; any bits will do.
 unsafe impl bytemuck::Pod for gusset_place {}
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_curve_parts {
+unsafe impl Versioned for gusset_curve_view {
     const LEAST_SIZE: usize = 48;
 }
 const _: () =
-    assert!(size_of::<usize>() != 8 || (size_of::<gusset_place>() == 16 && size_of::<gusset_curve_parts>() == 48));
+    assert!(size_of::<usize>() != 8 || (size_of::<gusset_place>() == 16 && size_of::<gusset_curve_view>() == 48));
 // Points are lent as x, y, z.
 const _: () = assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == align_of::<f64>());
 
@@ -142,15 +142,15 @@ pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
 /// O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_view(
+pub unsafe extern "C" fn gusset_curve_get_view(
     curve: *const gusset_curve,
-    parts: *mut gusset_curve_parts,
+    parts: *mut gusset_curve_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let view = view(curve, "curve")?;
-        out.write(gusset_curve_parts {
-            struct_size: size_of::<gusset_curve_parts>(),
+        out.write(gusset_curve_view {
+            struct_size: size_of::<gusset_curve_view>(),
             points: view.points().as_ptr().cast(),
             point_count: view.points().len(),
             ends: gusset_indices::lend(view.ends()),

@@ -11,7 +11,7 @@ use libc::c_void;
 /// The nearest point of a curve.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_nearest {
+pub struct gusset_curve_nearest_point {
     /// Where on the curve.
     pub place: gusset_place,
     /// x, y, z.
@@ -24,8 +24,8 @@ pub struct gusset_nearest {
 /// clockwise count negative.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_curve_moments {
-    /// sizeof(gusset_curve_moments), set by the caller.
+pub struct gusset_curve_moment_report {
+    /// sizeof(gusset_curve_moment_report), set by the caller.
     pub struct_size: usize,
     /// The signed area.
     pub area: f64,
@@ -36,15 +36,17 @@ pub struct gusset_curve_moments {
 }
 
 // SAFETY: plain numbers without gaps.
-unsafe impl bytemuck::Zeroable for gusset_nearest {}
+unsafe impl bytemuck::Zeroable for gusset_curve_nearest_point {}
 // SAFETY: as above; any bits will do.
-unsafe impl bytemuck::Pod for gusset_nearest {}
+unsafe impl bytemuck::Pod for gusset_curve_nearest_point {}
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_curve_moments {
+unsafe impl Versioned for gusset_curve_moment_report {
     const LEAST_SIZE: usize = 56;
 }
-const _: () =
-    assert!(size_of::<usize>() != 8 || (size_of::<gusset_nearest>() == 48 && size_of::<gusset_curve_moments>() == 56));
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_curve_nearest_point>() == 48 && size_of::<gusset_curve_moment_report>() == 56)
+);
 
 /// Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
 /// out: receives 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t,
@@ -114,13 +116,13 @@ pub unsafe extern "C" fn gusset_curve_nearest(
     curve: *const gusset_curve,
     points: *const f64,
     count: usize,
-    out: *mut gusset_nearest,
+    out: *mut gusset_curve_nearest_point,
 ) -> gusset_status {
     guard(context, |job| {
         let (view, points) = (view(curve, "curve")?, self::points(points, count, 3)?);
         let out = input::results(out, count, "out")?;
         for (to, n) in out.iter_mut().zip(view.nearest(&points, job)?) {
-            *to = gusset_nearest { place: n.place.into(), point: n.point.to_array(), distance: n.distance };
+            *to = gusset_curve_nearest_point { place: n.place.into(), point: n.point.to_array(), distance: n.distance };
         }
         Ok(())
     })
@@ -224,17 +226,17 @@ pub unsafe extern "C" fn gusset_curve_area_vector(
 /// BAD_STRUCT_SIZE, CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_enclosed(
+pub unsafe extern "C" fn gusset_curve_moments(
     context: *const gusset_context,
     curve: *const gusset_curve,
-    moments: *mut gusset_curve_moments,
+    moments: *mut gusset_curve_moment_report,
 ) -> gusset_status {
     guard(context, |_| {
         let out = input::output_struct(moments, "moments")?;
         let found = view(curve, "curve")?.moments()?;
-        let struct_size = size_of::<gusset_curve_moments>();
+        let struct_size = size_of::<gusset_curve_moment_report>();
         let centroid = [found.centroid.x, found.centroid.y];
-        out.write(gusset_curve_moments { struct_size, area: found.area, centroid, second: found.second });
+        out.write(gusset_curve_moment_report { struct_size, area: found.area, centroid, second: found.second });
         Ok(())
     })
 }

@@ -53,10 +53,10 @@ const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_curve_form_vie
 
 /// The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
 /// the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
-/// MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce), OUT_OF_MEMORY. O(points).
+/// MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_svg(
+pub unsafe extern "C" fn gusset_curve_svg_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     form: *mut *mut gusset_curve_form,
@@ -74,7 +74,7 @@ pub unsafe extern "C" fn gusset_curve_svg(
 /// degree above 2, tolerance), OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_contour(
+pub unsafe extern "C" fn gusset_curve_contour_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     tolerance: f64,
@@ -92,7 +92,7 @@ pub unsafe extern "C" fn gusset_curve_contour(
 /// OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_spline(
+pub unsafe extern "C" fn gusset_curve_spline_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     form: *mut *mut gusset_curve_form,
@@ -113,7 +113,7 @@ pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form)
 /// Lends the parts. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_form_parts(
+pub unsafe extern "C" fn gusset_curve_form_get_view(
     form: *const gusset_curve_form,
     parts: *mut gusset_curve_form_view,
 ) -> gusset_status {

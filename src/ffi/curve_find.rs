@@ -57,11 +57,11 @@ unsafe impl Versioned for gusset_places_view {
 }
 const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_places_view>() == 80);
 
-/// gusset_curve_sample: as many points as amount says, at equal arc lengths.
+/// gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
 pub const GUSSET_SAMPLE_COUNT: u32 = 0;
-/// gusset_curve_sample: a point every `amount` of arc length; an open curve's end is always the last.
+/// gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always the last.
 pub const GUSSET_SAMPLE_STEP: u32 = 1;
-/// gusset_curve_sample: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
+/// gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
 /// 20 times, which leaves 1e-12 of its size.
 pub const GUSSET_SAMPLE_CHORD: u32 = 2;
 
@@ -120,7 +120,7 @@ impl gusset_places {
 /// crossing.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_cross_plane(
+pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     point: *const f64,
@@ -134,10 +134,10 @@ pub unsafe extern "C" fn gusset_curve_cross_plane(
 }
 
 /// Where a plane curve crosses or touches a line. point: x, y of a point of the line; direction: x, y along it, not 0. Errors:
-/// CURVE_NOT_PLANE, and those of gusset_curve_cross_plane.
+/// CURVE_NOT_PLANE, and those of gusset_curve_intersect_plane_create.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_cross_line(
+pub unsafe extern "C" fn gusset_curve_intersect_line_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     point: *const f64,
@@ -155,7 +155,7 @@ pub unsafe extern "C" fn gusset_curve_cross_line(
 /// pair of segments whose boxes meet.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_intersect(
+pub unsafe extern "C" fn gusset_curve_intersect_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     other: *const gusset_curve,
@@ -175,7 +175,7 @@ pub unsafe extern "C" fn gusset_curve_intersect(
 /// UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_sample(
+pub unsafe extern "C" fn gusset_curve_sample_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     rule: u32,
@@ -203,7 +203,7 @@ pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
 /// Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_places_found(
+pub unsafe extern "C" fn gusset_places_get_view(
     places: *const gusset_places,
     view: *mut gusset_places_view,
 ) -> gusset_status {

@@ -81,7 +81,7 @@ impl From<&Offset> for gusset_offset_report {
 /// UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_part(
+pub unsafe extern "C" fn gusset_curve_part_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     from: gusset_place,
@@ -94,10 +94,10 @@ pub unsafe extern "C" fn gusset_curve_part(
 }
 
 /// The part of a curve before a place, or the part after it; both are open. at: the place. after: 0 for the part before
-/// it, 1 for the part after it. Otherwise as gusset_curve_part.
+/// it, 1 for the part after it. Otherwise as gusset_curve_part_create.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_split(
+pub unsafe extern "C" fn gusset_curve_split_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     at: gusset_place,
@@ -117,7 +117,7 @@ pub unsafe extern "C" fn gusset_curve_split(
 /// The same curve run through from its end to its start. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_reverse(
+pub unsafe extern "C" fn gusset_curve_reverse_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     reversed: *mut *mut gusset_curve,
@@ -130,7 +130,7 @@ pub unsafe extern "C" fn gusset_curve_reverse(
 /// each new control point.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_elevate(
+pub unsafe extern "C" fn gusset_curve_elevate_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     by: u32,
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn gusset_curve_elevate(
 /// OUT_OF_MEMORY. O(degree^3) a segment.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_reduce(
+pub unsafe extern "C" fn gusset_curve_reduce_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     degree: u32,
@@ -174,7 +174,7 @@ pub unsafe extern "C" fn gusset_curve_reduce(
 /// tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_curve_offset(
+pub unsafe extern "C" fn gusset_curve_offset_create(
     context: *const gusset_context,
     curve: *const gusset_curve,
     distance: f64,

@@ -138,7 +138,7 @@ pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
 /// Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_facing_arcs(
+pub unsafe extern "C" fn gusset_facing_get_view(
     facing: *const gusset_facing,
     view: *mut gusset_facing_view,
 ) -> gusset_status {

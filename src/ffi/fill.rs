@@ -5,7 +5,7 @@ use super::guard::{create, guard};
 use super::input::{self, Versioned};
 use super::mesh::{self, gusset_indices, gusset_mesh_view};
 use super::status::{Failure, gusset_status};
-use super::stitch::gusset_quality;
+use super::stitch::gusset_quality_report;
 use super::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};
 use crate::alloc;
 use crate::error::Error;
@@ -101,10 +101,10 @@ pub struct gusset_hole {
 /// The accounts of all loops. Pointers are valid until the fill is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_fill_parts {
-    /// sizeof(gusset_fill_parts), set by the caller.
+pub struct gusset_fill_view {
+    /// sizeof(gusset_fill_view), set by the caller.
     pub struct_size: usize,
-    /// One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_loop numbers them. NULL if
+    /// One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_get_loop numbers them. NULL if
     /// there are none.
     pub holes: *const gusset_hole,
     /// How many.
@@ -118,13 +118,13 @@ unsafe impl Versioned for gusset_fill_options {
     const LEAST_SIZE: usize = 48;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_fill_parts {
+unsafe impl Versioned for gusset_fill_view {
     const LEAST_SIZE: usize = 40;
 }
 const _: () = assert!(
     size_of::<usize>() != 8
         || (size_of::<gusset_fill_options>() == 48
-            && size_of::<gusset_fill_parts>() == 40
+            && size_of::<gusset_fill_view>() == 40
             && size_of::<gusset_hole>() == 56)
 );
 
@@ -252,7 +252,7 @@ pub unsafe extern "C" fn gusset_fill_destroy(fill: *mut gusset_fill) {
 /// any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_fill_mesh(fill: *const gusset_fill, view: *mut gusset_mesh_view) -> gusset_status {
+pub unsafe extern "C" fn gusset_fill_get_mesh(fill: *const gusset_fill, view: *mut gusset_mesh_view) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(view, "view")?;
         out.write(mesh::lend(&input::reference(fill, "fill")?.filled.mesh));
@@ -260,15 +260,15 @@ pub unsafe extern "C" fn gusset_fill_mesh(fill: *const gusset_fill, view: *mut g
     })
 }
 
-/// Lends the accounts of the loops. Errors and validity as for gusset_fill_mesh.
+/// Lends the accounts of the loops. Errors and validity as for gusset_fill_get_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_fill_view(fill: *const gusset_fill, parts: *mut gusset_fill_parts) -> gusset_status {
+pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *mut gusset_fill_view) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let gusset_fill { filled, holes } = input::reference(fill, "fill")?;
-        out.write(gusset_fill_parts {
-            struct_size: size_of::<gusset_fill_parts>(),
+        out.write(gusset_fill_view {
+            struct_size: size_of::<gusset_fill_view>(),
             holes: if holes.is_empty() { ptr::null() } else { holes.as_ptr() },
             hole_count: holes.len(),
             rims: gusset_indices::lend(&filled.rims),
@@ -281,10 +281,13 @@ pub unsafe extern "C" fn gusset_fill_view(fill: *const gusset_fill, parts: *mut 
 /// thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_fill_quality(fill: *const gusset_fill, quality: *mut gusset_quality) -> gusset_status {
+pub unsafe extern "C" fn gusset_fill_get_quality(
+    fill: *const gusset_fill,
+    quality: *mut gusset_quality_report,
+) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(quality, "quality")?;
-        out.write(gusset_quality::of(&input::reference(fill, "fill")?.filled.quality));
+        out.write(gusset_quality_report::of(&input::reference(fill, "fill")?.filled.quality));
         Ok(())
     })
 }

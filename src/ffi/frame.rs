@@ -65,8 +65,8 @@ pub struct gusset_frame_options {
 /// The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_frame_parts {
-    /// sizeof(gusset_frame_parts), set by the caller.
+pub struct gusset_frame_view {
+    /// sizeof(gusset_frame_view), set by the caller.
     pub struct_size: usize,
     /// The number of sections.
     pub rows: usize,
@@ -91,7 +91,7 @@ pub struct gusset_frame_parts {
 /// What a section measures.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_measure {
+pub struct gusset_section_report {
     /// Its length: of a closed section all round.
     pub girth: f64,
     /// The area within, never negative; that of an open section is closed by its chord.
@@ -105,14 +105,14 @@ unsafe impl Versioned for gusset_frame_options {
     const LEAST_SIZE: usize = 128;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_frame_parts {
+unsafe impl Versioned for gusset_frame_view {
     const LEAST_SIZE: usize = 88;
 }
 const _: () = assert!(
     size_of::<usize>() != 8
         || (size_of::<gusset_frame_options>() == 128
-            && size_of::<gusset_frame_parts>() == 88
-            && size_of::<gusset_measure>() == 40)
+            && size_of::<gusset_frame_view>() == 88
+            && size_of::<gusset_section_report>() == 40)
 );
 
 impl gusset_frame_options {
@@ -182,15 +182,15 @@ pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
 /// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_frame_view(
+pub unsafe extern "C" fn gusset_frame_get_view(
     frame: *const gusset_frame,
-    parts: *mut gusset_frame_parts,
+    parts: *mut gusset_frame_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let grid = &input::reference(frame, "frame")?.grid;
-        out.write(gusset_frame_parts {
-            struct_size: size_of::<gusset_frame_parts>(),
+        out.write(gusset_frame_view {
+            struct_size: size_of::<gusset_frame_view>(),
             rows: grid.rows,
             columns: grid.columns,
             nodes: grid.nodes.as_ptr().cast(),
@@ -210,7 +210,7 @@ pub unsafe extern "C" fn gusset_frame_view(
 /// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_frame_curves(
+pub unsafe extern "C" fn gusset_frame_curves_create(
     frame: *const gusset_frame,
     across: *mut *const gusset_outline,
     along: *mut *const gusset_outline,
@@ -238,7 +238,7 @@ pub unsafe extern "C" fn gusset_frame_curves(
 /// O(segments).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_frame_slice(
+pub unsafe extern "C" fn gusset_frame_slice_create(
     context: *const gusset_context,
     frame: *const gusset_frame,
     point: *const f64,
@@ -257,19 +257,19 @@ pub unsafe extern "C" fn gusset_frame_slice(
 /// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_outline_measure(
+pub unsafe extern "C" fn gusset_outline_get_section(
     outline: *const gusset_outline,
     index: usize,
-    measure: *mut gusset_measure,
+    measure: *mut gusset_section_report,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
-        let out = input::output(measure, gusset_measure { girth: 0.0, area: 0.0, centre: [0.0; 3] }, "measure")?;
+        let out = input::output(measure, gusset_section_report { girth: 0.0, area: 0.0, centre: [0.0; 3] }, "measure")?;
         let fit = &input::reference(outline, "outline")?.0;
         if index >= fit.len() {
             return Err(Failure::no_such("outline", index));
         }
         let Measure { girth, area, centre } = Measure::of(fit.curve(index))?;
-        *out = gusset_measure { girth, area, centre: centre.to_array() };
+        *out = gusset_section_report { girth, area, centre: centre.to_array() };
         Ok(())
     })
 }

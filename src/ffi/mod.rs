@@ -18,14 +18,14 @@
 //! | [`net_normals`], [`net_measure`], [`net_resample`] | normals, areas and volumes, other sizes |
 //! | [`net_arrange`], [`net_join`] | nets arranged anew; nets joined and taken apart |
 //! | [`net_mesh`], [`net_scene`], [`net_stream`] | nets to meshes and back; nets in groups; nets as bytes |
-//! | [`sheet_make`], [`sheet_ask`], [`sheet_mesh`], [`carcass_evaluate`] | other kinds of sheets, what they are, meshes of them, points on them |
-//! | [`sheet`], [`carcass`] | pieces of smooth surface; the handle of a surface with its index, places and curves on it |
-//! | [`carcass_line`], [`carcass_curve`] | lines and curves that meet surfaces; curves through points and along surfaces |
-//! | [`carcass_leus`] | the paper's search, the documented reference |
-//! | [`carcass_meet`] | where two surfaces meet |
-//! | [`carcass_info`] | what carcasses and their sheets are |
-//! | [`carcass_level`] | sections, contours and isophotes of surfaces |
-//! | [`carcass_closest`] | nearest points of surfaces, places of locally least distance, regions of cells |
+//! | [`sheet_make`], [`sheet_ask`], [`sheet_mesh`], [`surface_evaluate`] | other kinds of sheets, what they are, meshes of them, points on them |
+//! | [`sheet`], [`surface`] | pieces of smooth surface; the handle of a surface with its index, places and curves on it |
+//! | [`surface_line`], [`surface_curve`] | lines and curves that meet surfaces; curves through points and along surfaces |
+//! | [`surface_leus`] | the paper's search, the documented reference |
+//! | [`surface_meet`] | where two surfaces meet |
+//! | [`surface_info`] | what surfaces and their sheets are |
+//! | [`surface_level`] | sections, contours and isophotes of surfaces |
+//! | [`surface_closest`] | nearest points of surfaces, places of locally least distance, regions of cells |
 //! | [`plugin`] | the other interface: one symbol and tables of filters, with a header of its own |
 //! | `openmfx` | with the feature of this name: the entry points of OpenMfx hosts |
 //! | [`curve`] | the handle of a curve, and places on it |
@@ -41,15 +41,6 @@
 
 pub mod assembly;
 pub mod boundary;
-pub mod carcass;
-pub mod carcass_closest;
-pub mod carcass_curve;
-pub mod carcass_evaluate;
-pub mod carcass_info;
-pub mod carcass_leus;
-pub mod carcass_level;
-pub mod carcass_line;
-pub mod carcass_meet;
 pub mod check;
 pub mod context;
 pub mod curve;
@@ -97,6 +88,15 @@ pub mod status;
 pub mod stitch;
 pub mod stitch_options;
 pub mod strip;
+pub mod surface;
+pub mod surface_closest;
+pub mod surface_curve;
+pub mod surface_evaluate;
+pub mod surface_info;
+pub mod surface_leus;
+pub mod surface_level;
+pub mod surface_line;
+pub mod surface_meet;
 pub mod version;
 pub mod weld;
 pub mod winged;

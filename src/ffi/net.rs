@@ -23,8 +23,8 @@ pub struct gusset_net(Arc<Net<'static>>);
 /// number and a column_stride of a column.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_net_arrays {
-    /// sizeof(gusset_net_arrays), set by the caller.
+pub struct gusset_net_view {
+    /// sizeof(gusset_net_view), set by the caller.
     pub struct_size: usize,
     /// The number of rows of nodes, H; at least 2.
     pub rows: usize,
@@ -47,10 +47,10 @@ pub struct gusset_net_arrays {
 }
 
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_arrays {
+unsafe impl Versioned for gusset_net_view {
     const LEAST_SIZE: usize = 72;
 }
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_arrays>() == 72);
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_view>() == 72);
 
 impl gusset_net {
     /// A handle of a net that owns its memory, or of the host's.
@@ -117,7 +117,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn of(shape: Shape, arrays: &gusset_net_arrays, size: usize) -> Result<Self, Failure> {
+    fn of(shape: Shape, arrays: &gusset_net_view, size: usize) -> Result<Self, Failure> {
         let overflow = || Failure::from(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 });
         let extent = |count: usize, stride: usize, each: usize| {
             (count - 1).checked_mul(stride).and_then(|n| n.checked_add(each)).ok_or_else(overflow)
@@ -147,7 +147,7 @@ impl Layout {
 }
 
 /// A copy of the caller's matrices, which may lie at any alignment.
-fn copied<T: Real>(shape: Shape, arrays: &gusset_net_arrays) -> Result<Planes<'static, T>, Failure> {
+fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
     let size = size_of::<T>();
     let layout = Layout::of(shape, arrays, size)?;
     let mut planes = Planes::zeroed(shape)?;
@@ -168,7 +168,7 @@ fn copied<T: Real>(shape: Shape, arrays: &gusset_net_arrays) -> Result<Planes<'s
 }
 
 /// The caller's matrices themselves.
-fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_arrays) -> Result<Planes<'static, T>, Failure> {
+fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
     let size = size_of::<T>();
     let layout = Layout::of(shape, arrays, size)?;
     if layout.column != size || !layout.row.is_multiple_of(size) {
@@ -185,7 +185,7 @@ fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_arrays) -> Result<Planes<
 }
 
 /// Copies coordinates to the caller's matrices, which may lie at any alignment.
-fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_arrays) -> Result<(), Failure> {
+fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_view) -> Result<(), Failure> {
     let (shape, size) = (net.shape(), size_of::<T>());
     let layout = Layout::of(shape, arrays, size)?;
     for (axis, (to, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
@@ -222,7 +222,7 @@ fn put<T: Real>(to: &mut [u8], value: impl Real) {
 #[must_use]
 pub unsafe extern "C" fn gusset_net_create(
     context: *const gusset_context,
-    arrays: *const gusset_net_arrays,
+    arrays: *const gusset_net_view,
     gluing: *const gusset_net_gluing,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
@@ -244,9 +244,9 @@ pub unsafe extern "C" fn gusset_net_create(
 /// O(1); no memory a node, or 1/4 byte.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_borrow(
+pub unsafe extern "C" fn gusset_net_borrow_create(
     context: *const gusset_context,
-    arrays: *const gusset_net_arrays,
+    arrays: *const gusset_net_view,
     gluing: *const gusset_net_gluing,
     net: *mut *mut gusset_net,
 ) -> gusset_status {
@@ -260,7 +260,7 @@ pub unsafe extern "C" fn gusset_net_borrow(
     })
 }
 
-fn read_arrays(arrays: *const gusset_net_arrays) -> Result<(gusset_net_arrays, Shape), Failure> {
+fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
     let arrays = input::read(arrays, false, "arrays")?;
     if arrays.reserved != 0 {
         return Err(Failure::unknown("reserved", arrays.reserved.into()));
@@ -272,7 +272,7 @@ fn read_arrays(arrays: *const gusset_net_arrays) -> Result<(gusset_net_arrays, S
 /// can tell the difference: memory is shared until one of the two is changed. Errors: OUT_OF_MEMORY.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_clone(
+pub unsafe extern "C" fn gusset_net_clone_create(
     context: *const gusset_context,
     net: *const gusset_net,
     copy: *mut *mut gusset_net,
@@ -300,11 +300,11 @@ pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
     input::destroy(net);
 }
 
-fn lend(planes: &Planes<'_, impl Real>, scalar: u32) -> gusset_net_arrays {
+fn lend(planes: &Planes<'_, impl Real>, scalar: u32) -> gusset_net_view {
     let [x, y, z] = planes.matrices().map(|matrix| matrix.as_ptr().cast_mut().cast());
     let size = size_of_val(&planes.matrices()[0][0]);
-    gusset_net_arrays {
-        struct_size: size_of::<gusset_net_arrays>(),
+    gusset_net_view {
+        struct_size: size_of::<gusset_net_view>(),
         rows: planes.shape().rows(),
         columns: planes.shape().columns(),
         x,
@@ -317,7 +317,7 @@ fn lend(planes: &Planes<'_, impl Real>, scalar: u32) -> gusset_net_arrays {
     }
 }
 
-fn lend_all(net: &Net<'_>) -> gusset_net_arrays {
+fn lend_all(net: &Net<'_>) -> gusset_net_view {
     let scalar = match net.coordinates().scalar() {
         Scalar::F32 => GUSSET_F32,
         Scalar::F64 => GUSSET_F64,
@@ -329,7 +329,7 @@ fn lend_all(net: &Net<'_>) -> gusset_net_arrays {
 /// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_view(net: *const gusset_net, arrays: *mut gusset_net_arrays) -> gusset_status {
+pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, arrays: *mut gusset_net_view) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(arrays, "arrays")?;
         out.write(lend_all(read(net)?));
@@ -338,14 +338,14 @@ pub unsafe extern "C" fn gusset_net_view(net: *const gusset_net, arrays: *mut gu
 }
 
 /// Lends the coordinates to be written, valid until the next call with this net. Nodes that are glued must be kept equal: see
-/// gusset_net_snap. Memory shared with a copy or a scene is copied first: O(nodes) then, else O(1). Errors: as gusset_net_view,
+/// gusset_net_snap. Memory shared with a copy or a scene is copied first: O(nodes) then, else O(1). Errors: as gusset_net_get_view,
 /// OUT_OF_MEMORY.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_edit(
     context: *const gusset_context,
     net: *mut gusset_net,
-    arrays: *mut gusset_net_arrays,
+    arrays: *mut gusset_net_view,
 ) -> gusset_status {
     let out = input::output_struct(arrays, "arrays");
     guard(context, |_| {
@@ -370,7 +370,7 @@ pub unsafe extern "C" fn gusset_net_edit(
 pub unsafe extern "C" fn gusset_net_read(
     context: *const gusset_context,
     net: *const gusset_net,
-    arrays: *const gusset_net_arrays,
+    arrays: *const gusset_net_view,
 ) -> gusset_status {
     guard(context, |_| {
         let net = read(net)?;

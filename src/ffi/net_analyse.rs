@@ -29,8 +29,8 @@ impl gusset_net_analysis {
 /// An analysis, lent: valid until gusset_net_analysis_destroy.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_net_analysis_parts {
-    /// sizeof(gusset_net_analysis_parts), set by the caller.
+pub struct gusset_net_analysis_view {
+    /// sizeof(gusset_net_analysis_view), set by the caller.
     pub struct_size: usize,
     /// Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its
     /// new length divided by its old one; NaN if it had none, or an end is missing.
@@ -38,9 +38,9 @@ pub struct gusset_net_analysis_parts {
     /// 2 * rows * columns.
     pub link_count: usize,
     /// Of each cell, its new area divided by its old one; negative where the surface is folded over or, after
-    /// gusset_net_analyse_fields_create, space is mirrored; NaN if it had none, or is not there.
+    /// gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is not there.
     pub cells: *const f64,
-    /// Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analyse_create.
+    /// Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analysis_create.
     pub determinants: *const f64,
     /// (rows - 1) * (columns - 1).
     pub cell_count: usize,
@@ -66,20 +66,20 @@ pub struct gusset_net_analysis_parts {
 }
 
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_analysis_parts {
+unsafe impl Versioned for gusset_net_analysis_view {
     const LEAST_SIZE: usize = 112;
 }
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_analysis_parts>() == 112);
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_analysis_view>() == 112);
 
 /// The start of a list; NULL for an empty one.
 fn start<T>(items: &[T]) -> *const T {
     if items.is_empty() { ptr::null() } else { items.as_ptr() }
 }
 
-impl From<&gusset_net_analysis> for gusset_net_analysis_parts {
+impl From<&gusset_net_analysis> for gusset_net_analysis_view {
     fn from(found: &gusset_net_analysis) -> Self {
         let Analysis { links, cells, determinants, torn, folded, .. } = &found.analysis;
-        gusset_net_analysis_parts {
+        gusset_net_analysis_view {
             struct_size: size_of::<Self>(),
             links: start(links),
             link_count: links.len(),
@@ -108,7 +108,7 @@ impl From<&gusset_net_analysis> for gusset_net_analysis_parts {
 /// links are measured, as a zero of the Jacobian neither follows from gluing nor implies it.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_analyse_create(
+pub unsafe extern "C" fn gusset_net_analysis_create(
     context: *const gusset_context,
     before: *const gusset_net,
     after: *const gusset_net,
@@ -121,12 +121,12 @@ pub unsafe extern "C" fn gusset_net_analyse_create(
 }
 
 /// The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
-/// count, time: as for gusset_net_deform. tolerance: as for gusset_net_analyse_create. Errors: those of
-/// gusset_net_analyse_create and of gusset_net_deform. O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy
+/// count, time: as for gusset_net_deform. tolerance: as for gusset_net_analysis_create. Errors: those of
+/// gusset_net_analysis_create and of gusset_net_deform. O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy
 /// of the net. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_analyse_fields_create(
+pub unsafe extern "C" fn gusset_net_analysis_of_fields_create(
     context: *const gusset_context,
     net: *const gusset_net,
     fields: *const gusset_field,
@@ -146,9 +146,9 @@ pub unsafe extern "C" fn gusset_net_analyse_fields_create(
 /// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_analysis_view(
+pub unsafe extern "C" fn gusset_net_analysis_get_view(
     analysis: *const gusset_net_analysis,
-    parts: *mut gusset_net_analysis_parts,
+    parts: *mut gusset_net_analysis_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;

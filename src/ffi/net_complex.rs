@@ -36,8 +36,8 @@ pub struct gusset_net_complex {
 /// them, one pair after the other, in order. Pointers are valid until the complex is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_net_complex_report {
-    /// sizeof(gusset_net_complex_report), set by the caller.
+pub struct gusset_net_complex_view {
+    /// sizeof(gusset_net_complex_view), set by the caller.
     pub struct_size: usize,
     /// Vertices.
     pub vertex_count: u64,
@@ -82,17 +82,17 @@ pub struct gusset_net_complex_report {
 }
 
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_complex_report {
+unsafe impl Versioned for gusset_net_complex_view {
     const LEAST_SIZE: usize = 216;
 }
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_complex_report>() == 216);
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_complex_view>() == 216);
 
 impl gusset_net_complex {
-    fn report(&self) -> gusset_net_complex_report {
+    fn report(&self) -> gusset_net_complex_view {
         let c = &self.complex;
         let bit = |set, bit| if set { bit } else { 0 };
-        gusset_net_complex_report {
-            struct_size: size_of::<gusset_net_complex_report>(),
+        gusset_net_complex_view {
+            struct_size: size_of::<gusset_net_complex_view>(),
             vertex_count: c.vertices,
             edge_count: c.edges,
             quad_count: c.quads,
@@ -147,9 +147,9 @@ pub unsafe extern "C" fn gusset_net_complex_create(
 /// Lends what is known of a complex. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_complex_view(
+pub unsafe extern "C" fn gusset_net_complex_get_view(
     complex: *const gusset_net_complex,
-    report: *mut gusset_net_complex_report,
+    report: *mut gusset_net_complex_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(report, "report")?;

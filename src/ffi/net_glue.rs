@@ -233,7 +233,7 @@ pub unsafe extern "C" fn gusset_net_groups_create(
 /// MISALIGNED_ARGUMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_groups_view(
+pub unsafe extern "C" fn gusset_net_groups_get_view(
     groups: *const gusset_net_groups,
     offsets: *mut gusset_indices,
     members: *mut gusset_indices,

@@ -189,11 +189,11 @@ pub unsafe extern "C" fn gusset_net_set_gluing(
 }
 
 /// How a net is glued, in its one form. sides: receives the sides if they say all about its links, else UINT32_MAX: then see
-/// gusset_net_matrix. seam_count: receives the number of seams. reversed: receives 1 if faces are taken the other way round. NULL for what is
+/// gusset_net_get_matrix. seam_count: receives the number of seams. reversed: receives 1 if faces are taken the other way round. NULL for what is
 /// not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_topology(
+pub unsafe extern "C" fn gusset_net_get_topology(
     net: *const gusset_net,
     sides: *mut gusset_sides,
     seam_count: *mut usize,
@@ -221,7 +221,7 @@ pub unsafe extern "C" fn gusset_net_topology(
 /// written; written: receives that number. NULL and 0 ask for it. Errors: BUFFER_TOO_SMALL (nothing is written but the number), OUT_OF_MEMORY. O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_matrix(
+pub unsafe extern "C" fn gusset_net_get_matrix(
     net: *const gusset_net,
     matrix: *mut u8,
     capacity: usize,
@@ -242,7 +242,7 @@ pub unsafe extern "C" fn gusset_net_matrix(
 /// BUFFER_TOO_SMALL (nothing is written but the number). O(seams).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_seams(
+pub unsafe extern "C" fn gusset_net_get_seams(
     net: *const gusset_net,
     seams: *mut gusset_seam,
     capacity: usize,

@@ -185,7 +185,7 @@ fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a N
 
 /// Joins nets side by side to one, in one pass. Each net keeps what it is glued to: links that led back across the direction become
 /// seams. Its bridges are kept; each net but the first gets a new one, between it and the one before, behind its own. All can be undone:
-/// see gusset_net_split.
+/// see gusset_net_split_create.
 ///
 /// nets: net_count handles, at least one, of one scalar type; the same one may come several times. options: NULL for the defaults.
 /// joined: receives the result, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no
@@ -216,7 +216,7 @@ pub unsafe extern "C" fn gusset_net_concatenate_create(
 /// the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_split(
+pub unsafe extern "C" fn gusset_net_split_create(
     context: *const gusset_context,
     net: *const gusset_net,
     bridge: usize,
@@ -248,7 +248,7 @@ pub unsafe extern "C" fn gusset_net_bridge_count(net: *const gusset_net, count: 
 /// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_bridge(
+pub unsafe extern "C" fn gusset_net_get_bridge(
     net: *const gusset_net,
     index: usize,
     bridge: *mut gusset_bridge,

@@ -10,8 +10,8 @@ use crate::net::measure::{Measures, Moments, Planarity, measure, moments, planar
 /// What gusset_net_measure finds.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_measures {
-    /// sizeof(gusset_measures), set by the caller.
+pub struct gusset_net_measure_report {
+    /// sizeof(gusset_net_measure_report), set by the caller.
     pub struct_size: usize,
     /// The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
     pub area: f64,
@@ -29,8 +29,8 @@ pub struct gusset_measures {
 /// The body, of density 1, that a closed net encloses.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_moments {
-    /// sizeof(gusset_moments), set by the caller.
+pub struct gusset_net_moment_report {
+    /// sizeof(gusset_net_moment_report), set by the caller.
     pub struct_size: usize,
     /// The volume; negative if the normals look inwards.
     pub volume: f64,
@@ -44,8 +44,8 @@ pub struct gusset_moments {
 /// How plane the cells of a net are.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_planarity {
-    /// sizeof(gusset_planarity), set by the caller.
+pub struct gusset_net_planarity_report {
+    /// sizeof(gusset_net_planarity_report), set by the caller.
     pub struct_size: usize,
     /// The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no
     /// cells.
@@ -59,27 +59,27 @@ pub struct gusset_planarity {
 }
 
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_measures {
+unsafe impl Versioned for gusset_net_measure_report {
     const LEAST_SIZE: usize = 96;
 }
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_moments {
+unsafe impl Versioned for gusset_net_moment_report {
     const LEAST_SIZE: usize = 112;
 }
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_planarity {
+unsafe impl Versioned for gusset_net_planarity_report {
     const LEAST_SIZE: usize = 40;
 }
 const _: () = assert!(
     size_of::<usize>() != 8
-        || (size_of::<gusset_measures>() == 96
-            && size_of::<gusset_moments>() == 112
-            && size_of::<gusset_planarity>() == 40)
+        || (size_of::<gusset_net_measure_report>() == 96
+            && size_of::<gusset_net_moment_report>() == 112
+            && size_of::<gusset_net_planarity_report>() == 40)
 );
 
-impl From<Measures> for gusset_measures {
+impl From<Measures> for gusset_net_measure_report {
     fn from(found: Measures) -> Self {
-        gusset_measures {
+        gusset_net_measure_report {
             struct_size: size_of::<Self>(),
             area: found.area,
             volume: found.volume,
@@ -90,9 +90,9 @@ impl From<Measures> for gusset_measures {
     }
 }
 
-impl From<Moments> for gusset_moments {
+impl From<Moments> for gusset_net_moment_report {
     fn from(found: Moments) -> Self {
-        gusset_moments {
+        gusset_net_moment_report {
             struct_size: size_of::<Self>(),
             volume: found.volume,
             centroid: found.centroid.to_array(),
@@ -102,9 +102,9 @@ impl From<Moments> for gusset_moments {
     }
 }
 
-impl From<&Planarity> for gusset_planarity {
+impl From<&Planarity> for gusset_net_planarity_report {
     fn from(found: &Planarity) -> Self {
-        gusset_planarity {
+        gusset_net_planarity_report {
             struct_size: size_of::<Self>(),
             worst: found.worst.map_or(0.0, |(off, _)| off),
             worst_cell: found.worst.map_or(u64::MAX, |(_, cell)| cell.into()),
@@ -123,7 +123,7 @@ impl From<&Planarity> for gusset_planarity {
 pub unsafe extern "C" fn gusset_net_measure(
     context: *const gusset_context,
     net: *const gusset_net,
-    measures: *mut gusset_measures,
+    measures: *mut gusset_net_measure_report,
 ) -> gusset_status {
     let out = input::output_struct(measures, "measures");
     guard(context, |job| {
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn gusset_net_measure(
 pub unsafe extern "C" fn gusset_net_moments(
     context: *const gusset_context,
     net: *const gusset_net,
-    moments: *mut gusset_moments,
+    moments: *mut gusset_net_moment_report,
 ) -> gusset_status {
     let out = input::output_struct(moments, "moments");
     guard(context, |job| {
@@ -168,7 +168,7 @@ pub unsafe extern "C" fn gusset_net_planarity(
     cells: *mut f64,
     capacity: usize,
     written: *mut usize,
-    summary: *mut gusset_planarity,
+    summary: *mut gusset_net_planarity_report,
 ) -> gusset_status {
     let written = input::output(written, 0, "written");
     let out = input::output_struct(summary, "summary");

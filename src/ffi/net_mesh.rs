@@ -48,8 +48,8 @@ pub struct gusset_net_mesh_options {
 /// What became what when a net became a mesh. Pointers are valid until the mesh is destroyed; NULL where the count is 0.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_net_mesh_maps {
-    /// sizeof(gusset_net_mesh_maps), set by the caller.
+pub struct gusset_net_mesh_view {
+    /// sizeof(gusset_net_mesh_view), set by the caller.
     pub struct_size: usize,
     /// For each node its vertex, or UINT32_MAX.
     pub vertex_of_node: gusset_indices,
@@ -96,8 +96,8 @@ pub struct gusset_heights {
 /// Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_net_grid_parts {
-    /// sizeof(gusset_net_grid_parts), set by the caller.
+pub struct gusset_net_grid_view {
+    /// sizeof(gusset_net_grid_view), set by the caller.
     pub struct_size: usize,
     /// For each node its vertex.
     pub vertex_of_node: gusset_indices,
@@ -120,7 +120,7 @@ unsafe impl Versioned for gusset_net_mesh_options {
     const LEAST_SIZE: usize = 32;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_mesh_maps {
+unsafe impl Versioned for gusset_net_mesh_view {
     const LEAST_SIZE: usize = 104;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
@@ -128,15 +128,15 @@ unsafe impl Versioned for gusset_heights {
     const LEAST_SIZE: usize = 96;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_grid_parts {
+unsafe impl Versioned for gusset_net_grid_view {
     const LEAST_SIZE: usize = 40;
 }
 const _: () = assert!(
     size_of::<usize>() != 8
         || (size_of::<gusset_net_mesh_options>() == 32
-            && size_of::<gusset_net_mesh_maps>() == 104
+            && size_of::<gusset_net_mesh_view>() == 104
             && size_of::<gusset_heights>() == 96
-            && size_of::<gusset_net_grid_parts>() == 40)
+            && size_of::<gusset_net_grid_view>() == 40)
 );
 
 impl gusset_net_mesh_options {
@@ -189,7 +189,7 @@ pub unsafe extern "C" fn gusset_net_mesh_destroy(mesh: *mut gusset_net_mesh) {
 /// BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_mesh_view(
+pub unsafe extern "C" fn gusset_net_mesh_get_mesh(
     mesh: *const gusset_net_mesh,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
@@ -200,20 +200,20 @@ pub unsafe extern "C" fn gusset_net_mesh_view(
     })
 }
 
-/// Lends what became what. Errors and validity as for gusset_net_mesh_view.
+/// Lends what became what. Errors and validity as for gusset_net_mesh_get_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_mesh_parts(
+pub unsafe extern "C" fn gusset_net_mesh_get_view(
     mesh: *const gusset_net_mesh,
-    maps: *mut gusset_net_mesh_maps,
+    maps: *mut gusset_net_mesh_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(maps, "maps")?;
         let made = &input::reference(mesh, "mesh")?.0;
         let (coordinates, corners) =
             made.texture.as_ref().map_or((&[][..], &[][..]), |texture| (&texture.coordinates, &texture.corners));
-        out.write(gusset_net_mesh_maps {
-            struct_size: size_of::<gusset_net_mesh_maps>(),
+        out.write(gusset_net_mesh_view {
+            struct_size: size_of::<gusset_net_mesh_view>(),
             vertex_of_node: gusset_indices::lend(&made.vertex_of_node),
             node_of_vertex: gusset_indices::lend(&made.node_of_vertex),
             cell_of_face: gusset_indices::lend(&made.cell_of_face),
@@ -313,7 +313,7 @@ pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
 /// MISALIGNED_ARGUMENT. O(1).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_grid_net(
+pub unsafe extern "C" fn gusset_net_grid_net_create(
     context: *const gusset_context,
     grid: *const gusset_net_grid,
     net: *mut *mut gusset_net,
@@ -324,15 +324,15 @@ pub unsafe extern "C" fn gusset_net_grid_net(
 /// Lends where the net was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_grid_view(
+pub unsafe extern "C" fn gusset_net_grid_get_view(
     grid: *const gusset_net_grid,
-    parts: *mut gusset_net_grid_parts,
+    parts: *mut gusset_net_grid_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let grid = input::reference(grid, "grid")?;
-        out.write(gusset_net_grid_parts {
-            struct_size: size_of::<gusset_net_grid_parts>(),
+        out.write(gusset_net_grid_view {
+            struct_size: size_of::<gusset_net_grid_view>(),
             vertex_of_node: gusset_indices::lend(&grid.vertex_of_node),
             face_of_cell: gusset_indices::lend(&grid.face_of_cell),
         });

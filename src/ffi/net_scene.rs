@@ -33,8 +33,8 @@ pub struct gusset_transform {
 /// An entry of a scene.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_scene_entry {
-    /// sizeof(gusset_scene_entry), set by the caller.
+pub struct gusset_scene_entry_report {
+    /// sizeof(gusset_scene_entry_report), set by the caller.
     pub struct_size: usize,
     /// Into the space of the groups that it is in.
     pub transform: gusset_transform,
@@ -49,8 +49,8 @@ pub struct gusset_scene_entry {
 /// How much is in a scene.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_scene_counts {
-    /// sizeof(gusset_scene_counts), set by the caller.
+pub struct gusset_scene_report {
+    /// sizeof(gusset_scene_report), set by the caller.
     pub struct_size: usize,
     /// Instances of nets and groups: ways from entries in no group; UINT64_MAX if there are more.
     pub instances: u64,
@@ -83,17 +83,17 @@ pub struct gusset_scene_instance {
 }
 
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_scene_entry {
+unsafe impl Versioned for gusset_scene_entry_report {
     const LEAST_SIZE: usize = 120;
 }
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_scene_counts {
+unsafe impl Versioned for gusset_scene_report {
     const LEAST_SIZE: usize = 40;
 }
 const _: () = assert!(
     size_of::<usize>() != 8
-        || (size_of::<gusset_scene_entry>() == 120
-            && size_of::<gusset_scene_counts>() == 40
+        || (size_of::<gusset_scene_entry_report>() == 120
+            && size_of::<gusset_scene_report>() == 40
             && size_of::<gusset_scene_instance>() == 112)
 );
 
@@ -269,10 +269,10 @@ pub unsafe extern "C" fn gusset_scene_set_visible(
 /// BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_scene_entry_view(
+pub unsafe extern "C" fn gusset_scene_get_entry(
     scene: *const gusset_scene,
     entry: u32,
-    out: *mut gusset_scene_entry,
+    out: *mut gusset_scene_entry_report,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(out, "out")?;
@@ -282,8 +282,8 @@ pub unsafe extern "C" fn gusset_scene_entry_view(
             Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
         };
         let (transform, visible) = (scene.transform(entry)?.into(), scene.is_visible(entry)?.into());
-        out.write(gusset_scene_entry {
-            struct_size: size_of::<gusset_scene_entry>(),
+        out.write(gusset_scene_entry_report {
+            struct_size: size_of::<gusset_scene_entry_report>(),
             transform,
             child_count,
             kind,
@@ -298,7 +298,7 @@ pub unsafe extern "C" fn gusset_scene_entry_view(
 /// O(1).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_scene_net(
+pub unsafe extern "C" fn gusset_scene_net_create(
     context: *const gusset_context,
     scene: *const gusset_scene,
     entry: u32,
@@ -312,7 +312,7 @@ pub unsafe extern "C" fn gusset_scene_net(
 /// net, BUFFER_TOO_SMALL. O(children).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_scene_children(
+pub unsafe extern "C" fn gusset_scene_get_children(
     context: *const gusset_context,
     scene: *const gusset_scene,
     group: u32,
@@ -335,15 +335,15 @@ pub unsafe extern "C" fn gusset_scene_children(
 /// O(entries + children), however many instances there are. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_scene_count(
+pub unsafe extern "C" fn gusset_scene_get_report(
     scene: *const gusset_scene,
-    counts: *mut gusset_scene_counts,
+    counts: *mut gusset_scene_report,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(counts, "counts")?;
         let counts = self::scene(scene)?.counts()?;
-        out.write(gusset_scene_counts {
-            struct_size: size_of::<gusset_scene_counts>(),
+        out.write(gusset_scene_report {
+            struct_size: size_of::<gusset_scene_report>(),
             instances: counts.instances,
             net_instances: counts.net_instances,
             nets: counts.nets,

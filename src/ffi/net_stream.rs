@@ -43,8 +43,8 @@ pub struct gusset_stream_options {
 /// What the first bytes of a stream say.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_stream_info {
-    /// sizeof(gusset_stream_info), set by the caller.
+pub struct gusset_stream_report {
+    /// sizeof(gusset_stream_report), set by the caller.
     pub struct_size: usize,
     /// The rows of nodes.
     pub rows: usize,
@@ -80,11 +80,11 @@ unsafe impl Versioned for gusset_stream_options {
     const LEAST_SIZE: usize = 32;
 }
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_stream_info {
+unsafe impl Versioned for gusset_stream_report {
     const LEAST_SIZE: usize = 104;
 }
 const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_stream_options>() == 32 && size_of::<gusset_stream_info>() == 104)
+    size_of::<usize>() != 8 || (size_of::<gusset_stream_options>() == 32 && size_of::<gusset_stream_report>() == 104)
 );
 
 impl gusset_stream_options {
@@ -105,14 +105,14 @@ impl gusset_stream_options {
     }
 }
 
-impl From<&StreamInfo> for gusset_stream_info {
+impl From<&StreamInfo> for gusset_stream_report {
     fn from(info: &StreamInfo) -> Self {
         let (mode, bits) = match info.mode {
             Mode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
             Mode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
             Mode::Raw => (GUSSET_STREAM_RAW, 0),
         };
-        gusset_stream_info {
+        gusset_stream_report {
             struct_size: size_of::<Self>(),
             rows: info.shape.rows(),
             columns: info.shape.columns(),
@@ -154,7 +154,7 @@ pub unsafe extern "C" fn gusset_net_encode_create(
 /// MISALIGNED_ARGUMENT. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stream_view(
+pub unsafe extern "C" fn gusset_stream_get_view(
     stream: *const gusset_stream,
     data: *mut *const c_void,
     size: *mut usize,
@@ -182,7 +182,7 @@ pub unsafe extern "C" fn gusset_stream_inspect(
     context: *const gusset_context,
     data: *const c_void,
     size: usize,
-    info: *mut gusset_stream_info,
+    info: *mut gusset_stream_report,
 ) -> gusset_status {
     let out = input::output_struct(info, "info");
     guard(context, |_| {
@@ -249,7 +249,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_push(
 /// net: receives it. Errors: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY. O(nodes).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stream_decoder_preview(
+pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
     context: *const gusset_context,
     decoder: *const gusset_stream_decoder,
     net: *mut *mut gusset_net,
@@ -261,7 +261,7 @@ pub unsafe extern "C" fn gusset_stream_decoder_preview(
 /// Errors: BAD_STREAM if the stream is not complete, or what pushing failed with. O(1).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stream_decoder_finish(
+pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
     context: *const gusset_context,
     decoder: *mut gusset_stream_decoder,
     net: *mut *mut gusset_net,

@@ -43,8 +43,8 @@ pub struct gusset_net_validation(Vec<gusset_net_finding>);
 /// All findings: violations first, then warnings, each kind in the order of its elements.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_net_validation_report {
-    /// sizeof(gusset_net_validation_report), set by the caller.
+pub struct gusset_net_validation_view {
+    /// sizeof(gusset_net_validation_view), set by the caller.
     pub struct_size: usize,
     /// The findings, valid until the validation is destroyed; NULL if there are none.
     pub findings: *const gusset_net_finding,
@@ -55,7 +55,7 @@ pub struct gusset_net_validation_report {
 }
 
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_validation_report {
+unsafe impl Versioned for gusset_net_validation_view {
     const LEAST_SIZE: usize = 4 * size_of::<usize>();
 }
 const _: () = assert!(size_of::<gusset_net_finding>() == 24);
@@ -77,11 +77,11 @@ impl From<&Finding> for gusset_net_finding {
 /// Checks that glued nodes lie together, and looks for what is suspicious. What it finds is no error.
 ///
 /// tolerance: how far two nodes may be apart, at least 0; for 0 their coordinates must be equal (0 and -0 are). Two missing nodes are no
-/// violation. validation: receives the result, for gusset_net_validate_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// violation. validation: receives the result, for gusset_net_validation_destroy; NULL on failure. Errors: NULL_ARGUMENT,
 /// MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the findings. Source: Deryagin, "Non-spatial operations".
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_validate_create(
+pub unsafe extern "C" fn gusset_net_validation_create(
     context: *const gusset_context,
     net: *const gusset_net,
     tolerance: f64,
@@ -96,15 +96,15 @@ pub unsafe extern "C" fn gusset_net_validate_create(
 /// Lends the findings. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(log findings). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_net_validate_view(
+pub unsafe extern "C" fn gusset_net_validation_get_view(
     validation: *const gusset_net_validation,
-    report: *mut gusset_net_validation_report,
+    report: *mut gusset_net_validation_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(report, "report")?;
         let findings = &input::reference(validation, "validation")?.0;
-        out.write(gusset_net_validation_report {
-            struct_size: size_of::<gusset_net_validation_report>(),
+        out.write(gusset_net_validation_view {
+            struct_size: size_of::<gusset_net_validation_view>(),
             findings: if findings.is_empty() { ptr::null() } else { findings.as_ptr() },
             count: findings.len(),
             violation_count: findings.partition_point(|finding| finding.kind < GUSSET_NET_FINDING_LOOP),
@@ -115,14 +115,14 @@ pub unsafe extern "C" fn gusset_net_validate_view(
 
 /// Destroys a validation; NULL is allowed.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn gusset_net_validate_destroy(validation: *mut gusset_net_validation) {
+pub unsafe extern "C" fn gusset_net_validation_destroy(validation: *mut gusset_net_validation) {
     input::destroy(validation);
 }
 
 /// Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more nodes of its sides that do, forwards or backwards.
 ///
 /// It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are taken stays. tolerance: as for
-/// gusset_net_validate_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+/// gusset_net_validation_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
 /// CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the nodes of the sides.
 #[unsafe(no_mangle)]
 #[must_use]

@@ -36,8 +36,8 @@ pub struct gusset_orient_options {
 /// What was turned, and what could not be oriented. Pointers are valid until the handle is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_orient_parts {
-    /// sizeof(gusset_orient_parts), set by the caller.
+pub struct gusset_orient_view {
+    /// sizeof(gusset_orient_view), set by the caller.
     pub struct_size: usize,
     /// Per face, 1 if it was turned over, else 0.
     pub turned: *const u8,
@@ -62,11 +62,11 @@ unsafe impl Versioned for gusset_orient_options {
     const LEAST_SIZE: usize = 16;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_orient_parts {
+unsafe impl Versioned for gusset_orient_view {
     const LEAST_SIZE: usize = 72;
 }
 const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_orient_options>() == 16 && size_of::<gusset_orient_parts>() == 72)
+    size_of::<usize>() != 8 || (size_of::<gusset_orient_options>() == 16 && size_of::<gusset_orient_view>() == 72)
 );
 
 impl gusset_orient_options {
@@ -123,7 +123,7 @@ pub unsafe extern "C" fn gusset_orient_destroy(orient: *mut gusset_orient) {
 /// O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_orient_mesh(
+pub unsafe extern "C" fn gusset_orient_get_mesh(
     orient: *const gusset_orient,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
@@ -134,18 +134,18 @@ pub unsafe extern "C" fn gusset_orient_mesh(
     })
 }
 
-/// Lends the flags, lists and counts. Errors and validity as for gusset_orient_mesh.
+/// Lends the flags, lists and counts. Errors and validity as for gusset_orient_get_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_orient_view(
+pub unsafe extern "C" fn gusset_orient_get_view(
     orient: *const gusset_orient,
-    parts: *mut gusset_orient_parts,
+    parts: *mut gusset_orient_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let gusset_orient { done, one_sided } = input::reference(orient, "orient")?;
-        out.write(gusset_orient_parts {
-            struct_size: size_of::<gusset_orient_parts>(),
+        out.write(gusset_orient_view {
+            struct_size: size_of::<gusset_orient_view>(),
             // A bool is one byte, 0 or 1.
             turned: done.turned.as_ptr().cast(),
             face_count: done.turned.len(),

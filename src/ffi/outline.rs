@@ -15,9 +15,9 @@ use libc::c_void;
 use std::ptr;
 
 /// The curve passes the point in the direction of the tangent, of any length but 0.
-pub const GUSSET_DEMAND_TANGENT: u32 = 0;
+pub const GUSSET_CONSTRAINT_TANGENT: u32 = 0;
 /// The curve may turn sharply at the point.
-pub const GUSSET_DEMAND_CORNER: u32 = 1;
+pub const GUSSET_CONSTRAINT_CORNER: u32 = 1;
 
 /// What is demanded of a curve at a point.
 #[repr(C)]
@@ -27,7 +27,7 @@ pub struct gusset_constraint {
     pub point: u32,
     /// GUSSET_DEMAND_...
     pub demand: u32,
-    /// x, y, z, for GUSSET_DEMAND_TANGENT; z is 0 for plane outlines.
+    /// x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines.
     pub tangent: [f64; 3],
 }
 
@@ -69,8 +69,8 @@ pub struct gusset_outline(pub(super) Fit);
 /// both included, counted from the curve's first one. A closed curve repeats its first control point at its end.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_outline_parts {
-    /// sizeof(gusset_outline_parts), set by the caller.
+pub struct gusset_outline_view {
+    /// sizeof(gusset_outline_view), set by the caller.
     pub struct_size: usize,
     /// The number of outlines.
     pub outline_count: usize,
@@ -125,8 +125,8 @@ pub struct gusset_sections(Sections);
 /// valid until the sections are destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_sections_parts {
-    /// sizeof(gusset_sections_parts), set by the caller.
+pub struct gusset_sections_view {
+    /// sizeof(gusset_sections_view), set by the caller.
     pub struct_size: usize,
     /// The number of points.
     pub count: usize,
@@ -143,7 +143,7 @@ unsafe impl Versioned for gusset_outlines {
     const LEAST_SIZE: usize = 72;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_outline_parts {
+unsafe impl Versioned for gusset_outline_view {
     const LEAST_SIZE: usize = 96;
 }
 // SAFETY: repr(C), size first, plain numbers.
@@ -151,15 +151,15 @@ unsafe impl Versioned for gusset_outline_report {
     const LEAST_SIZE: usize = 64;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_sections_parts {
+unsafe impl Versioned for gusset_sections_view {
     const LEAST_SIZE: usize = 40;
 }
 const _: () = assert!(
     size_of::<usize>() != 8
         || (size_of::<gusset_outlines>() == 72
-            && size_of::<gusset_outline_parts>() == 96
+            && size_of::<gusset_outline_view>() == 96
             && size_of::<gusset_outline_report>() == 64
-            && size_of::<gusset_sections_parts>() == 40
+            && size_of::<gusset_sections_view>() == 40
             && size_of::<gusset_constraint>() == 32)
 );
 
@@ -213,8 +213,8 @@ impl Given<'_> {
 fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
     let [point, demand]: [u32; 2] = bytemuck::pod_read_unaligned(&bytes[..8]);
     let demand = match demand {
-        GUSSET_DEMAND_TANGENT => Demand::Tangent(DVec3::from_array(bytemuck::pod_read_unaligned(&bytes[8..32]))),
-        GUSSET_DEMAND_CORNER => Demand::Corner,
+        GUSSET_CONSTRAINT_TANGENT => Demand::Tangent(DVec3::from_array(bytemuck::pod_read_unaligned(&bytes[8..32]))),
+        GUSSET_CONSTRAINT_CORNER => Demand::Corner,
         other => return Err(Failure::unknown("demand", other.into())),
     };
     Ok(Constraint { point, demand })
@@ -257,15 +257,15 @@ pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
 /// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_outline_view(
+pub unsafe extern "C" fn gusset_outline_get_view(
     outline: *const gusset_outline,
-    parts: *mut gusset_outline_parts,
+    parts: *mut gusset_outline_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let done = &input::reference(outline, "outline")?.0;
-        out.write(gusset_outline_parts {
-            struct_size: size_of::<gusset_outline_parts>(),
+        out.write(gusset_outline_view {
+            struct_size: size_of::<gusset_outline_view>(),
             outline_count: done.len(),
             point_count: done.parameters().len(),
             controls: done.points().as_ptr().cast(),
@@ -284,7 +284,7 @@ pub unsafe extern "C" fn gusset_outline_view(
 /// any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_outline_account(
+pub unsafe extern "C" fn gusset_outline_get_report(
     outline: *const gusset_outline,
     index: usize,
     report: *mut gusset_outline_report,
@@ -313,7 +313,7 @@ pub unsafe extern "C" fn gusset_outline_account(
 /// NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_outline_curve(
+pub unsafe extern "C" fn gusset_outline_curve_create(
     context: *const gusset_context,
     outline: *const gusset_outline,
     index: usize,
@@ -363,15 +363,15 @@ pub unsafe extern "C" fn gusset_sections_destroy(sections: *mut gusset_sections)
 /// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sections_view(
+pub unsafe extern "C" fn gusset_sections_get_view(
     sections: *const gusset_sections,
-    parts: *mut gusset_sections_parts,
+    parts: *mut gusset_sections_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let found = &input::reference(sections, "sections")?.0;
-        out.write(gusset_sections_parts {
-            struct_size: size_of::<gusset_sections_parts>(),
+        out.write(gusset_sections_view {
+            struct_size: size_of::<gusset_sections_view>(),
             count: found.controls.len(),
             controls: found.controls.as_ptr().cast(),
             parameters: found.parameters.as_ptr(),

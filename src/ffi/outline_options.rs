@@ -39,11 +39,11 @@ pub const GUSSET_LOCK_SELF_CONSISTENT: u32 = 1;
 pub const GUSSET_LOCK_DATA_GUIDE: u32 = 2;
 
 /// Sections join in the middle between their control points.
-pub const GUSSET_JOINT_SHARE_HALF: u32 = 0;
+pub const GUSSET_JOINT_PARAMETER_HALF: u32 = 0;
 /// By the chords to the power of the method's exponent: the quadratic B-spline in those knots, C1.
-pub const GUSSET_JOINT_SHARE_KNOT: u32 = 1;
+pub const GUSSET_JOINT_PARAMETER_KNOT: u32 = 1;
 /// So that the curvature is continuous, where the control polygon turns one way.
-pub const GUSSET_JOINT_SHARE_G2: u32 = 2;
+pub const GUSSET_JOINT_PARAMETER_G2: u32 = 2;
 
 /// Closed forms and Newton's method.
 pub const GUSSET_SOLVER_FAST: u32 = 0;

@@ -7,9 +7,9 @@ use super::net::{flag, scalar};
 use super::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
 use super::status::{Failure, gusset_status};
 use crate::alloc;
-use crate::carcass::{Grid, Nodes, Scheme, Sheet};
 use crate::error::Error;
 use crate::mesh::Scalar;
+use crate::surface::{Grid, Nodes, Scheme, Sheet};
 use libc::c_void;
 
 /// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all functions may use it from any thread, and many at
@@ -96,8 +96,8 @@ pub(super) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failu
     let layout = Layout::of(nodes, size)?;
     // Refused before anything is read.
     let count = (nodes.rows as u64).saturating_mul(nodes.columns as u64);
-    if count > crate::carcass::MAX_NODES {
-        return Err(Error::TooLarge { what: "nodes", count, limit: crate::carcass::MAX_NODES }.into());
+    if count > crate::surface::MAX_NODES {
+        return Err(Error::TooLarge { what: "nodes", count, limit: crate::surface::MAX_NODES }.into());
     }
     let bytes = input::bytes(nodes.nodes, layout.span, 1, "nodes")?;
     let mut numbers = alloc::with_capacity(3 * count as usize)?;
@@ -141,7 +141,7 @@ fn grid(nodes: Nodes<'static>, options: &gusset_nodes) -> Result<gusset_sheet, F
 
 /// Makes a surface through a copy of nodes.
 ///
-/// nodes: at any alignment, finite; of sheets for a carcass the greatest coordinate in absolute terms is from 1e-30 to 1e37, or
+/// nodes: at any alignment, finite; of sheets for a surface the greatest coordinate in absolute terms is from 1e-30 to 1e37, or
 /// 0, however the sheet is made; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
 /// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet), BAD_STRUCT_SIZE,
 /// NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE with the node, SIDES_DIFFER if a closed
@@ -149,7 +149,7 @@ fn grid(nodes: Nodes<'static>, options: &gusset_nodes) -> Result<gusset_sheet, F
 /// node. From any thread. Source: Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_from_nodes(
+pub unsafe extern "C" fn gusset_sheet_from_nodes_create(
     context: *const gusset_context,
     nodes: *const gusset_nodes,
     sheet: *mut *mut gusset_sheet,
@@ -163,12 +163,12 @@ pub unsafe extern "C" fn gusset_sheet_from_nodes(
 /// Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged until the sheet and all that was made
 /// of it are destroyed.
 ///
-/// nodes: as for gusset_sheet_from_nodes, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there;
+/// nodes: as for gusset_sheet_from_nodes_create, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there;
 /// MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32 and for strides that are no multiples of 8; CANCELLED. O(nodes); no memory
 /// a node. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_borrow(
+pub unsafe extern "C" fn gusset_sheet_borrow_create(
     context: *const gusset_context,
     nodes: *const gusset_nodes,
     sheet: *mut *mut gusset_sheet,

@@ -6,14 +6,14 @@ use super::input::{self, Versioned};
 use super::sheet::gusset_sheet;
 use super::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
 use super::status::{Failure, gusset_status};
-use crate::carcass::Sheet;
+use crate::surface::Sheet;
 use std::ptr;
 
 /// What a sheet is.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_sheet_parts {
-    /// sizeof(gusset_sheet_parts), set by the caller.
+pub struct gusset_sheet_report {
+    /// sizeof(gusset_sheet_report), set by the caller.
     pub struct_size: usize,
     /// Cells in u: u runs from 0 to this.
     pub rows: usize,
@@ -38,10 +38,10 @@ pub struct gusset_sheet_parts {
 }
 
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_sheet_parts {
+unsafe impl Versioned for gusset_sheet_report {
     const LEAST_SIZE: usize = 56;
 }
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_sheet_parts>() == 56);
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_sheet_report>() == 56);
 
 /// Tells what a sheet is.
 ///
@@ -49,9 +49,9 @@ const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_sheet_parts>()
 /// sides). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_info(
+pub unsafe extern "C" fn gusset_sheet_get_report(
     sheet: *const gusset_sheet,
-    parts: *mut gusset_sheet_parts,
+    parts: *mut gusset_sheet_report,
 ) -> gusset_status {
     let out = input::output_struct(parts, "parts");
     guard(ptr::null(), |_| {
@@ -63,7 +63,7 @@ pub unsafe extern "C" fn gusset_sheet_info(
             Sheet::Cubic(_) => (3, 0),
             Sheet::High(_) => (7, 0),
         };
-        out.write(gusset_sheet_parts {
+        out.write(gusset_sheet_report {
             struct_size: 0,
             rows,
             columns,

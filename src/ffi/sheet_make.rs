@@ -9,10 +9,10 @@ use super::net::flag;
 use super::sheet::{copied_nodes, gusset_nodes, gusset_sheet};
 use super::status::{Failure, gusset_status};
 use crate::alloc;
-use crate::carcass::make::{CurveNet, FrameSurface, Spline, SplineAxis, Tangents, Twists};
-use crate::carcass::{MAX_DEGREE, Patches, Sheet};
 use crate::error::Error;
 use crate::outline::CurveView;
+use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, Tangents, Twists};
+use crate::surface::{MAX_DEGREE, Patches, Sheet};
 
 /// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
 pub type gusset_twists = u32;
@@ -147,14 +147,14 @@ fn curves<'a>(
 
 /// Makes the bicubic Hermite surface through nodes with given tangents: C1.
 ///
-/// nodes: as for gusset_sheet_from_nodes; the scheme is not used. tangents: rows x columns vectors each; those of the repeated
+/// nodes: as for gusset_sheet_from_nodes_create; the scheme is not used. tangents: rows x columns vectors each; those of the repeated
 /// line of a closed direction are not read as tangents, but must be there; at any alignment. sheet: receives the surface, for
-/// gusset_sheet_destroy; NULL on failure. Errors: those of gusset_sheet_from_nodes, among them NULL_ARGUMENT, BAD_STRUCT_SIZE and
+/// gusset_sheet_destroy; NULL on failure. Errors: those of gusset_sheet_from_nodes_create, among them NULL_ARGUMENT, BAD_STRUCT_SIZE and
 /// UNKNOWN_VALUE (twist, reserved) for the tangents, and NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW,
 /// OUT_OF_MEMORY, CANCELLED. O(nodes); 384 bytes a cell. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_from_tangents(
+pub unsafe extern "C" fn gusset_sheet_from_tangents_create(
     context: *const gusset_context,
     nodes: *const gusset_nodes,
     tangents: *const gusset_tangents,
@@ -206,7 +206,7 @@ impl Given {
 /// degree 3, else 1536. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_from_patches(
+pub unsafe extern "C" fn gusset_sheet_from_patches_create(
     context: *const gusset_context,
     points: *const f64,
     degree_u: u32,
@@ -241,7 +241,7 @@ pub unsafe extern "C" fn gusset_sheet_from_patches(
 /// else 1536. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_from_spline(
+pub unsafe extern "C" fn gusset_sheet_from_spline_create(
     context: *const gusset_context,
     spline: *const gusset_spline,
     sheet: *mut *mut gusset_sheet,
@@ -277,7 +277,7 @@ pub unsafe extern "C" fn gusset_sheet_from_spline(
 /// thread. Source: Gordon (1969).
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_from_curves(
+pub unsafe extern "C" fn gusset_sheet_from_curves_create(
     context: *const gusset_context,
     net: *const gusset_curve_net,
     sheet: *mut *mut gusset_sheet,
@@ -301,7 +301,7 @@ pub unsafe extern "C" fn gusset_sheet_from_curves(
 /// CANCELLED. O(nodes). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_from_frame(
+pub unsafe extern "C" fn gusset_sheet_from_frame_create(
     context: *const gusset_context,
     frame: *const gusset_frame,
     kind: u32,

@@ -1,6 +1,5 @@
 //! Meshes of sheets, as C sees them.
 
-use super::carcass::gusset_surface_place;
 use super::context::gusset_context;
 use super::guard::{create, guard};
 use super::input::{self, Versioned};
@@ -8,9 +7,10 @@ use super::mesh::{self, gusset_mesh_view};
 use super::net::flag;
 use super::sheet::gusset_sheet;
 use super::status::{Failure, gusset_status};
+use super::surface::gusset_surface_place;
 use crate::alloc;
-use crate::carcass::SurfaceMeshOptions;
 use crate::mesh::Mesh;
+use crate::surface::SurfaceMeshOptions;
 use glam::DVec3;
 use std::ptr;
 
@@ -43,8 +43,8 @@ pub struct gusset_sheet_mesh_options {
 /// What belongs to the mesh of a sheet. Pointers are valid until it is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_sheet_mesh_parts {
-    /// sizeof(gusset_sheet_mesh_parts), set by the caller.
+pub struct gusset_sheet_mesh_view {
+    /// sizeof(gusset_sheet_mesh_view), set by the caller.
     pub struct_size: usize,
     /// The number of vertices.
     pub vertex_count: usize,
@@ -61,12 +61,12 @@ unsafe impl Versioned for gusset_sheet_mesh_options {
     const LEAST_SIZE: usize = 32;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_sheet_mesh_parts {
+unsafe impl Versioned for gusset_sheet_mesh_view {
     const LEAST_SIZE: usize = 40;
 }
 const _: () = assert!(
     size_of::<usize>() != 8
-        || (size_of::<gusset_sheet_mesh_options>() == 32 && size_of::<gusset_sheet_mesh_parts>() == 40)
+        || (size_of::<gusset_sheet_mesh_options>() == 32 && size_of::<gusset_sheet_mesh_view>() == 40)
 );
 
 impl gusset_sheet_mesh_options {
@@ -114,7 +114,7 @@ pub unsafe extern "C" fn gusset_sheet_mesh_destroy(mesh: *mut gusset_sheet_mesh)
 /// thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_mesh_view(
+pub unsafe extern "C" fn gusset_sheet_mesh_get_mesh(
     mesh: *const gusset_sheet_mesh,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
@@ -125,17 +125,17 @@ pub unsafe extern "C" fn gusset_sheet_mesh_view(
     })
 }
 
-/// Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_view. From any thread.
+/// Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_get_mesh. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_sheet_mesh_info(
+pub unsafe extern "C" fn gusset_sheet_mesh_get_view(
     mesh: *const gusset_sheet_mesh,
-    parts: *mut gusset_sheet_mesh_parts,
+    parts: *mut gusset_sheet_mesh_view,
 ) -> gusset_status {
     let out = input::output_struct(parts, "parts");
     guard(ptr::null(), |_| {
         let (out, made) = (out?, input::reference(mesh, "mesh")?);
-        out.write(gusset_sheet_mesh_parts {
+        out.write(gusset_sheet_mesh_view {
             struct_size: 0,
             vertex_count: made.places.len(),
             places: made.places.as_ptr(),

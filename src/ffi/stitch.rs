@@ -15,8 +15,8 @@ pub struct gusset_stitch(Stitch);
 /// The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_stitch_parts {
-    /// sizeof(gusset_stitch_parts), set by the caller.
+pub struct gusset_stitch_view {
+    /// sizeof(gusset_stitch_view), set by the caller.
     pub struct_size: usize,
     /// Per old vertex of each mesh, its index in the result; empty for the second if there was only one mesh.
     pub vertex_map: [gusset_indices; 2],
@@ -63,8 +63,8 @@ pub struct gusset_stitch_parts {
 /// Measures of a strip, or of filled holes, and of the whole result's connectivity.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_quality {
-    /// sizeof(gusset_quality), set by the caller.
+pub struct gusset_quality_report {
+    /// sizeof(gusset_quality_report), set by the caller.
     pub struct_size: usize,
     /// The smallest angle of the new triangles, in radians; 0 if one is degenerate.
     pub min_angle: f64,
@@ -86,20 +86,21 @@ pub struct gusset_quality {
 }
 
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_stitch_parts {
+unsafe impl Versioned for gusset_stitch_view {
     const LEAST_SIZE: usize = 192;
 }
 // SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_quality {
+unsafe impl Versioned for gusset_quality_report {
     const LEAST_SIZE: usize = 56;
 }
-const _: () =
-    assert!(size_of::<usize>() != 8 || (size_of::<gusset_stitch_parts>() == 216 && size_of::<gusset_quality>() == 56));
+const _: () = assert!(
+    size_of::<usize>() != 8 || (size_of::<gusset_stitch_view>() == 216 && size_of::<gusset_quality_report>() == 56)
+);
 
-impl gusset_quality {
+impl gusset_quality_report {
     pub(super) fn of(q: &Quality) -> Self {
-        gusset_quality {
-            struct_size: size_of::<gusset_quality>(),
+        gusset_quality_report {
+            struct_size: size_of::<gusset_quality_report>(),
             min_angle: q.min_angle,
             max_aspect: q.max_aspect,
             max_edge: q.max_edge,
@@ -171,7 +172,7 @@ pub unsafe extern "C" fn gusset_stitch_destroy(stitch: *mut gusset_stitch) {
 /// BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stitch_mesh(
+pub unsafe extern "C" fn gusset_stitch_get_mesh(
     stitch: *const gusset_stitch,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
@@ -183,10 +184,10 @@ pub unsafe extern "C" fn gusset_stitch_mesh(
 }
 
 /// Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
-/// gusset_stitch_mesh.
+/// gusset_stitch_get_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stitch_strip(
+pub unsafe extern "C" fn gusset_stitch_get_strip(
     stitch: *const gusset_stitch,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
@@ -197,18 +198,18 @@ pub unsafe extern "C" fn gusset_stitch_strip(
     })
 }
 
-/// Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_mesh.
+/// Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_get_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stitch_view(
+pub unsafe extern "C" fn gusset_stitch_get_view(
     stitch: *const gusset_stitch,
-    parts: *mut gusset_stitch_parts,
+    parts: *mut gusset_stitch_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let done = &input::reference(stitch, "stitch")?.0;
-        out.write(gusset_stitch_parts {
-            struct_size: size_of::<gusset_stitch_parts>(),
+        out.write(gusset_stitch_view {
+            struct_size: size_of::<gusset_stitch_view>(),
             vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.vertices)),
             face_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.faces)),
             rim: done.rims.each_ref().map(|rim| gusset_indices::lend(rim)),
@@ -234,13 +235,13 @@ pub unsafe extern "C" fn gusset_stitch_view(
 /// thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_stitch_quality(
+pub unsafe extern "C" fn gusset_stitch_get_quality(
     stitch: *const gusset_stitch,
-    quality: *mut gusset_quality,
+    quality: *mut gusset_quality_report,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(quality, "quality")?;
-        out.write(gusset_quality::of(&input::reference(stitch, "stitch")?.0.quality));
+        out.write(gusset_quality_report::of(&input::reference(stitch, "stitch")?.0.quality));
         Ok(())
     })
 }

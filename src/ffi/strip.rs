@@ -32,8 +32,8 @@ pub struct gusset_strip_options {
 /// The parts of a strip. Pointers are valid until it is destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_strip_parts {
-    /// sizeof(gusset_strip_parts), set by the caller.
+pub struct gusset_strip_view {
+    /// sizeof(gusset_strip_view), set by the caller.
     pub struct_size: usize,
     /// The points of A and of B that the first meridian joins.
     pub start: [u32; 2],
@@ -50,11 +50,11 @@ unsafe impl Versioned for gusset_strip_options {
     const LEAST_SIZE: usize = 24;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_strip_parts {
+unsafe impl Versioned for gusset_strip_view {
     const LEAST_SIZE: usize = 48;
 }
 const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_strip_options>() == 24 && size_of::<gusset_strip_parts>() == 48)
+    size_of::<usize>() != 8 || (size_of::<gusset_strip_options>() == 24 && size_of::<gusset_strip_view>() == 48)
 );
 
 impl gusset_strip_options {
@@ -111,15 +111,15 @@ pub unsafe extern "C" fn gusset_strip_destroy(strip: *mut gusset_strip) {
 /// BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_strip_view(
+pub unsafe extern "C" fn gusset_strip_get_view(
     strip: *const gusset_strip,
-    parts: *mut gusset_strip_parts,
+    parts: *mut gusset_strip_view,
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let done = &input::reference(strip, "strip")?.0;
-        out.write(gusset_strip_parts {
-            struct_size: size_of::<gusset_strip_parts>(),
+        out.write(gusset_strip_view {
+            struct_size: size_of::<gusset_strip_view>(),
             start: done.start,
             meridians: gusset_indices::lend(done.meridians.as_flattened()),
             triangles: gusset_indices::lend(done.triangles.as_flattened()),

@@ -50,8 +50,8 @@ pub struct gusset_weld_options {
 /// destroyed.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct gusset_weld_parts {
-    /// sizeof(gusset_weld_parts), set by the caller.
+pub struct gusset_weld_view {
+    /// sizeof(gusset_weld_view), set by the caller.
     pub struct_size: usize,
     /// Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
     pub vertex_map: gusset_indices,
@@ -77,12 +77,11 @@ unsafe impl Versioned for gusset_weld_options {
     const LEAST_SIZE: usize = 32;
 }
 // SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_weld_parts {
+unsafe impl Versioned for gusset_weld_view {
     const LEAST_SIZE: usize = 88;
 }
-const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_weld_options>() == 32 && size_of::<gusset_weld_parts>() == 88)
-);
+const _: () =
+    assert!(size_of::<usize>() != 8 || (size_of::<gusset_weld_options>() == 32 && size_of::<gusset_weld_view>() == 88));
 
 impl gusset_weld_options {
     pub(super) fn checked(self) -> Result<Options, Failure> {
@@ -149,7 +148,7 @@ pub unsafe extern "C" fn gusset_weld_destroy(weld: *mut gusset_weld) {
 /// From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_weld_mesh(weld: *const gusset_weld, view: *mut gusset_mesh_view) -> gusset_status {
+pub unsafe extern "C" fn gusset_weld_get_mesh(weld: *const gusset_weld, view: *mut gusset_mesh_view) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(view, "view")?;
         out.write(mesh::lend(&input::reference(weld, "weld")?.0.mesh));
@@ -157,15 +156,15 @@ pub unsafe extern "C" fn gusset_weld_mesh(weld: *const gusset_weld, view: *mut g
     })
 }
 
-/// Lends the maps, lists and counts. Errors and validity as for gusset_weld_mesh.
+/// Lends the maps, lists and counts. Errors and validity as for gusset_weld_get_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_weld_view(weld: *const gusset_weld, parts: *mut gusset_weld_parts) -> gusset_status {
+pub unsafe extern "C" fn gusset_weld_get_view(weld: *const gusset_weld, parts: *mut gusset_weld_view) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(parts, "parts")?;
         let done = &input::reference(weld, "weld")?.0;
-        out.write(gusset_weld_parts {
-            struct_size: size_of::<gusset_weld_parts>(),
+        out.write(gusset_weld_view {
+            struct_size: size_of::<gusset_weld_view>(),
             vertex_map: gusset_indices::lend(&done.vertex_map),
             face_map: gusset_indices::lend(&done.face_map),
             left_edges: gusset_indices::lend(&done.left_edges),

@@ -149,7 +149,7 @@ pub unsafe extern "C" fn gusset_winged_destroy(winged: *mut gusset_winged) {
 /// Lends the tables. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
-pub unsafe extern "C" fn gusset_winged_tables(
+pub unsafe extern "C" fn gusset_winged_get_view(
     winged: *const gusset_winged,
     view: *mut gusset_winged_view,
 ) -> gusset_status {

@@ -7,12 +7,12 @@ use super::extent::{Extent, put};
 use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, FINENESS};
 use crate::alloc;
-use crate::carcass::make::FrameSurface;
-use crate::carcass::{Carcass, Sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::outline::frame::{Correspondence, Frame, FrameOptions, frame};
 use crate::outline::{Options, Outlines, Points};
+use crate::surface::construct::FrameSurface;
+use crate::surface::{Sheet, Surface};
 use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
@@ -136,7 +136,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     })?;
     let kind = [FrameSurface::Nodes, FrameSurface::Curves][values.chosen("through")];
     let sheet = Sheet::from_frame(&made, [ring, closed], kind, &job.part(0.4, 0.6))?;
-    let surface = Carcass::new(vec![sheet], None, &job.part(0.6, 0.7))?;
+    let surface = Surface::new(vec![sheet], None, &job.part(0.6, 0.7))?;
     let (mesh, text) = smooth::meshed(&surface, values, &job.part(0.7, 1.0))?;
     Ok(vec![Output::Mesh(mesh), Output::Text(text + &report(&made))])
 }

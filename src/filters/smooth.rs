@@ -3,12 +3,12 @@
 use super::data::Curves;
 use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use crate::alloc;
-use crate::carcass::level::Between;
-use crate::carcass::{Carcass, Grid, Nodes, Paths, Scheme, Sheet, SurfaceMeshOptions};
 use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::{Mesh, MeshView};
 use crate::net::convert::net_of_grid;
+use crate::surface::contour::Between;
+use crate::surface::{Grid, Nodes, Paths, Scheme, Sheet, Surface, SurfaceMeshOptions};
 use glam::DVec3;
 
 pub(super) const CATEGORY: &str = "Smooth surfaces";
@@ -59,7 +59,7 @@ pub(super) const fn direction(help: &'static str) -> Param {
 }
 
 /// The surface through a mesh, with its normals on the side that the faces are counter-clockwise from.
-pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Carcass<'static>> {
+pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Surface<'static>> {
     let scheme = [Scheme::SixTap, Scheme::FourPoint][values.chosen("scheme")];
     let found = net_of_grid(mesh, None, &job.part(0.0, 0.6))?;
     let (rows, columns) = (found.net.shape().rows(), found.net.shape().columns());
@@ -75,17 +75,17 @@ pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -
     }
     let nodes = Nodes::strided(data, columns, rows, 0, 0)?;
     let sheet = Sheet::Grid(Grid::new(nodes, [closed_u, closed_v], scheme)?);
-    Carcass::new(vec![sheet], None, &job.part(0.6, 1.0))
+    Surface::new(vec![sheet], None, &job.part(0.6, 1.0))
 }
 
 /// The length that chords are held to.
-pub(super) fn chord(surface: &Carcass<'_>, values: &Values<'_>) -> Between {
+pub(super) fn chord(surface: &Surface<'_>, values: &Values<'_>) -> Between {
     let [low, high] = surface.bounds();
     Between::Chord((values.number("chord_error") * low.distance(high)).max(f64::MIN_POSITIVE))
 }
 
 /// The surface of one sheet as a mesh, and what there is to say of it.
-pub(super) fn meshed(surface: &Carcass<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<(Mesh, String)> {
+pub(super) fn meshed(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<(Mesh, String)> {
     let [low, high] = surface.bounds();
     let options = SurfaceMeshOptions {
         tolerance: (values.number("deviation") * low.distance(high)).max(f64::MIN_POSITIVE),

@@ -5,9 +5,9 @@ use super::curve::{self, BETWEEN};
 use super::data::{Curves, Input, InputKind, Output, OutputKind};
 use super::param::Values;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
-use crate::carcass::line::Which;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::surface::line_intersection::Which;
 use std::fmt::Write;
 
 /// Hits that the report lists one by one.

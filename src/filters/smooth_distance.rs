@@ -6,11 +6,11 @@ use super::distances;
 use super::param::{Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::alloc;
-use crate::carcass::Carcass;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{MeshView, PositionBuffer};
 use crate::par;
+use crate::surface::Surface;
 use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
@@ -63,7 +63,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 }
 
 /// The nearest points of all vertices.
-fn nearest(mesh: &MeshView<'_>, surface: &Carcass<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
+fn nearest(mesh: &MeshView<'_>, surface: &Surface<'_>, job: &Job<'_>) -> Result<Vec<DVec3>> {
     let positions = mesh.positions();
     let mut nearest = alloc::with_capacity(positions.len())?;
     while nearest.len() < positions.len() {

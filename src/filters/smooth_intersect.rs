@@ -4,9 +4,9 @@ use super::Filter;
 use super::data::{Input, InputKind, Output, OutputKind};
 use super::param::Values;
 use super::smooth::{self, CATEGORY, CHORD, REFERENCE, SCHEME};
-use crate::carcass::meet::Options;
 use crate::error::Result;
 use crate::job::Job;
+use crate::surface::surface_intersection::Options;
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_intersect",

@@ -5,9 +5,9 @@ use super::data::{Curves, Input, InputKind, Output, OutputKind};
 use super::extent::{Extent, put};
 use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
-use crate::carcass::line::{Line, Which};
 use crate::error::Result;
 use crate::job::Job;
+use crate::surface::line_intersection::{Line, Which};
 use std::fmt::Write;
 
 pub(super) const FILTER: Filter = Filter {

@@ -7,11 +7,11 @@ use super::extent::{Extent, put};
 use super::param::{LENGTHS, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, FINENESS};
 use crate::alloc;
-use crate::carcass::make::CurveNet;
-use crate::carcass::{Carcass, Sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::outline::Curve;
+use crate::surface::construct::CurveNet;
+use crate::surface::{Sheet, Surface};
 
 pub(super) const FILTER: Filter = Filter {
     id: "smooth_net",
@@ -77,7 +77,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         tolerance: Some(values.number("tolerance")),
     };
     let sheet = Sheet::from_curves(&net, &job.part(0.2, 0.5))?;
-    let surface = Carcass::new(vec![sheet], None, &job.part(0.5, 0.6))?;
+    let surface = Surface::new(vec![sheet], None, &job.part(0.5, 0.6))?;
     let (mesh, text) = smooth::meshed(&surface, values, &job.part(0.6, 1.0))?;
     Ok(vec![Output::Mesh(mesh), Output::Text(text)])
 }

@@ -5,10 +5,10 @@ use super::data::{Input, InputKind, Output, OutputKind};
 use super::extent::{Extent, put};
 use super::param::{Choice, LENGTHS, PLACES, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, CHORD, REFERENCE, SCHEME};
-use crate::carcass::level::Planes;
-use crate::carcass::{Carcass, Paths};
 use crate::error::Result;
 use crate::job::Job;
+use crate::surface::contour::Planes;
+use crate::surface::{Paths, Surface};
 use glam::DVec3;
 
 pub(super) const FILTER: Filter = Filter {
@@ -76,7 +76,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     Ok(vec![Output::Curves(smooth::polylines(&paths)?), Output::Text(smooth::account(&paths))])
 }
 
-fn cut(surface: &Carcass<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Paths> {
+fn cut(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Paths> {
     let normal = values.direction("direction")?;
     let number = values.number("number") as usize;
     let [first, distance] = match values.chosen("placement") {
@@ -91,7 +91,7 @@ fn cut(surface: &Carcass<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Path
 }
 
 /// The offset of the first plane and the distance of planes: half a distance is left at either end.
-fn evenly(surface: &Carcass<'_>, normal: DVec3, number: usize) -> [f64; 2] {
+fn evenly(surface: &Surface<'_>, normal: DVec3, number: usize) -> [f64; 2] {
     let [low, high] = surface.bounds();
     let corner = |k: usize| DVec3::new([low.x, high.x][k & 1], [low.y, high.y][k >> 1 & 1], [low.z, high.z][k >> 2]);
     let along = || (0..8).map(|k| corner(k).dot(normal));

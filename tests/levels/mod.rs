@@ -4,11 +4,11 @@
 
 use super::surfaces::{Shape, grid};
 use gusset::Job;
-use gusset::carcass::{Carcass, Paths, Sheet};
+use gusset::surface::{Paths, Sheet, Surface};
 
 /// A surface of one sheet.
-pub fn carcass(shape: &Shape) -> Carcass<'static> {
-    Carcass::new(vec![Sheet::Grid(grid(shape))], None, &Job::default()).unwrap()
+pub fn surface(shape: &Shape) -> Surface<'static> {
+    Surface::new(vec![Sheet::Grid(grid(shape))], None, &Job::default()).unwrap()
 }
 
 /// The length of a path.
@@ -19,7 +19,7 @@ pub fn length(paths: &Paths, k: usize) -> f64 {
 }
 
 /// What holds of all curves: offsets, flags, points at their places, normals.
-pub fn check(carcass: &Carcass<'_>, paths: &Paths, name: &str) {
+pub fn check(surface: &Surface<'_>, paths: &Paths, name: &str) {
     assert_eq!(paths.ends.len(), paths.len() + 1, "{name}");
     assert_eq!((paths.levels.len(), paths.normals.len()), (paths.len(), paths.points.len()), "{name}");
     assert_eq!((paths.ends[0], paths.ends[paths.len()] as usize), (0, paths.points.len()), "{name}");
@@ -31,7 +31,7 @@ pub fn check(carcass: &Carcass<'_>, paths: &Paths, name: &str) {
     }
     for ((&place, &point), &normal) in paths.places.iter().zip(&paths.points).zip(&paths.normals) {
         assert!((0.0..=1.0).contains(&place.u) && (0.0..=1.0).contains(&place.v), "{name}: {place:?}");
-        assert!(carcass.jet(place).point.distance(point) < 1e-13, "{name}: {place:?}");
-        assert!(carcass.normal(place).distance(normal) < 1e-9, "{name}: {place:?}");
+        assert!(surface.jet(place).point.distance(point) < 1e-13, "{name}: {place:?}");
+        assert!(surface.normal(place).distance(normal) < 1e-9, "{name}: {place:?}");
     }
 }

@@ -5,9 +5,9 @@
 use crate::surfaces::{Random, Shape, torus};
 use glam::{DMat3, DVec3};
 use gusset::Job;
-use gusset::carcass::meet::Options;
-use gusset::carcass::{Carcass, Grid, Nodes, Paths, Scheme, Sheet};
 use gusset::job::Progress;
+use gusset::surface::surface_intersection::Options;
+use gusset::surface::{Grid, Nodes, Paths, Scheme, Sheet, Surface};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
@@ -31,11 +31,11 @@ pub fn grid(shape: &Shape, scheme: Scheme, motion: impl Fn(DVec3) -> DVec3) -> G
     Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), shape.closed, scheme).unwrap()
 }
 
-pub fn one(sheet: Sheet<'static>) -> Carcass<'static> {
-    Carcass::new(vec![sheet], None, &Job::default()).unwrap()
+pub fn one(sheet: Sheet<'static>) -> Surface<'static> {
+    Surface::new(vec![sheet], None, &Job::default()).unwrap()
 }
 
-pub fn carcass(shape: &Shape, motion: impl Fn(DVec3) -> DVec3) -> Carcass<'static> {
+pub fn surface(shape: &Shape, motion: impl Fn(DVec3) -> DVec3) -> Surface<'static> {
     one(Sheet::Grid(grid(shape, Scheme::SixTap, motion)))
 }
 
@@ -66,14 +66,14 @@ pub fn from_torus(p: DVec3) -> f64 {
     (p.x.hypot(p.y) - 1.0).hypot(p.z) - 0.4
 }
 
-pub fn meet(a: &Carcass<'_>, b: &Carcass<'_>) -> Paths {
+pub fn meet(a: &Surface<'_>, b: &Surface<'_>) -> Paths {
     let paths = a.meet(b, &Options::default(), &Job::new(1, &Quiet)).unwrap();
     check(&paths, a, b);
     paths
 }
 
 /// What holds for all results: arrays of equal lengths, points on both surfaces, the direction.
-pub fn check(paths: &Paths, a: &Carcass<'_>, b: &Carcass<'_>) {
+pub fn check(paths: &Paths, a: &Surface<'_>, b: &Surface<'_>) {
     let count = paths.points.len();
     assert!(paths.places.len() == count && paths.others.len() == count && paths.normals.len() == count);
     assert!(paths.ends.len() == paths.len() + 1 && paths.levels.len() == paths.len());

@@ -1,9 +1,9 @@
-//! Surfaces that tests of carcasses share, with the functions that they are made of.
+//! Surfaces that tests of surfaces share, with the functions that they are made of.
 
 #![allow(dead_code, unreachable_pub, reason = "shared by several tests, none of which needs all of it")]
 
 use glam::DVec3;
-use gusset::carcass::{Grid, Nodes, Scheme};
+use gusset::surface::{Grid, Nodes, Scheme};
 use std::f64::consts::TAU;
 
 /// Numbers from 0 to 1.

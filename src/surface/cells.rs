@@ -1,0 +1,93 @@
+//! What searches need to know of a sheet: its cells, their corners, their patches, and how far they are from flat.
+
+use super::Patch;
+use super::index::Bounds;
+use super::subdivision::Field;
+use glam::DVec3;
+use std::ops::Range;
+
+/// Cells in u and in v of a block, the unit of the index.
+pub(crate) const BLOCK: usize = 4;
+
+/// A sheet of patches of degree N - 1.
+pub(crate) trait Cells<const N: usize>: Sync {
+    /// The numbers of cells in u and in v.
+    fn counts(&self) -> [usize; 2];
+
+    /// The corner of cells at (i, j), a point of the surface.
+    fn corner(&self, i: usize, j: usize) -> DVec3;
+
+    /// The corners of a row of cells of a block, from (i, j) on: those of `count` cells, then the last one again.
+    #[inline(always)]
+    fn line(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; BLOCK + 1] {
+        std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array())
+    }
+
+    /// The surface over the cell at (i, j).
+    fn patch(&self, i: usize, j: usize) -> Patch<N>;
+
+    /// Where the surface over a cell is, seen from `origin` along two directions.
+    fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<N>; 2] {
+        let patch = self.patch(i, j);
+        across.map(|direction| Field { c: patch.points.map(|row| row.map(|point| (point - origin).dot(direction))) })
+    }
+
+    /// True if the surface goes on with continuous tangents over all sides of the cell at (i, j).
+    fn is_smooth_around(&self, _i: usize, _j: usize) -> bool {
+        false
+    }
+
+    /// For each block in rows of blocks, row after row, a box that contains S - B over all its cells: S the surface, B the bilinear patch
+    /// through the cell's corners, at equal parameters.
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Bounds]);
+
+    /// For the same blocks, boxes that contain S_u and S_v over all their cells, but for rounding.
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Bounds; 2]]);
+}
+
+impl<const N: usize> Patch<N> {
+    /// A bound of the distance from the bilinear patch through the corners, at equal parameters: that of the control nets, of which the
+    /// difference is the net.
+    #[allow(dead_code, reason = "for estimates of cells")]
+    pub(crate) fn deviation(&self) -> f64 {
+        let at = |k: usize| k as f64 / (N - 1) as f64;
+        let [[p00, p01], [p10, p11]] = self.corners();
+        let mut worst = 0.0_f64;
+        for (a, row) in self.points.iter().enumerate() {
+            let (from, to) = (p00.lerp(p10, at(a)), p01.lerp(p11, at(a)));
+            for (b, point) in row.iter().enumerate() {
+                worst = worst.max(point.distance_squared(from.lerp(to, at(b))));
+            }
+        }
+        worst.sqrt()
+    }
+
+    /// A box of the differences from the bilinear patch through the corners, at equal parameters: those of the control nets.
+    pub(crate) fn displacements(&self) -> Bounds {
+        let at = |k: usize| k as f64 / (N - 1) as f64;
+        let [[p00, p01], [p10, p11]] = self.corners();
+        let mut bounds = Bounds::EMPTY;
+        for (a, row) in self.points.iter().enumerate() {
+            let (from, to) = (p00.lerp(p10, at(a)), p01.lerp(p11, at(a)));
+            row.iter().enumerate().for_each(|(b, &point)| bounds.add(point - from.lerp(to, at(b))));
+        }
+        bounds
+    }
+
+    /// Boxes of S_u and S_v: of their control vectors.
+    pub(crate) fn tangents(&self) -> [Bounds; 2] {
+        let (degree, p) = ((N - 1) as f64, &self.points);
+        let [mut u, mut v] = [Bounds::EMPTY; 2];
+        for (a, b) in (0..N - 1).flat_map(|a| (0..N).map(move |b| (a, b))) {
+            u.add(degree * (p[a + 1][b] - p[a][b]));
+            v.add(degree * (p[b][a + 1] - p[b][a]));
+        }
+        [u, v]
+    }
+
+    /// The corners, by u and v.
+    pub(crate) fn corners(&self) -> [[DVec3; 2]; 2] {
+        let (first, last) = (&self.points[0], &self.points[N - 1]);
+        [[first[0], first[N - 1]], [last[0], last[N - 1]]]
+    }
+}

@@ -1,0 +1,105 @@
+//! Surfaces of the frames that the outlines module makes.
+
+use super::net::Gordon;
+use super::strand::{At, Strand, degree};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::outline::frame::{Frame, NodeGrid};
+use crate::outline::{Fit, Place};
+use crate::surface::{Grid, Nodes, Scheme, Sheet};
+use glam::DVec3;
+
+/// What of a frame the surface is made from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum FrameSurface {
+    /// Its nodes: a grid.
+    #[default]
+    Nodes,
+    /// Its curves too: Gordon's surface, which contains them.
+    Curves,
+}
+
+impl Sheet<'static> {
+    /// The surface of a frame: u runs along the body, from section to section, and v round it. `closed`: whether the sections are followed by the
+    /// first one, as in a ring, and whether each of them is closed.
+    ///
+    /// # Errors [`Error::NetTooSmall`]; with curves those of [`Sheet::from_curves`], and [`Error::CurveNotClosed`]; [`Error::NodeNotFinite`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn from_frame(frame: &Frame, closed: [bool; 2], kind: FrameSurface, job: &Job<'_>) -> Result<Self> {
+        let NodeGrid { rows, columns, nodes, .. } = &frame.grid;
+        Sheet::from_frame_parts([*rows, *columns], nodes, [&frame.across, &frame.along], closed, kind, job)
+    }
+
+    /// The same from a frame's parts: rows and columns, nodes, the curves across and along.
+    pub(crate) fn from_frame_parts(
+        counts: [usize; 2],
+        nodes: &[DVec3],
+        curves: [&Fit; 2],
+        closed: [bool; 2],
+        kind: FrameSurface,
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        if kind == FrameSurface::Nodes {
+            return through(counts, nodes, closed);
+        }
+        let mut highest = 1;
+        for fit in curves {
+            for k in 0..fit.len() {
+                highest = degree(&fit.curve(k))?.max(highest);
+            }
+        }
+        if highest <= 3 {
+            Ok(Sheet::Cubic(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        } else {
+            Ok(Sheet::High(gordon(counts, curves, closed, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        }
+    }
+}
+
+/// The grid of the nodes, with the first line at the end once more where it is closed.
+fn through([rows, columns]: [usize; 2], nodes: &[DVec3], closed: [bool; 2]) -> Result<Sheet<'static>> {
+    let [height, width] = [rows + usize::from(closed[0]), columns + usize::from(closed[1])];
+    let mut data = alloc::with_capacity(3 * height * width)?;
+    for (i, j) in (0..height).flat_map(|i| (0..width).map(move |j| (i % rows, j % columns))) {
+        data.extend(nodes[i * columns + j].to_array());
+    }
+    let nodes = Nodes::strided(data, height, width, 0, 0)?;
+    Ok(Sheet::Grid(Grid::new(nodes, closed, Scheme::SixTap)?))
+}
+
+/// The curves with their nodes, which the frame knows.
+fn gordon<const N: usize>(
+    [rows, columns]: [usize; 2],
+    [across, along]: [&Fit; 2],
+    closed: [bool; 2],
+    job: &Job<'_>,
+) -> Result<Gordon<N>> {
+    let least = closed.map(|closed| if closed { 3 } else { 2 });
+    if rows < least[0] || columns < least[1] {
+        return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
+    }
+    let strands = |fit: &Fit| -> Result<Vec<Strand<N>>> {
+        let mut strands = alloc::with_capacity(fit.len())?;
+        for k in 0..fit.len() {
+            strands.push(Strand::new(&fit.curve(k))?);
+        }
+        Ok(strands)
+    };
+    let (row_strands, column_strands) = (strands(across)?, strands(along)?);
+    let at = |strand: &Strand<N>, place: Place| {
+        let (segment, count) = (place.segment as usize, strand.segments.len());
+        // Joints are called the start of the next segment.
+        match place.t {
+            _ if strand.is_point() => At { segment: 0, t: 0.0 },
+            1.0 if strand.closed => At { segment: (segment + 1) % count, t: 0.0 },
+            1.0 if segment + 1 < count => At { segment: segment + 1, t: 0.0 },
+            t => At { segment, t },
+        }
+    };
+    let places = alloc::collect((0..rows * columns).map(|n| {
+        let (k, l) = (n / columns, n % columns);
+        [at(&row_strands[k], across.place(n)), at(&column_strands[l], along.place(l * rows + k))]
+    }))?;
+    Gordon::new(row_strands, column_strands, closed, &places, job)
+}

@@ -1,0 +1,472 @@
+//! The surface through a net of curves.
+//!
+//! W. J. Gordon, *Spline-blended surface interpolation through curve networks* (1969). With rows R_k(v), columns C_l(u), nodes P_kl where they meet, and
+//! cardinal functions L_k, M_l,
+//!   S(u, v) = sum L_k(u) R_k(v) + sum M_l(v) (C_l(u) - sum L_k(u) P_kl)
+//! contains all curves. Products of polynomials of u and of v have the products of their Bernstein coefficients, so that S is a Bézier patch over each
+//! cell, of degree 3 or that of the curves. With two rows and two columns L and M are linear, and S is Coons's patch; without columns S is the skin of
+//! the rows.
+
+use super::blend::Blend;
+use super::meet::{Boxes, nearest};
+use super::strand::{At, Piece, Strand, degree};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::outline::CurveView;
+use crate::surface::axis::TAPS;
+use crate::surface::{MAX_NODES, Patch, Patches, Sheet};
+use glam::DVec3;
+
+/// Breaks of different pieces that are nearer than this, of 1, are one.
+const SAME: f64 = 1e-6;
+
+/// Patches between two progress reports.
+const STEP: usize = 1 << 13;
+const FINDING: &str = "finding nodes";
+const MAKING: &str = "making patches";
+
+/// Curves across, the rows, and curves along, the columns: every row meets every column, in the order that they are given in; either way round.
+/// Rows alone, or columns alone, make a skin. A curve may be one point, a pole.
+///
+/// What of a row lies beyond the first and the last column is left out. Polylines are curves of segments of degree 1: they are kept as they are,
+/// and where they turn the surface has a crease; for a smooth surface draw curves through their points first ([`fit`](crate::outline::fit())).
+#[derive(Debug, Clone, Copy)]
+pub struct CurveNet<'a> {
+    /// Curves in v, which follow each other in u: at least 2, or none.
+    pub rows: &'a [CurveView<'a>],
+    /// Curves in u, which follow each other in v: at least 2, or none.
+    pub columns: &'a [CurveView<'a>],
+    /// Closed in u: the columns are closed curves, and the last row is followed by the first; and in v: the rows are. Then at least 3 rows, or 3
+    /// columns, if there are any.
+    pub closed: [bool; 2],
+    /// How far apart curves may be where they meet; both are then moved to the middle. `None`: 1e-6 of the diagonal of their box.
+    pub tolerance: Option<f64>,
+}
+
+impl Sheet<'static> {
+    /// Gordon's surface of a net of curves: it contains all of them, if they meet, or else to half the tolerance.
+    ///
+    /// Parameters: node (k, l) is a corner of cells. Between two nodes curves may have several segments: if all rows have equally many there, they
+    /// are matched in order, else all rows are cut where any one has a joint; so cells may be more than meshes of the net. The knots of the cardinal
+    /// functions are taken from the curves: where they are C1 in common knots, and where a single one has no joint between nodes, S is C1, else only
+    /// nearly; [`Sheet::crease`] tells.
+    ///
+    /// O(rows x columns x log segments) for nodes, and 12 products a control point; 384 bytes a cell up to degree 3, else 1536.
+    ///
+    /// # Errors [`Error::NetTooSmall`] for one row or column, or fewer than 3 of closed directions; [`Error::EmptyCurve`]; [`Error::OptionOutOfRange`]
+    /// for a degree above 7 or a tolerance that is no positive number; [`Error::CurveNotClosed`]; [`Error::CurvesApart`] with the row, the column and
+    /// their distance; [`Error::CurvesOutOfOrder`]; [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn from_curves(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
+        net.check()?;
+        let mut highest = 1;
+        for curve in net.rows.iter().chain(net.columns) {
+            highest = degree(curve)?.max(highest);
+        }
+        if highest <= 3 {
+            Ok(Sheet::Cubic(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        } else {
+            Ok(Sheet::High(Gordon::found(net, &job.part(0.0, 0.5))?.patches(&job.part(0.5, 1.0))?))
+        }
+    }
+}
+
+impl CurveNet<'_> {
+    fn check(&self) -> Result<()> {
+        let [rows, columns] = [self.rows.len(), self.columns.len()];
+        let enough = |count: usize, closed: bool| count == 0 || count >= if closed { 3 } else { 2 };
+        if rows + columns == 0 || !enough(rows, self.closed[0]) || !enough(columns, self.closed[1]) {
+            return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
+        }
+        match self.tolerance {
+            Some(value) if !(value >= 0.0 && value.is_finite()) => {
+                Err(Error::OptionOutOfRange { option: "tolerance", value })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The diagonal of the box of all curves, and the largest of their coordinates.
+    fn extent(&self) -> (f64, f64) {
+        let points = || self.rows.iter().chain(self.columns).flat_map(CurveView::points);
+        let bounds = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (low, high) = points().fold(bounds, |(low, high), &p| (low.min(p), high.max(p)));
+        (low.distance(high), low.abs().max(high.abs()).max_element())
+    }
+}
+
+/// The curves, cut at the nodes.
+pub(super) struct Gordon<const N: usize> {
+    closed: [bool; 2],
+    /// Row k has piece j from column j to the next, or one piece if there are no columns; and the same of columns.
+    rows: Vec<Vec<Piece<N>>>,
+    columns: Vec<Vec<Piece<N>>>,
+    /// Row by row.
+    nodes: Vec<DVec3>,
+    /// Curves that are one point take no part in what lengths and joints say.
+    points: [Vec<bool>; 2],
+}
+
+impl<const N: usize> Gordon<N> {
+    /// The nodes are found where curves are nearest.
+    fn found(net: &CurveNet<'_>, job: &Job<'_>) -> Result<Self> {
+        let total = (net.rows.len() + net.columns.len()) as f64;
+        let strands = |curves: &[CurveView<'_>], before: usize| -> Result<Vec<Strand<N>>> {
+            let mut strands = alloc::with_capacity(curves.len())?;
+            for (k, curve) in curves.iter().enumerate() {
+                job.step(0.1 * (before + k) as f64 / total, FINDING)?;
+                strands.push(Strand::new(curve)?);
+            }
+            Ok(strands)
+        };
+        let (rows, columns) = (strands(net.rows, 0)?, strands(net.columns, net.rows.len())?);
+        let boxes = |strands: &[Strand<N>], before: usize| -> Result<Vec<Boxes>> {
+            let mut boxes = alloc::with_capacity(strands.len())?;
+            for (k, strand) in strands.iter().enumerate() {
+                job.step(0.1 + 0.1 * (before + k) as f64 / total, FINDING)?;
+                boxes.push(Boxes::of(strand)?);
+            }
+            Ok(boxes)
+        };
+        let (row_boxes, column_boxes) = (boxes(&rows, 0)?, boxes(&columns, rows.len())?);
+        let (size, reach) = net.extent();
+        let tolerance = net.tolerance.unwrap_or(1e-6 * size);
+        let noise = 4.0 * f64::EPSILON * reach;
+        // What is less than this is neither searched for nor cut off.
+        let slack = (0.25 * tolerance).min(1e-9 * size) + noise;
+        let mut places = alloc::with_capacity(rows.len() * columns.len())?;
+        for (k, row) in rows.iter().enumerate() {
+            for (l, column) in columns.iter().enumerate() {
+                job.step(0.2 + 0.6 * (k * columns.len() + l) as f64 / (rows.len() * columns.len()) as f64, FINDING)?;
+                let met = nearest([row, column], [&row_boxes[k], &column_boxes[l]], slack)?;
+                if met.distance > tolerance.max(noise) {
+                    return Err(Error::CurvesApart { row: k as u32, column: l as u32, distance: met.distance });
+                }
+                places.push([snapped(row, met.places[0], slack), snapped(column, met.places[1], slack)]);
+            }
+        }
+        Gordon::new(rows, columns, net.closed, &places, &job.part(0.8, 1.0))
+    }
+
+    /// `places`: row by row where each meets each column, on the row and on the column.
+    pub(super) fn new(
+        mut rows: Vec<Strand<N>>,
+        mut columns: Vec<Strand<N>>,
+        closed: [bool; 2],
+        places: &[[At; 2]],
+        job: &Job<'_>,
+    ) -> Result<Self> {
+        let [height, width] = [rows.len(), columns.len()];
+        let hear = |done: usize| job.step(done as f64 / (height + width) as f64, FINDING);
+        let points = [&rows, &columns].map(|strands| strands.iter().map(Strand::is_point).collect::<Vec<_>>());
+        let mut nodes = alloc::with_capacity(height * width)?;
+        for (n, &[on_row, on_column]) in places.iter().enumerate() {
+            let (k, l) = (n / width, n % width);
+            let (p, q) = (rows[k].point(on_row), columns[l].point(on_column));
+            nodes.push(if points[0][k] {
+                p
+            } else if points[1][l] {
+                q
+            } else {
+                0.5 * (p + q)
+            });
+        }
+        let mut along_rows = alloc::with_capacity(height)?;
+        for (k, row) in rows.iter_mut().enumerate() {
+            hear(k)?;
+            let at = alloc::collect((0..width).map(|l| places[k * width + l][0]))?;
+            let out_of_order = |l: usize| Error::CurvesOutOfOrder { row: k as u32, column: l as u32 };
+            let ends = |l: usize| nodes[k * width + l % width.max(1)];
+            along_rows.push(pieces(row, at, closed[1], ends, out_of_order)?);
+        }
+        let mut along_columns = alloc::with_capacity(width)?;
+        for (l, column) in columns.iter_mut().enumerate() {
+            hear(height + l)?;
+            let at = alloc::collect((0..height).map(|k| places[k * width + l][1]))?;
+            let out_of_order = |k: usize| Error::CurvesOutOfOrder { row: k as u32, column: l as u32 };
+            let ends = |k: usize| nodes[k % height.max(1) * width + l];
+            along_columns.push(pieces(column, at, closed[0], ends, out_of_order)?);
+        }
+        Ok(Gordon { closed, rows: along_rows, columns: along_columns, nodes, points })
+    }
+
+    /// The patches over all cells.
+    pub(super) fn patches(&self, job: &Job<'_>) -> Result<Patches<N>> {
+        if self.rows.is_empty() {
+            let skin = self.skin(&self.columns, &self.points[1], self.closed[1], &job.part(0.0, 0.8))?;
+            return transposed(&skin, &job.part(0.8, 1.0));
+        }
+        if self.columns.is_empty() {
+            return self.skin(&self.rows, &self.points[0], self.closed[0], job);
+        }
+        let u = Strips::of(&self.columns, &self.points[1], &job.part(0.0, 0.1))?;
+        let v = Strips::of(&self.rows, &self.points[0], &job.part(0.1, 0.2))?;
+        let (blend_u, blend_v) = (Blend::new(&u.lengths, self.closed[0])?, Blend::new(&v.lengths, self.closed[1])?);
+        let rows = v.refined(&self.rows, &job.part(0.2, 0.3))?;
+        let columns = u.refined(&self.columns, &job.part(0.3, 0.4))?;
+        let cells_v = alloc::collect(v.cells()?.into_iter().map(|(strip, part)| {
+            let piece = blend_v.piece(strip);
+            (piece.lines, piece.weights::<N>(part))
+        }))?;
+        let mut patches = room(u.count(), v.count())?;
+        for (i, (strip, part)) in u.cells()?.into_iter().enumerate() {
+            let piece = blend_u.piece(strip);
+            let across = piece.weights::<N>(part);
+            // C_l - sum L_k P_kl, which is 0 at nodes.
+            let rest = alloc::collect((0..self.columns.len()).map(|l| {
+                let nodes = piece.lines.map(|k| self.nodes[k * self.columns.len() + l]);
+                let curve = columns[l][i];
+                std::array::from_fn::<DVec3, N, _>(|a| curve[a] - combined(&across[a], &nodes))
+            }))?;
+            for (j, (lines, along)) in cells_v.iter().enumerate() {
+                hear_patches(&job.part(0.4, 1.0), &patches)?;
+                let (rows, rest) = (piece.lines.map(|k| &rows[k][j]), lines.map(|l| &rest[l]));
+                let point = |a: usize, b: usize| {
+                    combined(&across[a], &rows.map(|row| row[b])) + combined(&along[b], &rest.map(|rest| rest[a]))
+                };
+                let points = std::array::from_fn(|a| std::array::from_fn(|b| point(a, b)));
+                patches.push(Patch { points });
+            }
+        }
+        Ok(Patches::of(patches, u.count(), v.count()))
+    }
+
+    /// The sum of L_k R_k alone.
+    fn skin(&self, rows: &[Vec<Piece<N>>], points: &[bool], closed: bool, job: &Job<'_>) -> Result<Patches<N>> {
+        let v = Strips::of(rows, points, &job.part(0.0, 0.2))?;
+        let refined = v.refined(rows, &job.part(0.2, 0.4))?;
+        let last = rows.len() - usize::from(!closed);
+        let apart = |k: usize| {
+            let (row, next) = (&refined[k], &refined[(k + 1) % rows.len()]);
+            let sum: f64 = row.iter().zip(next).map(|(a, b)| a[0].distance(b[0]) + a[N - 1].distance(b[N - 1])).sum();
+            sum / (2 * row.len()) as f64
+        };
+        let blend = Blend::new(&positive(alloc::collect((0..last).map(apart))?), closed)?;
+        let mut patches = room(last, v.count())?;
+        for k in 0..last {
+            let piece = blend.piece(k);
+            let across = piece.weights::<N>([0.0, 1.0]);
+            let patch = |j: usize| {
+                let rows = piece.lines.map(|k| &refined[k][j]);
+                let point = |a: usize, b: usize| combined(&across[a], &rows.map(|row| row[b]));
+                Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
+            };
+            for j in 0..v.count() {
+                hear_patches(&job.part(0.4, 1.0), &patches)?;
+                patches.push(patch(j));
+            }
+        }
+        Ok(Patches::of(patches, last, v.count()))
+    }
+}
+
+/// A place, or the joint of segments that it is very near to.
+fn snapped<const N: usize>(strand: &Strand<N>, at: At, near: f64) -> At {
+    let here = strand.point(at);
+    let close = |t: f64| strand.point(At { t, ..at }).distance(here) <= near;
+    let count = strand.segments.len();
+    if at.t < 0.5 && close(0.0) {
+        At { t: 0.0, ..at }
+    } else if at.t >= 0.5 && close(1.0) {
+        // The start of the next segment, where there is one.
+        let next = if strand.closed { (at.segment + 1) % count } else { at.segment + 1 };
+        if next < count { At { segment: next, t: 0.0 } } else { At { t: 1.0, ..at } }
+    } else {
+        at
+    }
+}
+
+/// The pieces of a curve between its places, with their ends at the nodes; the curve is turned round if it runs against the order.
+fn pieces<const N: usize>(
+    strand: &mut Strand<N>,
+    mut at: Vec<At>,
+    closed: bool,
+    ends: impl Fn(usize) -> DVec3,
+    out_of_order: impl Fn(usize) -> Error,
+) -> Result<Vec<Piece<N>>> {
+    let point = strand.is_point();
+    if closed && !strand.closed && !point {
+        return Err(Error::CurveNotClosed);
+    }
+    strand.closed = closed;
+    if at.is_empty() {
+        let mut all = alloc::with_capacity(1)?;
+        all.push(strand.whole()?);
+        return Ok(all);
+    }
+    if !point {
+        let falls = |at: &[At]| (1..at.len()).filter(|&k| at[k] < at[k - 1]).count();
+        if 2 * falls(&at) > at.len() - 1 || (closed && falls(&at) == 1 && at.len() == 3 && turned(&at)) {
+            at.iter_mut().for_each(|at| *at = strand.reversed(*at));
+            strand.reverse();
+        }
+        // Round a closed curve the places may begin anywhere.
+        let count = if closed { at.len() } else { at.len() - 1 };
+        let mut wraps = usize::from(closed);
+        for k in 0..count {
+            let (here, next) = (at[k], at[(k + 1) % at.len()]);
+            if next <= here {
+                if wraps == 0 || next == here {
+                    return Err(out_of_order((k + 1) % at.len()));
+                }
+                wraps -= 1;
+            }
+        }
+    }
+    let mut pieces = strand.cut(&at)?;
+    for (k, piece) in pieces.iter_mut().enumerate() {
+        piece.bend(ends(k), ends(k + 1));
+    }
+    Ok(pieces)
+}
+
+/// Of three places round a closed curve: true if they follow each other backwards.
+fn turned(at: &[At]) -> bool {
+    // Forwards there is one fall in all, backwards there are two.
+    (0..3).filter(|&k| at[(k + 1) % 3] < at[k]).count() == 2
+}
+
+/// The intervals between the lines of one direction, and where they are cut.
+struct Strips {
+    /// What each takes of the parameter.
+    lengths: Vec<f64>,
+    /// Where each is cut, as fractions; the last one is 1.
+    breaks: Vec<Vec<f64>>,
+    /// By strip and curve: the ends of the curve's segments as the breaks have them.
+    ends: Vec<Vec<Vec<f64>>>,
+}
+
+impl Strips {
+    /// From the curves that run through them; `points`: those that are one point.
+    fn of<const N: usize>(curves: &[Vec<Piece<N>>], points: &[bool], job: &Job<'_>) -> Result<Self> {
+        let count = curves[0].len();
+        let mut lengths = alloc::filled(0.0, count)?;
+        for (curve, _) in curves.iter().zip(points).filter(|&(_, &point)| !point) {
+            let whole: f64 = curve.iter().map(|piece| piece.length).sum();
+            lengths.iter_mut().zip(curve).for_each(|(length, piece)| *length += piece.length / whole);
+        }
+        let mut strips = Strips {
+            lengths: positive(lengths),
+            breaks: alloc::with_capacity(count)?,
+            ends: alloc::with_capacity(count)?,
+        };
+        for strip in 0..count {
+            job.step(strip as f64 / count as f64, MAKING)?;
+            let own = alloc::collect(curves.iter().map(|curve| &curve[strip].ends[..]))?;
+            let (breaks, ends) = breaks(&own, points)?;
+            strips.breaks.push(breaks);
+            strips.ends.push(ends);
+        }
+        Ok(strips)
+    }
+
+    /// The number of cells.
+    fn count(&self) -> usize {
+        self.breaks.iter().map(Vec::len).sum()
+    }
+
+    /// The strip and the part of it of each cell.
+    fn cells(&self) -> Result<Vec<(usize, [f64; 2])>> {
+        let mut cells = alloc::with_capacity(self.count())?;
+        for (strip, breaks) in self.breaks.iter().enumerate() {
+            cells.extend((0..breaks.len()).map(|k| (strip, [if k == 0 { 0.0 } else { breaks[k - 1] }, breaks[k]])));
+        }
+        Ok(cells)
+    }
+
+    /// The segments of each curve over each cell.
+    fn refined<const N: usize>(&self, curves: &[Vec<Piece<N>>], job: &Job<'_>) -> Result<Vec<Vec<[DVec3; N]>>> {
+        let mut all = alloc::with_capacity(curves.len())?;
+        for (k, curve) in curves.iter().enumerate() {
+            job.step(k as f64 / curves.len() as f64, MAKING)?;
+            let mut refined = alloc::with_capacity(self.count())?;
+            for (strip, piece) in curve.iter().enumerate() {
+                piece.refined(&self.ends[strip][k], &self.breaks[strip], &mut refined)?;
+            }
+            all.push(refined);
+        }
+        Ok(all)
+    }
+}
+
+/// The breaks of a strip from those of the curves' pieces, and for each piece its own as the strip has them.
+fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> {
+    let curves = || own.iter().zip(points).filter(|&(_, &point)| !point).map(|(own, _)| *own);
+    let Some(first) = curves().next() else {
+        return Ok((vec![1.0], own.iter().map(|_| vec![1.0]).collect()));
+    };
+    let mut breaks;
+    if curves().all(|ends| ends.len() == first.len()) {
+        // Matched in order.
+        let number = curves().count() as f64;
+        let mean = |k: usize| curves().map(|ends| ends[k]).sum::<f64>() / number;
+        breaks = alloc::collect((0..first.len()).map(|k| if k + 1 == first.len() { 1.0 } else { mean(k) }))?;
+        let ends = own.iter().zip(points).map(|(_, &point)| if point { vec![1.0] } else { breaks.clone() });
+        return Ok((breaks.clone(), ends.collect()));
+    }
+    let mut all = Vec::new();
+    for (curve, ends) in own.iter().enumerate().filter(|&(curve, _)| !points[curve]) {
+        alloc::reserve(&mut all, ends.len())?;
+        all.extend(ends[..ends.len() - 1].iter().map(|&end| (end, curve)));
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut ends: Vec<Vec<f64>> = own.iter().map(|_| Vec::new()).collect();
+    breaks = Vec::new();
+    for (end, curve) in all {
+        let last = breaks.last().copied().unwrap_or(0.0);
+        if breaks.is_empty() || end - last > SAME || ends[curve].last() == Some(&last) {
+            alloc::push(&mut breaks, end)?;
+        }
+        let end = breaks[breaks.len() - 1];
+        alloc::push(&mut ends[curve], end)?;
+    }
+    alloc::push(&mut breaks, 1.0)?;
+    ends.iter_mut().try_for_each(|ends| alloc::push(ends, 1.0))?;
+    Ok((breaks, ends))
+}
+
+/// Lengths that are none become the mean of the others.
+fn positive(mut lengths: Vec<f64>) -> Vec<f64> {
+    let sum: f64 = lengths.iter().sum();
+    let mean = if sum > 0.0 { sum / lengths.len() as f64 } else { 1.0 };
+    lengths.iter_mut().filter(|length| length.is_nan() || **length <= 1e-6 * mean).for_each(|length| *length = mean);
+    lengths
+}
+
+/// Room for patches, if there are not too many.
+fn room<const N: usize>(rows: usize, columns: usize) -> Result<Vec<Patch<N>>> {
+    let count = (rows as u64).saturating_mul(columns as u64);
+    let limit = MAX_NODES / (N * N) as u64;
+    if count > limit {
+        return Err(Error::TooLarge { what: "cells", count, limit });
+    }
+    alloc::with_capacity(rows * columns)
+}
+
+/// Reports how many patches there are, of those there is room for, from time to time.
+fn hear_patches<const N: usize>(job: &Job<'_>, patches: &Vec<Patch<N>>) -> Result<()> {
+    match patches.len() % STEP {
+        0 => job.step(patches.len() as f64 / patches.capacity() as f64, MAKING),
+        _ => Ok(()),
+    }
+}
+
+/// u and v exchanged.
+fn transposed<const N: usize>(patches: &Patches<N>, job: &Job<'_>) -> Result<Patches<N>> {
+    let [rows, columns] = patches.cells();
+    let mut turned = room(columns, rows)?;
+    for (j, i) in (0..columns).flat_map(|j| (0..rows).map(move |i| (j, i))) {
+        hear_patches(job, &turned)?;
+        turned.push(patches.get(i, j).transposed());
+    }
+    Ok(Patches::of(turned, columns, rows))
+}
+
+/// The sum of points by their weights.
+fn combined(weights: &[f64; TAPS], points: &[DVec3; TAPS]) -> DVec3 {
+    let mut sum = weights[0] * points[0];
+    for k in 1..TAPS {
+        sum += weights[k] * points[k];
+    }
+    sum
+}

@@ -1,0 +1,264 @@
+//! A curve of a net: Bézier segments of one degree, cut where other curves meet it.
+
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::outline::CurveView;
+use crate::surface::MAX_DEGREE;
+use crate::surface::patches::raise;
+use glam::DVec3;
+
+/// The least share of a whole that a segment is given of its parameter.
+const LEAST: f64 = 1e-9;
+/// Lengths of segments in the parameter may differ from those of their polygons by this, relative to the whole curve.
+const WILD: f64 = 16.0;
+
+/// A place on a strand.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub(super) struct At {
+    pub(super) segment: usize,
+    pub(super) t: f64,
+}
+
+/// Segments of degree N - 1, one after the other.
+pub(super) struct Strand<const N: usize> {
+    pub(super) segments: Vec<[DVec3; N]>,
+    /// What each segment takes of the parameter: such that derivatives are continuous, but for their direction.
+    lengths: Vec<f64>,
+    pub(super) closed: bool,
+}
+
+/// The part of a strand between two nodes.
+pub(super) struct Piece<const N: usize> {
+    pub(super) segments: Vec<[DVec3; N]>,
+    /// Where segments end, as fractions of the piece: the last is 1.
+    pub(super) ends: Vec<f64>,
+    /// What it takes of the strand's parameter.
+    pub(super) length: f64,
+}
+
+/// The highest degree of the segments of a curve.
+///
+/// # Errors
+/// [`Error::EmptyCurve`] for a curve without points, [`Error::OptionOutOfRange`] for a degree above 7.
+pub(super) fn degree(curve: &CurveView<'_>) -> Result<usize> {
+    if curve.points().is_empty() {
+        return Err(Error::EmptyCurve);
+    }
+    let degree = curve.segments().map(|segment| segment.len() - 1).max().unwrap_or(1);
+    if degree > MAX_DEGREE {
+        return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 });
+    }
+    Ok(degree)
+}
+
+impl<const N: usize> Strand<N> {
+    /// A curve of degree N - 1 at most.
+    pub(super) fn new(curve: &CurveView<'_>) -> Result<Self> {
+        let mut segments = alloc::with_capacity(curve.len().max(1))?;
+        for controls in curve.segments() {
+            let mut points = [DVec3::ZERO; N];
+            points[..controls.len()].copy_from_slice(controls);
+            raise(&mut points, controls.len() - 1);
+            // A point stays one to the bit.
+            if is_point(controls) {
+                points = [controls[0]; N];
+            }
+            segments.push(points);
+        }
+        if segments.is_empty() {
+            segments.push([curve.points()[0]; N]);
+        }
+        let mut strand = Strand { lengths: Vec::new(), segments, closed: curve.is_closed() };
+        strand.lengths = strand.natural()?;
+        Ok(strand)
+    }
+
+    /// True if it is one point.
+    pub(super) fn is_point(&self) -> bool {
+        is_point(self.segments.as_flattened())
+    }
+
+    /// Lengths in a parameter in which the curve has derivatives of continuous length: those of its knots if it is C1 in some. Segments that
+    /// are points have none.
+    fn natural(&self) -> Result<Vec<f64>> {
+        let polygon = |points: &[DVec3; N]| points.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
+        let polygons = alloc::collect(self.segments.iter().map(polygon))?;
+        let total: f64 = polygons.iter().sum();
+        let mut lengths = alloc::filled(0.0, polygons.len())?;
+        let mut before: Option<usize> = None;
+        for (k, points) in self.segments.iter().enumerate().filter(|&(k, _)| polygons[k] > 0.0) {
+            lengths[k] = before.map_or(polygons[k], |b| {
+                let (start, end) = (points[1] - points[0], self.segments[b][N - 1] - self.segments[b][N - 2]);
+                let (start, end) = (start.length(), end.length());
+                let regular = start > 1e-6 * polygons[k] && end > 1e-6 * polygons[b];
+                lengths[b] * if regular { start / end } else { polygons[k] / polygons[b] }
+            });
+            before = Some(k);
+        }
+        let sum: f64 = lengths.iter().sum();
+        let wild = |(&length, &polygon): (&f64, &f64)| {
+            let [length, polygon] = [length / sum, polygon / total];
+            !(length <= WILD * polygon && polygon <= WILD * length)
+        };
+        if lengths.iter().zip(&polygons).any(wild) { Ok(polygons) } else { Ok(lengths) }
+    }
+
+    pub(super) fn point(&self, at: At) -> DVec3 {
+        point(&self.segments[at.segment], at.t)[0]
+    }
+
+    /// Backwards.
+    pub(super) fn reverse(&mut self) {
+        self.segments.reverse();
+        self.segments.iter_mut().for_each(|points| points.reverse());
+        self.lengths.reverse();
+    }
+
+    /// A place as it is called after [`Strand::reverse`].
+    pub(super) fn reversed(&self, at: At) -> At {
+        At { segment: self.segments.len() - 1 - at.segment, t: 1.0 - at.t }
+    }
+
+    /// The parts between places that follow each other; of a closed one also that from the last to the first. A strand that is one point
+    /// has parts that are the same.
+    pub(super) fn cut(&self, places: &[At]) -> Result<Vec<Piece<N>>> {
+        let count = if self.closed { places.len() } else { places.len() - 1 };
+        let mut pieces = alloc::with_capacity(count)?;
+        for k in 0..count {
+            pieces.push(self.between(places[k], places[(k + 1) % places.len()])?);
+        }
+        Ok(pieces)
+    }
+
+    /// The whole strand, one piece.
+    pub(super) fn whole(&self) -> Result<Piece<N>> {
+        let last = self.segments.len() - 1;
+        self.between(At { segment: 0, t: 0.0 }, At { segment: last, t: 1.0 })
+    }
+
+    fn between(&self, from: At, to: At) -> Result<Piece<N>> {
+        let mut piece = Piece { segments: Vec::new(), ends: Vec::new(), length: 0.0 };
+        let mut add = |segment: usize, [start, end]: [f64; 2]| -> Result<()> {
+            if end <= start || self.lengths[segment] == 0.0 {
+                return Ok(());
+            }
+            piece.length += self.lengths[segment] * (end - start);
+            alloc::push(&mut piece.ends, piece.length)?;
+            alloc::push(&mut piece.segments, part(&self.segments[segment], [start, end]))
+        };
+        if from.segment == to.segment && from.t < to.t {
+            add(from.segment, [from.t, to.t])?;
+        } else {
+            add(from.segment, [from.t, 1.0])?;
+            let count = self.segments.len();
+            let mut segment = (from.segment + 1) % count;
+            while segment != to.segment {
+                add(segment, [0.0, 1.0])?;
+                segment = (segment + 1) % count;
+            }
+            add(to.segment, [0.0, to.t])?;
+        }
+        if piece.segments.is_empty() {
+            alloc::push(&mut piece.segments, [self.point(from); N])?;
+            alloc::push(&mut piece.ends, 0.0)?;
+        }
+        piece.spread();
+        Ok(piece)
+    }
+}
+
+impl<const N: usize> Piece<N> {
+    /// Ends become fractions, none of them too close to the next.
+    fn spread(&mut self) {
+        let least = LEAST * self.length;
+        let (mut before, mut total) = (0.0, 0.0);
+        for end in &mut self.ends {
+            let length = *end - before;
+            before = *end;
+            total += if length > least { length } else { least };
+            *end = total;
+        }
+        let count = self.ends.len();
+        for (k, end) in self.ends.iter_mut().enumerate() {
+            *end = if k + 1 == count || total == 0.0 { (k + 1) as f64 / count as f64 } else { *end / total };
+        }
+    }
+
+    /// Moves its ends to points, and all else by as much as lies between.
+    pub(super) fn bend(&mut self, from: DVec3, to: DVec3) {
+        let last = self.segments.len() - 1;
+        let (start, end) = (from - self.segments[0][0], to - self.segments[last][N - 1]);
+        let mut before = 0.0;
+        for (points, &after) in self.segments.iter_mut().zip(&self.ends) {
+            for (k, point) in points.iter_mut().enumerate() {
+                let at = before + (after - before) * (k as f64 / (N - 1) as f64);
+                *point += start.lerp(end, at);
+            }
+            before = after;
+        }
+        (self.segments[0][0], self.segments[last][N - 1]) = (from, to);
+        for k in 0..last {
+            self.segments[k + 1][0] = self.segments[k][N - 1];
+        }
+    }
+
+    /// The segments over the spans between breaks, the last of which is 1. The breaks have all ends of the piece among them: `ends`, as the breaks
+    /// have them.
+    pub(super) fn refined(&self, ends: &[f64], breaks: &[f64], refined: &mut Vec<[DVec3; N]>) -> Result<()> {
+        alloc::reserve(refined, breaks.len())?;
+        let (mut segment, mut from) = (0, 0.0);
+        let mut start = self.segments[0][0];
+        for &to in breaks {
+            let first = if segment == 0 { 0.0 } else { ends[segment - 1] };
+            let length = ends[segment] - first;
+            let [low, high] = [(from - first) / length, if to >= ends[segment] { 1.0 } else { (to - first) / length }];
+            let mut points = part(&self.segments[segment], [low, high]);
+            // Neighbours share their ends to the bit.
+            points[0] = start;
+            start = points[N - 1];
+            refined.push(points);
+            if to >= ends[segment] && segment + 1 < ends.len() {
+                segment += 1;
+            }
+            from = to;
+        }
+        Ok(())
+    }
+}
+
+fn is_point(points: &[DVec3]) -> bool {
+    points.iter().all(|&p| p == points[0])
+}
+
+/// Point and first derivative of a segment.
+pub(in crate::surface) fn point<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 2] {
+    let mut work = *points;
+    for count in (2..N).rev() {
+        for k in 0..count {
+            work[k] = work[k] * (1.0 - t) + work[k + 1] * t;
+        }
+    }
+    [work[0] * (1.0 - t) + work[1] * t, (work[1] - work[0]) * (N - 1) as f64]
+}
+
+/// A segment over a part of its parameters, exactly itself over all.
+pub(in crate::surface) fn part<const N: usize>(points: &[DVec3; N], [from, to]: [f64; 2]) -> [DVec3; N] {
+    let mut work = *points;
+    if from > 0.0 {
+        // The right part: what is left of the columns of de Casteljau's scheme.
+        for count in (1..N).rev() {
+            for k in 0..count {
+                work[k] = work[k] * (1.0 - from) + work[k + 1] * from;
+            }
+        }
+    }
+    if to < 1.0 {
+        let t = (to - from) / (1.0 - from);
+        for first in 1..N {
+            for k in (first..N).rev() {
+                work[k] = work[k - 1] * (1.0 - t) + work[k] * t;
+            }
+        }
+    }
+    work
+}

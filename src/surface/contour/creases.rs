@@ -1,0 +1,76 @@
+//! Sides between cells along which normals jump past an angle: they belong to the isophote themselves, and no cell shows it.
+
+use super::seen::Normals;
+use super::{Lattice, facing};
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use crate::surface::cells::{BLOCK, Cells};
+use crate::surface::index::Cones;
+use glam::DVec2;
+use std::f64::consts::PI;
+
+/// A side of a cell that a neighbour is behind.
+struct Side {
+    /// The steps to the neighbour.
+    after: [bool; 2],
+    /// The corners, in the cell and in the neighbour.
+    own: [[f64; 2]; 2],
+    others: [[f64; 2]; 2],
+}
+
+const SIDES: [Side; 2] = [
+    Side { after: [true, false], own: [[1.0, 0.0], [1.0, 1.0]], others: [[0.0, 0.0], [0.0, 1.0]] },
+    Side { after: [false, true], own: [[0.0, 1.0], [1.0, 1.0]], others: [[0.0, 0.0], [1.0, 0.0]] },
+];
+
+/// Adds the middles of sides at whose ends the angle is less than one of `angles` in one cell and greater in the other.
+pub(super) fn creases<C: Cells<N>, const N: usize>(
+    normals: &Normals<'_, C>,
+    cones: &Cones,
+    lattice: &Lattice,
+    angles: &[f64],
+    unsigned: bool,
+    found: &mut Vec<([u32; 2], DVec2)>,
+    job: &Job<'_>,
+) -> Result<()> {
+    let angle = |[i, j]: [usize; 2], [u, v]: [f64; 2]| {
+        let normal = normals.cells.patch(i, j).jet(u, v).normal();
+        let [x, y, z] = normals.frame.map(|axis| axis.dot(normal));
+        libm::atan2((x * x + y * y).sqrt(), if unsigned { z.abs() } else { z })
+    };
+    // An angle is jumped past only where it is between those of a block and the blocks behind.
+    let may_jump = |r: usize, c: usize| {
+        let behind = |k: usize, d: usize| if k + 1 == lattice.blocks()[d] { 0 } else { k + 1 };
+        let around = [(r, c), (behind(r, 0), c), (r, behind(c, 1))];
+        let ranges = around.into_iter().filter_map(|(r, c)| Some(cones.get(0, r, c)?.angles(normals.frame[2])));
+        let whole = ranges.fold([PI, 0.0], |[low, high]: [f64; 2], [from, to]| [low.min(from), high.max(to)]);
+        facing::have(angles, unsigned, whole)
+    };
+    let [rows, columns] = lattice.counts;
+    let mut jumps_in = Vec::new();
+    for i in 0..rows {
+        job.step(i as f64 / rows as f64, "creases")?;
+        if i % BLOCK == 0 {
+            jumps_in.clear();
+            jumps_in.extend((0..lattice.blocks()[1]).map(|c| may_jump(i / BLOCK, c)));
+        }
+        for j in (0..columns).filter(|j| jumps_in[j / BLOCK]) {
+            for Side { after, own, others } in SIDES {
+                let (behind, end) = lattice.owner([i, j], after);
+                if end != [false; 2] {
+                    continue;
+                }
+                let [a, b] = own.map(|corner| angle([i, j], corner));
+                let [c, d] = others.map(|corner| angle(behind, corner));
+                let jumps =
+                    |goal: &f64| (a.max(b) < *goal && *goal < c.min(d)) || (c.max(d) < *goal && *goal < a.min(b));
+                if angles.iter().any(jumps) {
+                    let middle = 0.5 * (DVec2::from_array(own[0]) + DVec2::from_array(own[1]));
+                    alloc::push(found, ([i as u32, j as u32], middle))?;
+                }
+            }
+        }
+    }
+    Ok(())
+}

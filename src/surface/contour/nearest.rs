@@ -1,0 +1,365 @@
+//! Task b) of the paper as a minimum: the place whose normal makes the angle with a direction that is nearest to a given one.
+//!
+//! By branch and bound over blocks, cells and parts of them. The paper bounds the angle over a region by curvature times diameter; here the
+//! bounds are cones of normals, then those of the components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2 theta P (see
+//! `isophote`), which tell on which side of theta all angles of a part are.
+
+use super::facing;
+use super::normals::{Hodographs, squares};
+use super::seen::{Normals, frame};
+use super::source::Sides;
+use super::{Lattice, direction, lattice};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use crate::surface::cells::Cells;
+use crate::surface::index::{Cones, Pyramid};
+use crate::surface::ranges::angles;
+use crate::surface::subdivision::Field;
+use crate::surface::{Place, Sheet, Surface, each_sheet};
+use glam::{DVec2, DVec3};
+use std::f64::consts::PI;
+
+/// To which the answer is proved, in radians.
+const TOLERANCE: f64 = 1e-9;
+/// Halvings of a cell, and parts that may be looked at in one.
+const DEPTH: u32 = 40;
+const PARTS: u32 = 4096;
+/// Blocks that are one thread's work, and such works between two reports of progress.
+const CHUNK: usize = 64;
+const CHUNKS: usize = 16;
+/// Blocks of each level that are looked at for a first bound.
+const PROMISING: usize = 16;
+
+/// Where a normal's angle is nearest to a given one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearestAngle {
+    /// Where it is.
+    pub place: Place,
+    /// The point.
+    pub point: DVec3,
+    /// The unit normal.
+    pub normal: DVec3,
+    /// Its angle with the direction, in radians.
+    pub angle: f64,
+    /// How far this is from the angle asked for.
+    pub deviation: f64,
+    /// No normal's angle is nearer than this.
+    pub bound: f64,
+}
+
+/// The angle asked for.
+#[derive(Clone, Copy)]
+struct Goal {
+    angle: f64,
+    unsigned: bool,
+}
+
+/// The best that was found.
+#[derive(Clone, Copy)]
+struct Best {
+    deviation: f64,
+    place: Option<Place>,
+}
+
+/// A cell that may hold something better.
+struct Candidate {
+    bound: f64,
+    sheet: u32,
+    cell: [u32; 2],
+}
+
+impl Goal {
+    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for what may be 0, but for `noise`.
+    fn deviation(&self, [x, y, z]: [f64; 3], noise: f64) -> f64 {
+        if x.abs() <= noise && y.abs() <= noise && z.abs() <= noise {
+            return f64::INFINITY;
+        }
+        let along = if self.unsigned { z.abs() } else { z };
+        (libm::atan2((x * x + y * y).sqrt(), along) - self.angle).abs()
+    }
+
+    /// How near angles from `low` to `high` can be.
+    fn bound(&self, [low, high]: [f64; 2]) -> f64 {
+        let outside = |goal: f64| (low - goal).max(goal - high).max(0.0);
+        if self.unsigned { outside(self.angle).min(outside(PI - self.angle)) } else { outside(self.angle) }
+    }
+
+    /// True if the coefficients show that no angle is nearer than `by`.
+    fn is_beyond<const H: usize, const M: usize>(&self, normal: &[Field<H>; 3], by: f64) -> bool {
+        let [first, second, along] = normal;
+        let (h, p): (Field<M>, Field<M>) = (squares(&[*along]), squares(&[*first, *second]));
+        let front = along.range()[0] >= 0.0;
+        let behind = along.range()[1] <= 0.0;
+        // All angles are at least theta, or at most theta.
+        let least = |theta: f64, most: bool| {
+            if !(0.0..=PI).contains(&theta) {
+                return false;
+            }
+            let (sin, cos) = (libm::sin(theta), libm::cos(theta));
+            let [low, high] = h.combined(sin * sin, &p, -cos * cos).range();
+            match (most, cos >= 0.0) {
+                (false, true) => behind || high <= 0.0,
+                (false, false) => behind && low >= 0.0,
+                (true, true) => front && low >= 0.0,
+                (true, false) => front || high <= 0.0,
+            }
+        };
+        let outside = |goal: f64| least(goal + by, false) || least(goal - by, true);
+        outside(self.angle) && (!self.unsigned || outside(PI - self.angle))
+    }
+}
+
+/// True if all components are within the noise.
+fn vanish(ranges: &[[f64; 2]; 3], noise: f64) -> bool {
+    ranges.iter().all(|&[low, high]| low >= -noise && high <= noise)
+}
+
+/// Part of a cell.
+struct Part<const H: usize> {
+    normal: [Field<H>; 3],
+    from: DVec2,
+    size: f64,
+    depth: u32,
+    /// What components of normals may be off by.
+    noise: f64,
+    deviation: f64,
+}
+
+impl<const H: usize> Part<H> {
+    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, depth: u32, noise: f64, goal: &Goal) -> Self {
+        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value), noise);
+        Part { normal, from, size, depth, noise, deviation }
+    }
+
+    fn quarters(&self, goal: &Goal) -> [Part<H>; 4] {
+        let [first, second, along] = [0, 1, 2].map(|k| self.normal[k].quarters());
+        let half = 0.5 * self.size;
+        [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
+            let k = 2 * corner.x as usize + corner.y as usize;
+            let from = self.from + half * corner;
+            Part::new([first[k], second[k], along[k]], from, half, self.depth + 1, self.noise, goal)
+        })
+    }
+}
+
+/// A sheet's normals, of which the nearest is sought.
+struct Sought<'a, C> {
+    normals: Normals<'a, C>,
+    sheet: u32,
+    goal: Goal,
+}
+
+/// What is asked for on all sheets.
+struct Asked {
+    goal: Goal,
+    frame: [DVec3; 3],
+    reach: f64,
+}
+
+impl Asked {
+    fn of<'a, C>(&self, sheet: u32, cells: &'a C, index: &'a Pyramid) -> Sought<'a, C> {
+        let normals = Normals { cells, index, frame: self.frame, reach: self.reach, sides: Sides::Apart };
+        Sought { normals, sheet, goal: self.goal }
+    }
+}
+
+impl<C> Sought<'_, C> {
+    /// Which blocks may hold something no worse than the best, and than what the most promising of them show.
+    fn blocks<const N: usize>(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>>
+    where
+        C: Cells<N>,
+    {
+        let direction = self.normals.frame[2];
+        let mut front = vec![[0; 2]];
+        for level in (0..cones.levels()).rev() {
+            let below = front.iter().flat_map(|&[r, c]| (0..4).map(move |k| [2 * r + k / 2, 2 * c + k % 2]));
+            let bound = |at: [usize; 2]| Some((self.goal.bound(cones.get(level, at[0], at[1])?.angles(direction)), at));
+            let mut bounds: Vec<(f64, [usize; 2])> = below.filter_map(bound).collect();
+            bounds.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            front = bounds.into_iter().take(PROMISING).map(|(_, at)| at).collect();
+        }
+        let mut shown = *best;
+        for [r, c] in front {
+            for cell in self.normals.block(lattice, [r as u32, c as u32]).1 {
+                self.cell::<N>(cell.map(|k| k as u32), &mut shown, &mut Vec::new())?;
+            }
+        }
+        facing::blocks(cones, direction, |range| self.goal.bound(range) <= shown.deviation)
+    }
+
+    /// The best at the middles of cells, and the cells that may hold something better.
+    fn candidates<const N: usize>(
+        &self,
+        cones: &Cones,
+        lattice: &Lattice,
+        best: &mut Best,
+        candidates: &mut Vec<Candidate>,
+        job: &Job<'_>,
+    ) -> Result<()>
+    where
+        C: Cells<N>,
+    {
+        let blocks = self.blocks(cones, lattice, best)?;
+        let count = blocks.len();
+        for first in (0..count).step_by(CHUNK * CHUNKS) {
+            job.step(first as f64 / count as f64, "angles")?;
+            let known = *best;
+            let parts = par::chunks(job.threads(), (count - first).min(CHUNK * CHUNKS), CHUNK, |range| {
+                let (mut best, mut candidates) = (known, Vec::new());
+                for &[r, c] in &blocks[first..][range] {
+                    let cone = cones.get(0, r as usize, c as usize);
+                    if cone.is_some_and(|cone| self.goal.bound(cone.angles(self.normals.frame[2])) > best.deviation) {
+                        continue;
+                    }
+                    let (corners, cells) = self.normals.block(lattice, [r, c]);
+                    for cell in cells {
+                        if self.goal.bound(angles(&corners.ranges(cell), 0.0)) < best.deviation {
+                            self.cell::<N>(cell.map(|k| k as u32), &mut best, &mut candidates)?;
+                        }
+                    }
+                }
+                Ok((best, candidates))
+            });
+            for part in parts {
+                let (found, mut some): (Best, Vec<Candidate>) = part?;
+                if found.deviation < best.deviation {
+                    *best = found;
+                }
+                alloc::reserve(candidates, some.len())?;
+                candidates.append(&mut some);
+            }
+            candidates.retain(|candidate| candidate.bound < best.deviation);
+        }
+        Ok(())
+    }
+
+    fn cell<const N: usize>(&self, cell: [u32; 2], best: &mut Best, candidates: &mut Vec<Candidate>) -> Result<()>
+    where
+        C: Cells<N>,
+    {
+        let [i, j] = cell.map(|k| k as usize);
+        let patch = self.normals.cells.patch(i, j);
+        let of = Hodographs::new(&patch, &self.normals.frame);
+        let (ranges, noise) = (of.ranges(), self.normals.noise(&of));
+        let bound = self.goal.bound(angles(&ranges, 0.0));
+        if bound >= best.deviation || vanish(&ranges, noise) {
+            return Ok(());
+        }
+        let normal = patch.jet(0.5, 0.5).normal();
+        let deviation = self.goal.deviation(self.normals.frame.map(|axis| normal.dot(axis)), noise);
+        if deviation < best.deviation {
+            *best = Best { deviation, place: Some(Place { sheet: self.sheet, cell, u: 0.5, v: 0.5 }) };
+        }
+        alloc::push(candidates, Candidate { bound, sheet: self.sheet, cell })
+    }
+
+    /// Improves the best within a cell; returns what no angle there is nearer than.
+    fn search<const N: usize, const H: usize, const M: usize>(&self, cell: [u32; 2], best: &mut Best) -> f64
+    where
+        C: Cells<N>,
+    {
+        let [i, j] = cell.map(|k| k as usize);
+        let of = Hodographs::new(&self.normals.cells.patch(i, j), &self.normals.frame);
+        let (normal, noise) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.noise(&of));
+        let mut waiting = vec![Part::new(normal, DVec2::ZERO, 1.0, 0, noise, &self.goal)];
+        let (mut bound, mut looked_at) = (f64::INFINITY, 0);
+        while let Some(part) = waiting.pop() {
+            looked_at += 1;
+            if part.deviation < best.deviation {
+                let at = part.from + 0.5 * part.size;
+                let place = Place { sheet: self.sheet, cell, u: at.x, v: at.y };
+                *best = Best { deviation: part.deviation, place: Some(place) };
+            }
+            let ranges = part.normal.map(|field| field.range());
+            if vanish(&ranges, noise) {
+                // Here is no normal.
+                continue;
+            }
+            let proved = (best.deviation - TOLERANCE).max(0.0);
+            let near = self.goal.bound(angles(&ranges, 0.0));
+            if near >= proved || self.goal.is_beyond::<H, M>(&part.normal, proved) {
+                bound = bound.min(near.max(proved));
+                continue;
+            }
+            if part.depth == DEPTH || looked_at >= PARTS {
+                bound = bound.min(near);
+                continue;
+            }
+            // The most promising last, to be taken first.
+            let mut quarters = part.quarters(&self.goal);
+            quarters.sort_by(|a, b| b.deviation.total_cmp(&a.deviation));
+            waiting.extend(quarters);
+        }
+        bound
+    }
+}
+
+impl Surface<'_> {
+    /// The place whose normal's angle with a direction is nearest to `angle`, in radians from 0 to pi; to pi / 2 if `unsigned`, a normal and
+    /// its opposite then being the same. Proved to 1e-9, unless the bound says otherwise. `None` if there is no normal at all. The first such
+    /// question builds the cones of normals, O(cells); after that about O(cells that come near to the angle).
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a direction that is 0 or not finite, or an angle out of range; [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn nearest_angle(
+        &self,
+        axis: DVec3,
+        angle: f64,
+        unsigned: bool,
+        job: &Job<'_>,
+    ) -> Result<Option<NearestAngle>> {
+        let axis = direction(axis, "direction")?;
+        let most = if unsigned { 0.5 * PI } else { PI };
+        if !(0.0..=most + 1e-15).contains(&angle) {
+            return Err(Error::OptionOutOfRange { option: "angle", value: angle });
+        }
+        let (goal, frame, reach) = (Goal { angle, unsigned }, frame(axis), self.reach());
+        let mut best = Best { deviation: f64::INFINITY, place: None };
+        let mut candidates = Vec::new();
+        let asked = Asked { goal, frame, reach };
+        for k in 0..self.len() {
+            let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
+            let (cells_of, number) = (lattice(sheet), k as u32);
+            let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
+            each_sheet!(sheet, cells => {
+                asked.of(number, cells, index).candidates(cones, &cells_of, &mut best, &mut candidates, &part)
+            })?;
+        }
+        let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
+        candidates.sort_by(|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
+        let mut bound = f64::INFINITY;
+        for (k, candidate) in candidates.iter().enumerate() {
+            if k % 16 == 0 {
+                job.step(0.9 + 0.1 * k as f64 / candidates.len() as f64, "angles")?;
+            }
+            if candidate.bound >= (best.deviation - TOLERANCE).max(0.0) {
+                bound = bound.min(candidate.bound);
+                break;
+            }
+            let (sheet, index) = self.indexed(candidate.sheet as usize);
+            let (number, cell) = (candidate.sheet, candidate.cell);
+            bound = bound.min(match sheet {
+                Sheet::Grid(cells) => asked.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::Cubic(cells) => asked.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::High(cells) => asked.of(number, cells, index).search::<8, 14, 27>(cell, &mut best),
+            });
+        }
+        Ok(best.place.map(|place| {
+            let (point, normal) = self.point_and_normal(place);
+            let seen = frame.map(|axis| normal.dot(axis));
+            let found = Goal { angle: 0.0, unsigned }.deviation(seen, 0.0);
+            let deviation = goal.deviation(seen, 0.0);
+            NearestAngle {
+                place,
+                point,
+                normal,
+                angle: found,
+                deviation,
+                bound: bound.min(deviation).min(best.deviation),
+            }
+        }))
+    }
+}

@@ -1,0 +1,257 @@
+//! Strands of all sheets as paths: joined across sheets, with points and normals.
+
+use super::chain::{Strand, Strands};
+use super::lattice;
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use crate::surface::{Paths, Place, Surface};
+use glam::DVec3;
+
+/// Places that are one thread's work.
+const CHUNK: usize = 1024;
+/// Such works between two reports of progress.
+const CHUNKS: usize = 64;
+
+/// The strands of all sheets.
+struct All {
+    strands: Vec<Strand>,
+    places: Vec<Place>,
+    points: Vec<DVec3>,
+    normals: Vec<DVec3>,
+}
+
+impl All {
+    fn new(surface: &Surface<'_>, sheets: &[(usize, Strands)], job: &Job<'_>) -> Result<Self> {
+        let count = sheets.iter().map(|(_, strands)| strands.steps.len()).sum();
+        let mut places = alloc::with_capacity(count)?;
+        let mut strands = alloc::with_capacity(sheets.iter().map(|(_, strands)| strands.strands.len()).sum())?;
+        for (sheet, own) in sheets {
+            let shift = places.len();
+            places.extend(own.steps.iter().map(|&(cell, at)| Place { sheet: *sheet as u32, cell, u: at.x, v: at.y }));
+            let moved = |strand: &Strand| Strand { steps: strand.steps.map(|step| step + shift), ..*strand };
+            strands.extend(own.strands.iter().map(moved));
+        }
+        strands.sort_by_key(|strand| strand.level);
+        let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
+        let mut parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));
+        for first in (0..count).step_by(CHUNK * CHUNKS) {
+            job.step(first as f64 / count as f64, "points")?;
+            let some: Vec<_> = parts.by_ref().take(CHUNKS).collect();
+            par::map(job.threads(), some.into_iter(), |((places, points), normals)| {
+                surface.points_and_normals(places, points, normals);
+            });
+        }
+        Ok(All { strands, places, points, normals })
+    }
+
+    /// Which strands follow each other: open ones whose ends are within `tolerance`, the nearest first come.
+    fn followers(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
+        let mut after = alloc::filled(None, self.strands.len())?;
+        let open = || (0..self.strands.len()).filter(|&k| !self.strands[k].closed);
+        let head = |k: usize| self.points[self.strands[k].steps[0]];
+        let tail = |k: usize| self.points[self.strands[k].steps[1] - 1];
+        let mut heads: Vec<usize> = Vec::new();
+        alloc::reserve(&mut heads, open().count())?;
+        heads.extend(open());
+        heads.sort_by(|&a, &b| {
+            let by = |k: usize| self.strands[k].level;
+            by(a).cmp(&by(b)).then(head(a).x.total_cmp(&head(b).x))
+        });
+        let mut taken = alloc::filled(false, heads.len())?;
+        for k in open() {
+            let (level, end) = (self.strands[k].level, tail(k));
+            let before = |&other: &usize| (self.strands[other].level, head(other).x) < (level, end.x - tolerance);
+            let from = heads.partition_point(before);
+            let mut best: Option<(f64, usize)> = None;
+            for (at, &other) in heads.iter().enumerate().skip(from) {
+                if self.strands[other].level != level || head(other).x > end.x + tolerance {
+                    break;
+                }
+                let distance = head(other).distance(end);
+                if !taken[at] && distance <= tolerance && best.is_none_or(|(least, _)| distance < least) {
+                    best = Some((distance, at));
+                }
+            }
+            if let Some((_, at)) = best {
+                taken[at] = true;
+                after[k] = Some(heads[at]);
+            }
+        }
+        Ok(after)
+    }
+
+    /// Adds one path, of strands that follow each other. Points nearer than `tolerance` to the one before are left out; what is no
+    /// larger than a point is unresolved.
+    fn add(&self, strands: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
+        let first = paths.points.len();
+        let steps = || strands.iter().flat_map(|&k| self.strands[k].steps[0]..self.strands[k].steps[1]);
+        for step in steps() {
+            let near = paths.points.len() > first
+                && paths.points.last().is_some_and(|last| last.distance(self.points[step]) <= tolerance);
+            if !near {
+                self.push(step, paths)?;
+            }
+        }
+        let last = steps().next_back();
+        let ends = |paths: &Paths| paths.points.len() > first + 1;
+        if closed {
+            while ends(paths) && paths.points[paths.points.len() - 1].distance(paths.points[first]) <= tolerance {
+                self.cut(paths, paths.points.len() - 1);
+            }
+        } else if let Some(last) = last.filter(|&last| ends(paths) && paths.points.last() != Some(&self.points[last])) {
+            // The end itself is kept, and what is near it left out.
+            self.cut(paths, paths.points.len() - 1);
+            self.push(last, paths)?;
+        }
+        if paths.points.len() < first + if closed { 3 } else { 2 } {
+            alloc::push(&mut paths.unresolved, paths.places[first])?;
+            self.cut(paths, first);
+            return Ok(());
+        }
+        let end = u32::try_from(paths.points.len()).map_err(|_| Error::TooLarge {
+            what: "points of curves",
+            count: paths.points.len() as u64,
+            limit: u32::MAX.into(),
+        })?;
+        alloc::push(&mut paths.ends, end)?;
+        alloc::push(&mut paths.closed, closed)?;
+        alloc::push(&mut paths.levels, self.strands[strands[0]].level)
+    }
+
+    /// Ends that are on no open edge are unresolved: where fields jump, and nothing goes on.
+    fn report_inner(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
+        for place in ends.map(|end| self.places[end]) {
+            let sheet = lattice(surface.sheet(place.sheet as usize));
+            if !sheet.on_edge(place.cell, [place.u, place.v]) {
+                alloc::push(&mut paths.unresolved, place)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn push(&self, step: usize, paths: &mut Paths) -> Result<()> {
+        alloc::push(&mut paths.places, self.places[step])?;
+        alloc::push(&mut paths.points, self.points[step])?;
+        alloc::push(&mut paths.normals, self.normals[step])
+    }
+
+    fn cut(&self, paths: &mut Paths, to: usize) {
+        paths.places.truncate(to);
+        paths.points.truncate(to);
+        paths.normals.truncate(to);
+    }
+}
+
+/// The paths of the strands of all sheets, by level and then by first strand.
+pub(super) fn paths(
+    surface: &Surface<'_>,
+    sheets: &[(usize, Strands)],
+    unresolved: Vec<Place>,
+    job: &Job<'_>,
+) -> Result<Paths> {
+    let all = All::new(surface, sheets, job)?;
+    let tolerance = surface.tolerance();
+    let after = all.followers(tolerance)?;
+    let mut entered = alloc::filled(false, after.len())?;
+    after.iter().flatten().for_each(|&k| entered[k] = true);
+    let mut used = alloc::filled(false, after.len())?;
+    // Open sequences from their beginnings, then closed ones; by their lowest strands.
+    let mut sequences: Vec<(usize, usize)> = Vec::new();
+    for k in (0..after.len()).filter(|&k| !entered[k]).chain(0..after.len()) {
+        let (mut lowest, mut at) = (k, Some(k));
+        if used[k] {
+            continue;
+        }
+        while let Some(strand) = at.filter(|&strand| !used[strand]) {
+            used[strand] = true;
+            lowest = lowest.min(strand);
+            at = after[strand];
+        }
+        alloc::push(&mut sequences, (lowest, k))?;
+    }
+    sequences.sort_unstable();
+    let mut paths = Paths { ends: vec![0], unresolved, ..Paths::default() };
+    alloc::reserve(&mut paths.places, all.places.len())?;
+    alloc::reserve(&mut paths.points, all.places.len())?;
+    alloc::reserve(&mut paths.normals, all.places.len())?;
+    let mut sequence = Vec::new();
+    for (_, first) in sequences {
+        sequence.clear();
+        let mut at = Some(first);
+        while let Some(strand) = at {
+            alloc::push(&mut sequence, strand)?;
+            at = after[strand].filter(|&next| next != first);
+        }
+        let last = sequence[sequence.len() - 1];
+        let closed = all.strands[first].closed || after[last] == Some(first);
+        if !closed {
+            let ends = [all.strands[first].steps[0], all.strands[last].steps[1] - 1];
+            all.report_inner(surface, ends, &mut paths)?;
+        }
+        all.add(&sequence, closed, tolerance, &mut paths)?;
+    }
+    once(&mut paths.unresolved)?;
+    Ok(paths)
+}
+
+/// Leaves the first place of each cell, in their order: of several levels, or of pieces of curves, there may be many.
+fn once(places: &mut Vec<Place>) -> Result<()> {
+    let cell = |place: &Place| (place.sheet, place.cell);
+    let mut by: Vec<usize> = alloc::collect(0..places.len())?;
+    by.sort_by_key(|&k| cell(&places[k]));
+    by.dedup_by_key(|&mut k| cell(&places[k]));
+    by.sort_unstable();
+    *places = alloc::collect(by.into_iter().map(|k| places[k]))?;
+    Ok(())
+}
+
+/// Adds paths of one point each, of the given levels, and puts all in the order of levels. Points nearer than the tolerance to others of
+/// their level are the same: those on sides come from both cells.
+pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: &mut Paths) -> Result<()> {
+    if points.is_empty() {
+        return Ok(());
+    }
+    let frames = alloc::collect(points.iter().map(|&(_, place)| surface.point_and_normal(place)))?;
+    let mut by: Vec<usize> = alloc::collect(0..points.len())?;
+    by.sort_by(|&a, &b| points[a].0.cmp(&points[b].0).then(frames[a].0.x.total_cmp(&frames[b].0.x)).then(a.cmp(&b)));
+    let mut dropped = alloc::filled(false, points.len())?;
+    for (at, &k) in by.iter().enumerate() {
+        for &other in &by[at + 1..] {
+            if points[other].0 != points[k].0 || frames[other].0.x > frames[k].0.x + surface.tolerance() {
+                break;
+            }
+            if frames[other].0.distance(frames[k].0) <= surface.tolerance() {
+                dropped[other.max(k)] = true;
+            }
+        }
+    }
+    for k in (0..points.len()).filter(|&k| !dropped[k]) {
+        alloc::push(&mut paths.places, points[k].1)?;
+        alloc::push(&mut paths.points, frames[k].0)?;
+        alloc::push(&mut paths.normals, frames[k].1)?;
+        alloc::push(&mut paths.ends, paths.points.len() as u32)?;
+        alloc::push(&mut paths.closed, false)?;
+        alloc::push(&mut paths.levels, points[k].0)?;
+    }
+    *paths = by_level(std::mem::take(paths))?;
+    Ok(())
+}
+
+/// The same paths by rising level.
+fn by_level(given: Paths) -> Result<Paths> {
+    let mut order: Vec<usize> = alloc::collect(0..given.len())?;
+    order.sort_by_key(|&k| given.levels[k]);
+    let mut sorted = Paths { ends: vec![0], unresolved: given.unresolved, ..Paths::default() };
+    for k in order {
+        let range = given.ends[k] as usize..given.ends[k + 1] as usize;
+        alloc::append(&mut sorted.places, &given.places[range.clone()])?;
+        alloc::append(&mut sorted.points, &given.points[range.clone()])?;
+        alloc::append(&mut sorted.normals, &given.normals[range])?;
+        alloc::push(&mut sorted.ends, sorted.points.len() as u32)?;
+        alloc::push(&mut sorted.closed, given.closed[k])?;
+        alloc::push(&mut sorted.levels, given.levels[k])?;
+    }
+    Ok(sorted)
+}

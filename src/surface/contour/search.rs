@@ -1,0 +1,423 @@
+//! The arcs of a sheet: block by block, cell by cell, level by level.
+
+use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
+use super::lattice::Lattice;
+use super::refine::{is_straight, middle, refine, stays_near};
+use super::side::{crossings, positive};
+use super::simple::{Simple, chord_root, roots, simple};
+use super::source::{Glance, Sides, Source};
+use crate::alloc;
+use crate::error::Result;
+use crate::job::Job;
+use crate::par;
+use crate::surface::Patch;
+use crate::surface::cells::Cells;
+use crate::surface::subdivision::Field;
+use glam::DVec2;
+
+/// Blocks that are one thread's work.
+const CHUNK: usize = 16;
+/// Blocks times levels that are no more than a moment's work.
+const MANY: usize = 1024;
+/// Chunks whose arcs are put together at once.
+const CHUNKS: usize = 256;
+
+/// An arc of a level's zero set over a cell.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Arc {
+    pub(super) level: u32,
+    pub(super) cell: [u32; 2],
+    /// The keys of the marks that it begins and ends with.
+    pub(super) keys: [u64; 2],
+    /// Where these are.
+    pub(super) ends: [DVec2; 2],
+    /// The places between: from where to where among all.
+    pub(super) inner: [u32; 2],
+    /// True if the next arc begins elsewhere than this one ends: across a side where fields jump.
+    pub(super) jumps: bool,
+}
+
+/// What was found on a sheet.
+#[derive(Debug, Default)]
+pub(super) struct Found {
+    pub(super) arcs: Vec<Arc>,
+    pub(super) inner: Vec<DVec2>,
+    /// Cells, and where in them, that are unresolved.
+    pub(super) unresolved: Vec<([u32; 2], DVec2)>,
+}
+
+impl Found {
+    fn append(&mut self, other: &Found) -> Result<()> {
+        let shift = self.inner.len() as u32;
+        alloc::append(&mut self.inner, &other.inner)?;
+        alloc::append(&mut self.unresolved, &other.unresolved)?;
+        alloc::reserve(&mut self.arcs, other.arcs.len())?;
+        self.arcs.extend(other.arcs.iter().map(|arc| Arc { inner: arc.inner.map(|k| k + shift), ..*arc }));
+        Ok(())
+    }
+}
+
+/// What a search of a sheet needs to know.
+pub(super) struct Search<'a, C, S> {
+    pub(super) cells: &'a C,
+    pub(super) source: &'a S,
+    pub(super) lattice: Lattice,
+    /// How far chords may be from the curve; `None`: marks only.
+    pub(super) chord: Option<f64>,
+}
+
+/// Room for the work on a cell.
+#[derive(Default)]
+struct Scratch {
+    marks: Vec<Mark>,
+    links: Vec<Link>,
+    /// Arcs of cells that are simple, and which of their ends are still to be found: as roots of the polynomials along sides.
+    open: Vec<(u32, u8, u8)>,
+    sides: Vec<[f64; 4]>,
+    roots: Vec<f64>,
+}
+
+impl Scratch {
+    /// Finds the ends that are left.
+    fn settle(&mut self, arcs: &mut [Arc]) {
+        roots(&self.sides, &mut self.roots);
+        for (&(arc, end, side), &root) in self.open.iter().zip(&self.roots) {
+            arcs[arc as usize].ends[usize::from(end)] = on_side(usize::from(side), root);
+        }
+        self.open.clear();
+        self.sides.clear();
+        self.roots.clear();
+    }
+}
+
+/// The place on a side of a cell.
+#[inline]
+fn on_side(side: usize, t: f64) -> DVec2 {
+    match side {
+        0 => DVec2::new(t, 0.0),
+        1 => DVec2::new(1.0, t),
+        2 => DVec2::new(t, 1.0),
+        _ => DVec2::new(0.0, t),
+    }
+}
+
+/// One level in a cell.
+struct Piece<'a, const M: usize> {
+    cell: [usize; 2],
+    level: usize,
+    field: &'a Field<M>,
+    noise: f64,
+    /// How far it and the surface are from bilinear.
+    deviation: f64,
+    /// Polynomials along the sides.
+    sides: [[f64; M]; SIDES],
+    /// Signs at the corners 2 u + v.
+    corners: [bool; 4],
+}
+
+impl<C, S> Search<'_, C, S> {
+    /// The arcs in the given blocks, `(row, column)` of `block(k)` for k < `count`.
+    pub(super) fn run<const N: usize, const M: usize>(
+        &self,
+        count: usize,
+        block: impl Fn(usize) -> [u32; 2] + Sync,
+        job: &Job<'_>,
+    ) -> Result<Found>
+    where
+        C: Cells<N>,
+        S: Source<M>,
+    {
+        let mut found = Found::default();
+        for first in (0..count).step_by(CHUNK * CHUNKS) {
+            let blocks = (count - first).min(CHUNK * CHUNKS);
+            let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
+            // Of many levels a block is long work.
+            let chunk = (MANY / self.source.level_count()).clamp(1, CHUNK);
+            let parts = par::heard_chunks(&part, "contours", blocks, chunk, |range| {
+                let mut part = Found::default();
+                let (mut scratch, mut room) = (Scratch::default(), S::Room::default());
+                for k in range {
+                    self.block(block(first + k), &mut room, &mut scratch, &mut part)?;
+                }
+                scratch.settle(&mut part.arcs);
+                Ok(part)
+            });
+            for part in parts? {
+                let part: Found = part?;
+                if found.arcs.is_empty() && found.unresolved.is_empty() {
+                    found = part;
+                } else {
+                    found.append(&part)?;
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    fn block<const N: usize, const M: usize>(
+        &self,
+        block: [u32; 2],
+        room: &mut S::Room,
+        scratch: &mut Scratch,
+        found: &mut Found,
+    ) -> Result<()>
+    where
+        C: Cells<N>,
+        S: Source<M>,
+    {
+        let [rows, columns] = self.lattice.block(block);
+        let Some(block) = self.source.block([rows.clone(), columns.clone()], room) else { return Ok(()) };
+        for cell in rows.flat_map(|i| columns.clone().map(move |j| [i, j])) {
+            if !self.source.may_cross(&block, cell) || self.simple(&block, cell, scratch, found)? {
+                continue;
+            }
+            let base = self.source.base(&block, cell, room);
+            let mut patch = None;
+            for level in self.source.levels(&base) {
+                let noise = self.source.noise(&base);
+                let field = snapped(self.source.field(&base, level), noise);
+                let [low, high] = field.range();
+                // With rounding: where sides are alike only, a neighbour's may have marks that this cell's own have not.
+                if low > noise || high < -noise {
+                    continue;
+                }
+                if self.source.sides() != Sides::Alike && one_sign(&field) {
+                    if high - low <= noise {
+                        // All of the cell, as far as one can tell.
+                        alloc::push(&mut found.unresolved, (cell.map(|k| k as u32), DVec2::splat(0.5)))?;
+                    }
+                    continue;
+                }
+                let (sides, corners) = match self.source.sides() {
+                    Sides::Alike => self.common_border(&block, cell, &field, level, room),
+                    _ => own_border(&field),
+                };
+                let deviation = self.source.deviation(&block);
+                let piece = Piece { cell, level, field: &field, noise, deviation, sides, corners };
+                self.piece(&piece, &mut patch, scratch, found)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The arcs of a cell, if it is simple for all levels, and these need no points between; else false, and nothing is done.
+    #[inline]
+    fn simple<const N: usize, const M: usize>(
+        &self,
+        block: &S::Block,
+        cell: [usize; 2],
+        scratch: &mut Scratch,
+        found: &mut Found,
+    ) -> Result<bool>
+    where
+        C: Cells<N>,
+        S: Source<M>,
+    {
+        if self.chord.is_some_and(|chord| 4.0 * self.source.deviation(block) > chord) {
+            return Ok(false);
+        }
+        let Some(Glance { levels, corners, play, noise }) = self.source.glance(block, cell) else { return Ok(false) };
+        let (arcs, open) = (found.arcs.len(), scratch.open.len());
+        for level in levels {
+            let values = corners.map(|x| x - self.source.level(level));
+            let done = match simple(values, play, noise) {
+                Some(Simple::Misses) => continue,
+                Some(Simple::Crosses { over, slope, .. }) if !self.is_straight(block, cell, over, slope) => false,
+                Some(Simple::Crosses { sides, .. }) => {
+                    self.cross(cell, level, sides, (values, noise), scratch, found)?;
+                    true
+                }
+                None => false,
+            };
+            if !done {
+                found.arcs.truncate(arcs);
+                scratch.open.truncate(open);
+                scratch.sides.truncate(open);
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// True if a graph over u (0) or v (1) in a cell needs no points between its ends, the field being as steep as `slope` at least.
+    #[inline]
+    fn is_straight<const N: usize, const M: usize>(
+        &self,
+        block: &S::Block,
+        [i, j]: [usize; 2],
+        over: usize,
+        slope: f64,
+    ) -> bool
+    where
+        C: Cells<N>,
+        S: Source<M>,
+    {
+        let Some(chord) = self.chord else { return true };
+        let corner = |i, j| self.cells.corner(i, j);
+        let corners = [corner(i, j), corner(i, j + 1), corner(i + 1, j), corner(i + 1, j + 1)];
+        stays_near(&corners, over, slope, self.source.deviation(block), chord)
+    }
+
+    /// Adds the arc from one side of a simple cell to another.
+    #[inline]
+    fn cross<const M: usize>(
+        &self,
+        cell: [usize; 2],
+        level: usize,
+        sides: [usize; 2],
+        (corners, noise): ([f64; 4], f64),
+        scratch: &mut Scratch,
+        found: &mut Found,
+    ) -> Result<()>
+    where
+        S: Source<M>,
+    {
+        let arc = found.arcs.len() as u32;
+        let inner = found.inner.len() as u32;
+        let keys = sides.map(|side| (2 * self.lattice.side(cell, side)) << 6);
+        // Strands have the ends of arcs only where nothing follows, which is at open edges.
+        let ends = sides.map(|side| on_side(side, chord_root(corners, side)));
+        for (end, side) in sides.into_iter().enumerate() {
+            if end == 0 || self.lattice.is_open(cell, side) {
+                alloc::push(&mut scratch.open, (arc, end as u8, side as u8))?;
+                let along = self.source.along(cell, side, level);
+                alloc::push(&mut scratch.sides, along.map(|x| snap(x, noise)))?;
+            }
+        }
+        let cell = cell.map(|k| k as u32);
+        alloc::push(&mut found.arcs, Arc { level: level as u32, cell, keys, ends, inner: [inner; 2], jumps: false })
+    }
+
+    /// The polynomials along a cell's sides and the signs at its corners, as the cells have them that own them.
+    fn common_border<const M: usize>(
+        &self,
+        block: &S::Block,
+        cell: [usize; 2],
+        own: &Field<M>,
+        level: usize,
+        room: &mut S::Room,
+    ) -> ([[f64; M]; SIDES], [bool; 4])
+    where
+        S: Source<M>,
+    {
+        let ([low_v, mut high_u, mut high_v, low_u], mut corners) = own_border(own);
+        for after in [[true, false], [false, true], [true, true]] {
+            let (owner, ends) = self.lattice.owner(cell, after);
+            let field = if owner == cell {
+                *own
+            } else {
+                let base = self.source.base(block, owner, room);
+                snapped(self.source.field(&base, level), self.source.noise(&base))
+            };
+            let corner = field.c[if ends[0] { M - 1 } else { 0 }][if ends[1] { M - 1 } else { 0 }];
+            corners[2 * usize::from(after[0]) + usize::from(after[1])] = positive(corner);
+            match after {
+                [true, false] => high_u = field.c[if ends[0] { M - 1 } else { 0 }],
+                [false, true] => high_v = field.c.map(|row| row[if ends[1] { M - 1 } else { 0 }]),
+                _ => {}
+            }
+        }
+        ([low_v, high_u, high_v, low_u], corners)
+    }
+
+    /// The arcs of one level in one cell.
+    fn piece<const N: usize, const M: usize>(
+        &self,
+        piece: &Piece<'_, M>,
+        patch: &mut Option<Patch<N>>,
+        scratch: &mut Scratch,
+        found: &mut Found,
+    ) -> Result<()>
+    where
+        C: Cells<N>,
+        S: Source<M>,
+    {
+        let Scratch { marks, links, .. } = scratch;
+        links.clear();
+        self.marks(piece, marks);
+        let [i, j] = piece.cell;
+        let cell = [i as u32, j as u32];
+        let number = (i * self.lattice.counts[1] + j) as u64;
+        let mut keys = Keys(1 << 63 | number << 24);
+        let unresolved = arcs(piece.field, marks, piece.corners, piece.noise, &mut keys, |link| links.push(link));
+        if let Some(at) = unresolved {
+            alloc::push(&mut found.unresolved, (cell, at))?;
+        }
+        for link in links.iter() {
+            // Places of the arc itself: what is amid its ends need not be near it.
+            let places = || {
+                let amid = middle(piece.field, link, piece.noise).unwrap_or(link.from.at);
+                [link.from.at, amid, link.to.at]
+            };
+            let keeps = self.source.keeps(piece.cell, piece.level, places);
+            if keeps.is_none() {
+                alloc::push(&mut found.unresolved, (cell, link.from.at))?;
+            }
+            if keeps != Some(true) {
+                continue;
+            }
+            let first = found.inner.len() as u32;
+            let corners = || [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner(i, j));
+            let straight = |chord: f64| {
+                piece.deviation < chord && is_straight(&corners(), piece.field, link, piece.deviation, chord)
+            };
+            if let Some(chord) = self.chord.filter(|&chord| !straight(chord)) {
+                let patch = patch.get_or_insert_with(|| self.cells.patch(i, j));
+                if let Some(at) = refine(patch, piece.field, link, chord, piece.noise, &mut found.inner) {
+                    alloc::push(&mut found.unresolved, (cell, at))?;
+                }
+            }
+            let arc = Arc {
+                level: piece.level as u32,
+                cell,
+                keys: [link.from.key, link.to.key],
+                ends: [link.from.at, link.to.at],
+                inner: [first, found.inner.len() as u32],
+                jumps: false,
+            };
+            alloc::push(&mut found.arcs, arc)?;
+        }
+        Ok(())
+    }
+
+    /// Where a level crosses the sides of a cell.
+    fn marks<const M: usize>(&self, piece: &Piece<'_, M>, marks: &mut Vec<Mark>)
+    where
+        S: Source<M>,
+    {
+        marks.clear();
+        let apart = self.source.sides() == Sides::Apart;
+        let [c00, c01, c10, c11] = piece.corners;
+        let ends = [[c00, c10], [c10, c11], [c01, c11], [c00, c01]];
+        for (side, (c, ends)) in piece.sides.iter().zip(ends).enumerate() {
+            // Where fields jump, the two cells at a side have marks of their own.
+            let which = u64::from(apart && (side == 1 || side == 2));
+            let key = (2 * self.lattice.side(piece.cell, side) + which) << 6;
+            let mut count = 0;
+            crossings(c, ends, |crossing| {
+                marks.push(Mark { key: key | count, at: on_side(side, crossing.t), side, rising: crossing.rising });
+                count += 1;
+            });
+        }
+    }
+}
+
+/// What cannot be told from 0 is 0: so what lies in a plane within rounding lies in it, and is no heap of tiny curves. The same
+/// coefficients stay the same.
+#[inline]
+fn snapped<const M: usize>(field: Field<M>, noise: f64) -> Field<M> {
+    Field { c: field.c.map(|row| row.map(|x| snap(x, noise))) }
+}
+
+#[inline]
+fn snap(x: f64, noise: f64) -> f64 {
+    if x.abs() <= noise { 0.0 } else { x }
+}
+
+/// As the cell has it itself.
+#[inline]
+fn own_border<const M: usize>(field: &Field<M>) -> ([[f64; M]; SIDES], [bool; 4]) {
+    let c = &field.c;
+    let sides = [c.map(|row| row[0]), c[M - 1], c.map(|row| row[M - 1]), c[0]];
+    (sides, [c[0][0], c[0][M - 1], c[M - 1][0], c[M - 1][M - 1]].map(positive))
+}

@@ -1,0 +1,130 @@
+//! Normals of a sheet, seen along a direction: what is known of a cell's without much work.
+
+use super::Lattice;
+use super::normals::Hodographs;
+use super::source::Sides;
+use crate::surface::cells::{BLOCK, Cells};
+use crate::surface::index::Pyramid;
+use crate::surface::ranges::cross;
+use crate::surface::subdivision::{Roots, roots};
+use glam::{DVec2, DVec3};
+use std::ops::Range;
+
+/// Normals of a sheet, seen along a direction.
+pub(super) struct Normals<'a, C> {
+    pub(super) cells: &'a C,
+    pub(super) index: &'a Pyramid,
+    /// Two directions across the given one, and that one.
+    pub(super) frame: [DVec3; 3],
+    /// Of the greatest coordinates.
+    pub(super) reach: f64,
+    pub(super) sides: Sides,
+}
+
+/// The corners of a block's cells, seen in the frame.
+pub(super) struct Corners {
+    at: [[DVec3; BLOCK + 1]; BLOCK + 1],
+    start: [usize; 2],
+    /// By how much control vectors of S_u and S_v differ from the sides of the quadrilateral at most.
+    play: f64,
+}
+
+impl Corners {
+    /// Ranges of the components of N over a cell.
+    #[inline]
+    pub(super) fn ranges(&self, [i, j]: [usize; 2]) -> [[f64; 2]; 3] {
+        let (r, c) = (i - self.start[0], j - self.start[1]);
+        let [[p00, p01], [p10, p11]] = [[self.at[r][c], self.at[r][c + 1]], [self.at[r + 1][c], self.at[r + 1][c + 1]]];
+        let range = |a: DVec3, b: DVec3| {
+            let (low, high) = (a.min(b) - self.play, a.max(b) + self.play);
+            [0, 1, 2].map(|k| [low[k], high[k]])
+        };
+        cross(range(p10 - p00, p11 - p01), range(p01 - p00, p11 - p10))
+    }
+}
+
+impl<C> Normals<'_, C> {
+    /// What tells most cells apart without making their patches.
+    ///
+    /// With c the control points of the difference of surface and bilinear patch, S_u differs from a side of the quadrilateral, or from what
+    /// is between two, by n |c_a+1 - c_a| <= 2 n max |c|, n the degree. The index's deviation is max |c| itself for patches; for grids it is 3/4
+    /// (L A + B), and a control point may be off by L' A + B, L' the sum of the absolute values of its weights, which is nowhere more than 1.42
+    /// L: by 2 deviations at most.
+    pub(super) fn corners<const N: usize>(&self, [rows, columns]: &[Range<usize>; 2]) -> Corners
+    where
+        C: Cells<N>,
+    {
+        let deviation = self.index.deviation(rows.start / BLOCK, columns.start / BLOCK);
+        let mut at = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
+        let origin = self.index.origin();
+        for (r, row) in at.iter_mut().enumerate().take(rows.len() + 1) {
+            for (c, corner) in row.iter_mut().enumerate().take(columns.len() + 1) {
+                let point = self.cells.corner(rows.start + r, columns.start + c) - origin;
+                *corner = DVec3::from_array(self.frame.map(|axis| axis.dot(point)));
+            }
+        }
+        let play = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.reach;
+        Corners { at, start: [rows.start, columns.start], play }
+    }
+
+    /// The corners of a block, and its cells, row after row.
+    pub(super) fn block<const N: usize>(
+        &self,
+        lattice: &Lattice,
+        block: [u32; 2],
+    ) -> (Corners, impl Iterator<Item = [usize; 2]> + use<C, N>)
+    where
+        C: Cells<N>,
+    {
+        let [rows, columns] = lattice.block(block);
+        let corners = self.corners(&[rows.clone(), columns.clone()]);
+        (corners, rows.flat_map(move |i| columns.clone().map(move |j| [i, j])))
+    }
+
+    /// S_u and S_v over a cell.
+    pub(super) fn hodographs<const N: usize>(&self, [i, j]: [usize; 2]) -> Hodographs<N>
+    where
+        C: Cells<N>,
+    {
+        Hodographs::new(&self.cells.patch(i, j), &self.frame)
+    }
+
+    /// Where in a cell both components across are 0 and the one along may have the given sign: simple roots, and what is unresolved.
+    pub(super) fn roots<const N: usize, const H: usize>(
+        &self,
+        corners: &Corners,
+        cell: [usize; 2],
+        sign: f64,
+    ) -> Option<(Vec<DVec2>, Vec<DVec2>)>
+    where
+        C: Cells<N>,
+    {
+        let zero = |[low, high]: [f64; 2], noise: f64| low <= noise && high >= -noise;
+        let [x, y, _] = corners.ranges(cell);
+        if !(zero(x, 0.0) && zero(y, 0.0)) {
+            return None;
+        }
+        let of = self.hodographs::<N>(cell);
+        let noise = self.noise(&of);
+        let [x, y, along] = of.ranges();
+        let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
+        if !(zero(x, noise) && zero(y, noise) && right) {
+            return None;
+        }
+        let mut found = Roots::default();
+        roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found);
+        Some((found.simple, found.unresolved.into_iter().map(|(place, _)| place).collect()))
+    }
+
+    /// By what components of normals may be wrong for rounding.
+    pub(super) fn noise<const N: usize>(&self, of: &Hodographs<N>) -> f64 {
+        let [u, v] = of.speeds();
+        32.0 * f64::EPSILON * (self.reach * (u + v) + u * v)
+    }
+}
+
+/// Two directions across one, and that one: right-handed.
+pub(super) fn frame(axis: DVec3) -> [DVec3; 3] {
+    let first = axis.any_orthonormal_vector();
+    [first, axis.cross(first), axis]
+}

@@ -1,0 +1,107 @@
+//! Curves as surfaces: the paper has points for them where surfaces have curves, and arcs for cells.
+
+use super::axis::{Axis, TAPS};
+use super::cells::Cells;
+use super::{Scheme, Sheet, each_sheet};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::outline::{Curve, CurveView};
+use glam::DVec3;
+
+/// The curve through nodes: a cubic from each to the next, drawn as surfaces are through theirs, of fourth order.
+///
+/// `closed`: the last node is the first one again, and the curve goes on there.
+///
+/// # Errors
+/// [`Error::NodeNotFinite`]; [`Error::NetTooSmall`] below two nodes, or for a closed curve four; [`Error::CurveNotClosed`];
+/// [`Error::TooLarge`], [`Error::OutOfMemory`]. O(nodes).
+pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Curve> {
+    let limit = u64::from(u32::MAX / 3);
+    if nodes.len() < Axis::least_lines(closed) {
+        return Err(Error::NetTooSmall { rows: 1, columns: nodes.len() as u64 });
+    }
+    if nodes.len() as u64 > limit {
+        return Err(Error::TooLarge { what: "nodes", count: nodes.len() as u64, limit });
+    }
+    for (node, at) in nodes.iter().enumerate() {
+        if let Some(value) = at.to_array().into_iter().find(|x| !x.is_finite()) {
+            return Err(Error::NodeNotFinite { node: node as u32, value });
+        }
+    }
+    if closed && nodes.first() != nodes.last() {
+        return Err(Error::CurveNotClosed);
+    }
+    let axis = Axis::new(nodes.len(), closed, scheme);
+    let inner = |weights: &[f64; TAPS], lines: &[usize; TAPS]| {
+        weights.iter().zip(lines).map(|(&weight, &line)| weight * nodes[line]).sum::<DVec3>()
+    };
+    let segments = (0..axis.cells()).map(|cell| {
+        let (lines, weights) = axis.taps(cell);
+        [nodes[cell], inner(&weights[1], &lines), inner(&weights[2], &lines), nodes[cell + 1]]
+    });
+    joined(segments, axis.cells(), closed)
+}
+
+/// The curve of segments of equal degree, each of which begins where the one before ends.
+fn joined<const N: usize>(segments: impl Iterator<Item = [DVec3; N]>, count: usize, closed: bool) -> Result<Curve> {
+    let mut points = alloc::with_capacity(count * (N - 1) + 1)?;
+    let mut ends = alloc::with_capacity(count + 1)?;
+    ends.push(0);
+    for segment in segments {
+        if points.is_empty() {
+            points.push(segment[0]);
+        }
+        points.extend_from_slice(&segment[1..]);
+        ends.push(points.len() as u32 - 1);
+    }
+    CurveView::new(&points, &ends, closed)?.to_owned()
+}
+
+impl Sheet<'_> {
+    /// The coordinate curve at u, which counts rows from 0 to the number of cells in u: a segment for each cell along it. Closed if
+    /// the sheet is closed in v.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`], [`Error::OutOfMemory`]. O(cells along the curve).
+    pub fn row_curve(&self, u: f64) -> Result<Curve> {
+        let closed = matches!(self, Sheet::Grid(grid) if grid.is_closed()[1]);
+        each_sheet!(self, cells => {
+            let (row, within) = place(u, cells.counts()[0])?;
+            let count = cells.counts()[1];
+            joined((0..count).map(|j| curve_at(&Cells::patch(cells, row, j).transposed(), within)), count, closed)
+        })
+    }
+
+    /// The same at v, which counts columns; u runs.
+    ///
+    /// # Errors
+    /// As for [`Sheet::row_curve`].
+    pub fn column_curve(&self, v: f64) -> Result<Curve> {
+        let closed = matches!(self, Sheet::Grid(grid) if grid.is_closed()[0]);
+        each_sheet!(self, cells => {
+            let (column, within) = place(v, cells.counts()[1])?;
+            let count = cells.counts()[0];
+            joined((0..count).map(|i| curve_at(&Cells::patch(cells, i, column), within)), count, closed)
+        })
+    }
+}
+
+/// The cell of a parameter that counts cells, and the parameter within it.
+fn place(at: f64, cells: usize) -> Result<(usize, f64)> {
+    if !(0.0..=cells as f64).contains(&at) {
+        return Err(Error::OptionOutOfRange { option: "parameter", value: at });
+    }
+    let cell = (at as usize).min(cells - 1);
+    Ok((cell, at - cell as f64))
+}
+
+/// The control points of a patch's curve of constant v.
+fn curve_at<const N: usize>(patch: &super::Patch<N>, v: f64) -> [DVec3; N] {
+    patch.points.map(|mut row| {
+        for count in (1..N).rev() {
+            // Exact at both ends.
+            (0..count).for_each(|k| row[k] = row[k] * (1.0 - v) + row[k + 1] * v);
+        }
+        row[0]
+    })
+}

@@ -1,0 +1,99 @@
+//! Many lines at once.
+
+use super::search::Scratch;
+use super::{Hit, Line, Which};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use crate::surface::Surface;
+
+/// Lines that one thread takes at once.
+const BATCH: usize = 512;
+
+/// The hits of many lines.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Lines {
+    /// 0, then the end of each line's hits among all.
+    pub ends: Vec<u64>,
+    /// The hits, line after line, each by rising t.
+    pub hits: Vec<Hit>,
+}
+
+impl Lines {
+    /// The hits of line k.
+    pub fn hits_of(&self, k: usize) -> &[Hit] {
+        &self.hits[self.ends[k] as usize..self.ends[k + 1] as usize]
+    }
+}
+
+impl Surface<'_> {
+    /// Where many lines meet the surface, on the job's threads: for each the same hits as [`Surface::line`] gives.
+    ///
+    /// # Errors
+    /// [`Error::BadLine`] with the first line that is not finite or has no direction, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn lines(&self, lines: &[Line], which: Which, job: &Job<'_>) -> Result<Lines> {
+        let mut all = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
+        all.ends.push(0);
+        let each = |lines: &[Line], scratch: &mut Scratch| {
+            let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
+            for line in lines {
+                self.strike(line, which, scratch);
+                counts.push(scratch.hits.len() as u64);
+                alloc::append(&mut hits, &scratch.hits)?;
+            }
+            Ok((counts, hits))
+        };
+        batches(lines, job, each, |(counts, hits)| {
+            for count in counts {
+                all.ends.push(all.ends[all.ends.len() - 1] + count);
+            }
+            alloc::append(&mut all.hits, &hits)
+        })?;
+        Ok(all)
+    }
+
+    /// The first hit of each of many lines, as [`Surface::line`] gives it.
+    ///
+    /// # Errors
+    /// As for [`Surface::lines`].
+    pub fn first_hits(&self, lines: &[Line], job: &Job<'_>) -> Result<Vec<Option<Hit>>> {
+        let mut all = alloc::with_capacity(lines.len())?;
+        let each = |lines: &[Line], scratch: &mut Scratch| {
+            alloc::collect(lines.iter().map(|line| {
+                self.strike(line, Which::First, scratch);
+                scratch.hits.first().copied()
+            }))
+        };
+        batches(lines, job, each, |hits| alloc::append(&mut all, &hits))?;
+        Ok(all)
+    }
+}
+
+/// Checks lines, works on them in batches, and adds up what comes of them in their order.
+fn batches<R: Send>(
+    lines: &[Line],
+    job: &Job<'_>,
+    each: impl Fn(&[Line], &mut Scratch) -> Result<R> + Sync,
+    mut add: impl FnMut(R) -> Result<()>,
+) -> Result<()> {
+    job.step(0.0, "lines")?;
+    for (k, line) in lines.iter().enumerate() {
+        line.check().map_err(|error| match error {
+            Error::OptionOutOfRange { value, .. } => Error::BadLine { line: k as u64, value },
+            other => other,
+        })?;
+    }
+    // A scratch for each thread's share of a round: they are handed on from batch to batch.
+    let threads = par::at_most(lines.len().div_ceil(BATCH), job.threads());
+    let mut scratches: Vec<Scratch> = (0..threads).map(|_| Scratch::default()).collect();
+    let round = BATCH * threads;
+    for (k, some) in lines.chunks(round).enumerate() {
+        job.step((k * round) as f64 / lines.len() as f64, "lines")?;
+        let parts = some.chunks(BATCH).zip(&mut scratches);
+        for part in par::map(threads, parts, |(batch, scratch)| each(batch, scratch)) {
+            add(part?)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,280 @@
+//! Where a curve meets the surface.
+//!
+//! Parts of the curve go down the index together with blocks of cells: of the two the larger is divided, and what is apart is dropped. What
+//! a part of the curve and a cell have in common, `solve` finds with proof.
+
+use super::hits::POINT;
+use super::search::Scratch;
+use super::walk::{Part, Search, Work};
+use super::{LARGEST, Line, Which};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::outline::{CurveView, Place as CurvePlace};
+use crate::par;
+use crate::surface::{Place, Surface, each_sheet};
+use glam::DVec3;
+use std::cmp::Ordering;
+
+/// A point that a curve and a surface have in common.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurveHit {
+    /// Where on the curve.
+    pub at: CurvePlace,
+    /// From where to where the curve cannot be told from the surface, within the tolerance: twice the same where it passes through.
+    pub span: [CurvePlace; 2],
+    /// Where on the surface.
+    pub place: Place,
+    /// The point of the surface.
+    pub point: DVec3,
+    /// The unit normal there, or its limit at a pole; 0 if there is none.
+    pub normal: DVec3,
+    /// True if the curve touches the surface there, or nearly, or runs in it.
+    pub tangent: bool,
+    /// How often the hit counts: 1 where the curve passes through, 2 where it touches, 0 where it runs in the surface.
+    pub multiplicity: u32,
+}
+
+/// A hit as one cell has it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Find {
+    /// The segment and the parameter on it, as one number each.
+    pub(super) at: f64,
+    pub(super) span: [f64; 2],
+    /// Where the curve is at the ends of the span, and how long it is.
+    pub(super) ends: [DVec3; 2],
+    pub(super) length: f64,
+    pub(super) place: Place,
+    pub(super) point: DVec3,
+    /// How far the curve is from the surface there.
+    pub(super) gap: f64,
+    pub(super) tangent: bool,
+    pub(super) runs_inside: bool,
+    /// True for a touch that is resolved: at a crease, say.
+    pub(super) touches: bool,
+}
+
+/// The highest degree of a segment.
+const MOST: usize = 7;
+/// Segments that one thread takes at once.
+const BATCH: usize = 64;
+/// Finds on the same curve whose parameters differ by no more may be one.
+const SAME: f64 = 1e-6;
+
+impl Surface<'_> {
+    /// Where a curve meets the surface, in the order of the curve.
+    ///
+    /// A point at a joint of segments, on a side between cells or sheets, or at a pole is found once. None is missed: where touching or
+    /// coincidence cannot be resolved, a hit is given for each such spot and marked tangent. About O(log cells) for each cell that the curve
+    /// comes near to; bounded for each cell and segment that run in each other. The segments are shared out to the job's threads.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a segment of a degree above 7 or a coordinate above 1e150, [`Error::EmptyCurve`], [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn curve(&self, curve: &CurveView<'_>, which: Which, job: &Job<'_>) -> Result<Vec<CurveHit>> {
+        if curve.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        if let Some(segment) = curve.segments().find(|segment| segment.len() > MOST + 1) {
+            return Err(Error::OptionOutOfRange { option: "degree", value: (segment.len() - 1) as f64 });
+        }
+        let numbers = curve.points().iter().flat_map(DVec3::to_array);
+        if let Some(value) = { numbers }.find(|x| x.abs() > LARGEST) {
+            return Err(Error::OptionOutOfRange { option: "curve", value });
+        }
+        let finds = self.finds(curve, which, job)?;
+        let mut hits = self.hits(curve, finds)?;
+        if which == Which::First && hits.first().is_some_and(|hit| hit.tangent) {
+            // What belongs to the spot may go on.
+            hits = self.hits(curve, self.finds(curve, Which::All, job)?)?;
+        }
+        if which != Which::All {
+            hits.truncate(1);
+        }
+        Ok(hits)
+    }
+
+    /// The finds of all segments, or of the first ones up to some that have any.
+    fn finds(&self, curve: &CurveView<'_>, which: Which, job: &Job<'_>) -> Result<Vec<Find>> {
+        let mut finds = Vec::new();
+        let count = curve.len();
+        let round = BATCH * par::at_most(count.div_ceil(BATCH), job.threads());
+        for from in (0..count).step_by(round) {
+            job.step(from as f64 / count as f64, "curve and surface")?;
+            let to = count.min(from + round);
+            for part in par::chunks(job.threads(), to - from, BATCH, |range| {
+                let mut finder = Finder::default();
+                range.for_each(|k| self.segment(from + k, curve.segment(from + k), &mut finder));
+                finder.finds
+            }) {
+                alloc::append(&mut finds, &part)?;
+            }
+            if which != Which::All && !finds.is_empty() {
+                break;
+            }
+        }
+        Ok(finds)
+    }
+
+    /// Adds the finds of segment k.
+    fn segment(&self, k: usize, controls: &[DVec3], finder: &mut Finder) {
+        if controls.iter().all(|&point| point == controls[0]) {
+            // No more than the ends of its neighbours.
+            return;
+        }
+        match controls.len() {
+            2 => self.straight(k, [controls[0], controls[1]], finder),
+            3 | 4 => self.curved::<4>(k, controls, finder),
+            _ => self.curved::<8>(k, controls, finder),
+        }
+    }
+
+    fn straight(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) {
+        self.strike(&Line::segment(a, b), Which::All, &mut finder.lines);
+        for hit in &finder.lines.hits {
+            let ends = hit.span.map(|t| a.lerp(b, t));
+            finder.finds.push(Find {
+                at: k as f64 + hit.t,
+                span: hit.span.map(|t| k as f64 + t),
+                ends,
+                length: ends[0].distance(ends[1]),
+                place: hit.place,
+                point: hit.point,
+                gap: a.lerp(b, hit.t).distance(hit.point),
+                tangent: hit.tangent,
+                runs_inside: false,
+                touches: hit.tangent && hit.span[0] == hit.span[1],
+            });
+        }
+    }
+
+    fn curved<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) {
+        let part = Part::whole(raised::<M>(controls));
+        for sheet in 0..self.len() {
+            let (kind, index) = self.indexed(sheet);
+            each_sheet!(kind, cells => {
+                let search = Search { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
+                search.run(&part, &mut Work::default(), &mut finder.finds);
+            });
+        }
+    }
+
+    /// Makes hits of finds: each once, in the order of the curve.
+    fn hits(&self, curve: &CurveView<'_>, mut finds: Vec<Find>) -> Result<Vec<CurveHit>> {
+        let reach = self.apart();
+        join_spots(&mut finds, reach);
+        for find in finds.iter_mut().filter(|find| find.tangent) {
+            find.runs_inside = find.length > self.longest_touch();
+            let point = find.length <= POINT * reach || self.passes(find.place, direction(curve, find.at));
+            find.tangent = find.runs_inside || find.touches || !point;
+        }
+        finds.sort_unstable_by(in_order);
+        let mut kept: Vec<Find> = alloc::with_capacity(finds.len())?;
+        for find in finds {
+            let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= SAME);
+            let known = near.any(|other| is_same(other, &find, reach));
+            if !known {
+                kept.push(find);
+            }
+        }
+        // A closed curve's end is its start.
+        let round = curve.len() as f64;
+        if let [first, .., last] = &kept[..]
+            && curve.is_closed()
+            && !(first.tangent || last.tangent)
+            && last.at - round + SAME >= first.at
+            && first.point.distance(last.point) <= reach
+        {
+            kept.pop();
+        }
+        for find in kept.iter_mut().filter(|find| !find.tangent) {
+            find.tangent = self.is_touched(find.place, direction(curve, find.at), find.point.abs().max_element());
+        }
+        alloc::collect(kept.iter().map(|find| {
+            let span = if find.tangent { find.span } else { [find.at; 2] };
+            CurveHit {
+                at: place(curve, find.at),
+                span: span.map(|at| place(curve, at)),
+                place: find.place,
+                point: find.point,
+                normal: self.normal(find.place),
+                tangent: find.tangent,
+                multiplicity: if find.tangent { 2 * u32::from(!find.runs_inside) } else { 1 },
+            }
+        }))
+    }
+}
+
+/// The place of a number: segment and parameter added.
+fn place(curve: &CurveView<'_>, at: f64) -> CurvePlace {
+    let segment = (at as usize).min(curve.len() - 1);
+    CurvePlace { segment: segment as u32, t: at - segment as f64 }
+}
+
+/// The unit vector along the curve.
+fn direction(curve: &CurveView<'_>, at: f64) -> DVec3 {
+    curve.tangents_at(&[place(curve, at)]).map_or(DVec3::ZERO, |found| found[0])
+}
+
+/// By the place on the curve, then by cells.
+fn in_order(a: &Find, b: &Find) -> Ordering {
+    a.at.total_cmp(&b.at).then_with(|| (a.place.sheet, a.place.cell).cmp(&(b.place.sheet, b.place.cell)))
+}
+
+/// Makes one of the spots that overlap along the curve: where it runs on, of the first; else of the nearest.
+fn join_spots(finds: &mut Vec<Find>, reach: f64) {
+    let by_span = |a: &Find, b: &Find| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
+    finds.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
+    let mut kept = finds.partition_point(|find| !find.tangent);
+    let mut from = kept;
+    while from < finds.len() {
+        let mut all = finds[from];
+        let mut to = from + 1;
+        while to < finds.len() && runs_on(&all, &finds[to], reach) {
+            let next = &finds[to];
+            all.length += next.length;
+            if next.span[1] > all.span[1] {
+                (all.span[1], all.ends[1]) = (next.span[1], next.ends[1]);
+            }
+            if next.gap < all.gap {
+                (all.at, all.place, all.point, all.gap) = (next.at, next.place, next.point, next.gap);
+            }
+            to += 1;
+        }
+        finds[kept] = all;
+        kept += 1;
+        from = to;
+    }
+    finds.truncate(kept);
+}
+
+/// True if a spot begins where another is, or ends.
+fn runs_on(spot: &Find, next: &Find, reach: f64) -> bool {
+    let near = next.span[0] - spot.span[1] <= 1e-3 && spot.ends[1].distance(next.ends[0]) <= 2.0 * reach;
+    next.span[0] <= spot.span[1] || near
+}
+
+/// True for two finds of one crossing: the same place of the curve and of the surface.
+fn is_same(a: &Find, b: &Find, reach: f64) -> bool {
+    !a.tangent && !b.tangent && a.point.distance(b.point) <= reach
+}
+
+/// The control points of a segment, raised to degree M - 1.
+pub(super) fn raised<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
+    let mut points = [DVec3::ZERO; M];
+    points[..controls.len()].copy_from_slice(controls);
+    for n in controls.len()..M {
+        points[n] = points[n - 1];
+        for k in (1..n).rev() {
+            points[k] = points[k].lerp(points[k - 1], k as f64 / n as f64);
+        }
+    }
+    points
+}
+
+/// What one thread finds.
+#[derive(Default)]
+struct Finder {
+    lines: Scratch,
+    finds: Vec<Find>,
+}

@@ -1,0 +1,207 @@
+//! What becomes of hits when those of all cells are known: each is one, and says what kind it is.
+
+use super::search::noise;
+use super::{Hit, Line};
+use crate::surface::{Place, Surface};
+use glam::DVec3;
+use std::cmp::Ordering;
+
+/// A spot that is no longer than so many times the least distance is no touch, which takes the root of it: there the parameters are not
+/// regular, as at a pole.
+pub(super) const POINT: f64 = 16.0;
+
+impl Surface<'_> {
+    /// Hits that are nearer to each other than this, in different cells, are one.
+    pub(super) fn apart(&self) -> f64 {
+        let [low, high] = self.bounds();
+        self.tolerance().max(1e-12 * low.distance(high))
+    }
+
+    /// A line that touches a surface is within the tolerance e of it for sqrt(8 R e), with R the radius of curvature: where it is for
+    /// longer than several times that for the size of the whole surface, it runs in it.
+    pub(super) fn longest_touch(&self) -> f64 {
+        let [low, high] = self.bounds();
+        8.0 * (self.apart() * low.distance(high)).sqrt()
+    }
+
+    /// True if a direction is not along the surface next to a place, away from the sides of its cell: what could not be resolved there is
+    /// no touch but a place where the parameters are not regular, a pole.
+    pub(super) fn passes(&self, place: Place, direction: DVec3) -> bool {
+        if !self.is_regular(place) {
+            return self.normal(place).dot(direction).abs() > 1e-4;
+        }
+        let inwards = |x: f64| x + 1e-3 * (0.5 - x).signum();
+        let near = Place { u: inwards(place.u), v: inwards(place.v), ..place };
+        self.normal(near).dot(direction).abs() > 1e-2
+    }
+
+    /// Makes one hit of those that neighbouring cells have found, tells touching from passing and from running in the surface, and sorts.
+    pub(super) fn settle(&self, line: &Line, hits: &mut Vec<Hit>) {
+        for hit in hits.iter_mut().filter(|hit| hit.normal == DVec3::ZERO) {
+            hit.normal = self.normal(hit.place);
+        }
+        if hits.iter().any(|hit| hit.tangent) {
+            self.join_spots(line, hits);
+        }
+        hits.sort_unstable_by(in_order);
+        let play = Play::new(self, line);
+        // What else is the same as a hit that is kept.
+        let mut others: Vec<(usize, Hit)> = Vec::new();
+        let mut kept: usize = 0;
+        for k in 0..hits.len() {
+            let hit = hits[k];
+            // What is the same is next to each other along the line.
+            let same = hits[..kept]
+                .iter()
+                .rposition(|other| (hit.t - other.t) * play.length > play.farthest())
+                .map_or(0, |last| last + 1);
+            match (same..kept).rev().find(|&other| self.is_same(&hits[other], &hit, &play)) {
+                Some(other) => others.push((other, hit)),
+                None => {
+                    hits[kept] = hit;
+                    kept += 1;
+                }
+            }
+        }
+        hits.truncate(kept);
+        for (k, hit) in hits.iter_mut().enumerate().filter(|(_, hit)| !hit.tangent) {
+            let others = || others.iter().filter(|other| other.0 == k).map(|other| &other.1);
+            let reach = play.rounding(others().map(|other| play.sine(other)).fold(play.sine(hit), f64::min));
+            if play.may_be_on_side(hit.place, reach)
+                && let Some(place) = self.on_side(hit.place, reach)
+            {
+                // Other sheets have their part of what is round it.
+                let elsewhere = others().filter_map(|other| self.on_side(other.place, reach));
+                let places: Vec<Place> = std::iter::once(place).chain(elsewhere).collect();
+                if self.only_touches(&places, play.along) {
+                    (hit.tangent, hit.multiplicity) = (true, 2);
+                }
+            }
+        }
+    }
+
+    /// True for two finds of one hit: in different cells, at the same point of their sides.
+    fn is_same(&self, a: &Hit, b: &Hit, play: &Play) -> bool {
+        if a.tangent || b.tangent || cell(a) == cell(b) {
+            return false;
+        }
+        let sine = play.least_sine([a, b]);
+        let rounding = play.rounding(sine);
+        let reach = if play.turned(a, b) {
+            // Where it is as good as along the surface, it may as well be two.
+            if sine < play.floor { 0.0 } else { rounding }
+        } else {
+            rounding.max(play.apart)
+        };
+        let near = |place: Place| {
+            on_side(place) || (play.may_be_on_side(place, rounding) && self.on_side(place, rounding).is_some())
+        };
+        a.point.distance(b.point) <= reach && near(a.place) && near(b.place)
+    }
+
+    /// Makes one of the spots that overlap along the line. What is simple comes first then.
+    fn join_spots(&self, line: &Line, hits: &mut Vec<Hit>) {
+        let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
+        hits.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
+        let (along, length) = line.along();
+        let play = 2.0 * self.apart() / length;
+        let miss = |hit: &Hit| (hit.point - line.origin).cross(along).length_squared();
+        let [low, high] = self.bounds();
+        let most = self.tolerance().max(4.0 * noise(line, low.midpoint(high), [low, high]));
+        let mut kept = hits.partition_point(|hit| !hit.tangent);
+        let mut from = kept;
+        while from < hits.len() {
+            let (mut to, [start, mut end]) = (from + 1, hits[from].span);
+            while to < hits.len() && hits[to].span[0] <= end + play {
+                end = end.max(hits[to].span[1]);
+                to += 1;
+            }
+            // Where it runs in the surface, the first; else the nearest.
+            let first = hits[from];
+            let nearest =
+                hits[from..to].iter().fold(first, |best, hit| if miss(hit) < miss(&best) { *hit } else { best });
+            let is_point = miss(&nearest) <= most * most;
+            hits[kept] = if (end - start) * length > self.longest_touch() {
+                Hit { span: [start, end], multiplicity: 0, ..first }
+            } else if is_point && ((end - start) * length <= POINT * self.apart() || self.passes(nearest.place, along))
+            {
+                Hit { span: [nearest.t; 2], multiplicity: 1, tangent: false, ..nearest }
+            } else {
+                Hit { span: [start, end], ..nearest }
+            };
+            kept += 1;
+            from = to;
+        }
+        hits.truncate(kept);
+    }
+}
+
+/// By t, then by cells.
+fn in_order(a: &Hit, b: &Hit) -> Ordering {
+    a.t.total_cmp(&b.t).then_with(|| cell(a).cmp(&cell(b)))
+}
+
+fn cell(hit: &Hit) -> (u32, [u32; 2]) {
+    (hit.place.sheet, hit.place.cell)
+}
+
+/// True next to a side of the cell.
+fn on_side(place: Place) -> bool {
+    is_near_side(place, 1e-7)
+}
+
+fn is_near_side(place: Place, play: f64) -> bool {
+    let near = |x: f64| x <= play || x >= 1.0 - play;
+    near(place.u) || near(place.v)
+}
+
+/// What rounding may do to hits of a line.
+struct Play {
+    along: DVec3,
+    /// Of the line's direction.
+    length: f64,
+    /// How far points may be off, and the size of the surface.
+    noise: f64,
+    size: f64,
+    apart: f64,
+    /// Lines that are not as steep as that may be off by the noise and meet the surface or not.
+    floor: f64,
+}
+
+impl Play {
+    fn new(surface: &Surface<'_>, line: &Line) -> Play {
+        let ((along, length), [low, high]) = (line.along(), surface.bounds());
+        let (noise, size) = (4.0 * noise(line, low.midpoint(high), [low, high]), low.distance(high));
+        let floor = (noise / size).sqrt();
+        Play { along, length, noise, size, apart: surface.apart(), floor }
+    }
+
+    /// The sine of the angle between line and surface.
+    fn sine(&self, hit: &Hit) -> f64 {
+        hit.normal.dot(self.along).abs()
+    }
+
+    fn least_sine(&self, hits: [&Hit; 2]) -> f64 {
+        hits.map(|hit| self.sine(hit)).into_iter().fold(1.0, f64::min)
+    }
+
+    /// True if the line enters at the one what it leaves at the other.
+    fn turned(&self, a: &Hit, b: &Hit) -> bool {
+        a.normal.dot(self.along) * b.normal.dot(self.along) < 0.0
+    }
+
+    /// How far apart one point may be found, where the line meets the surface at an angle of this sine.
+    fn rounding(&self, sine: f64) -> f64 {
+        self.noise / sine.max(self.floor)
+    }
+
+    /// The same at any angle.
+    fn farthest(&self) -> f64 {
+        2.0 * self.apart.max(self.noise / self.floor)
+    }
+
+    /// False if a place is far from all sides, whatever the size of its cell.
+    fn may_be_on_side(&self, place: Place, reach: f64) -> bool {
+        is_near_side(place, (1e4 * reach / self.size).max(1e-7))
+    }
+}

@@ -1,0 +1,314 @@
+//! The search of the index for a line.
+
+use super::{Hit, Line, Which};
+use crate::surface::cells::{BLOCK, Cells};
+use crate::surface::index::{Pyramid, Slab};
+use crate::surface::subdivision::{Crossings, Room, Roots, Spot, crossings, simple_roots};
+use crate::surface::{Patch, Place};
+use glam::{DVec2, DVec3};
+
+/// What searches need again and again, for patches of degree N - 1.
+pub(super) struct Solver<const N: usize> {
+    roots: Roots<N>,
+    room: Room<2, N>,
+    crossings: Crossings,
+}
+
+impl<const N: usize> Default for Solver<N> {
+    fn default() -> Self {
+        Solver { roots: Roots::default(), room: Room::default(), crossings: Crossings::default() }
+    }
+}
+
+/// The same for sheets of all kinds, and what was found.
+#[derive(Default)]
+pub(super) struct Scratch {
+    pub(super) hits: Vec<Hit>,
+    cubic: Solver<4>,
+    high: Solver<8>,
+}
+
+/// Which of the solvers patches of degree N - 1 need.
+pub(super) trait Solve<const N: usize> {
+    fn parts(&mut self) -> (&mut Solver<N>, &mut Vec<Hit>);
+}
+
+impl Solve<4> for Scratch {
+    fn parts(&mut self) -> (&mut Solver<4>, &mut Vec<Hit>) {
+        (&mut self.cubic, &mut self.hits)
+    }
+}
+
+impl Solve<8> for Scratch {
+    fn parts(&mut self) -> (&mut Solver<8>, &mut Vec<Hit>) {
+        (&mut self.high, &mut self.hits)
+    }
+}
+
+/// Rounding beyond this part of the surface's size is not allowed for, which would make all of it a hit: a line from so far away is taken from its
+/// foot on, as that is rounded.
+pub(super) const FARTHEST: f64 = 1e-6;
+
+/// A line as a sheet sees it: by the distance from its foot, the point nearest to the index's origin.
+struct Ray {
+    line: Line,
+    /// The foot, relative to the index's origin, and in space.
+    local: DVec3,
+    foot: DVec3,
+    along: DVec3,
+    length: f64,
+    /// Two directions across the line, and each other.
+    across: [DVec3; 2],
+    /// The parameter of the foot.
+    start: f64,
+    /// How far the foot and the nodes may be off for rounding.
+    noise: f64,
+}
+
+impl Ray {
+    fn new(line: &Line, index: &Pyramid) -> Ray {
+        let (along, length) = line.along();
+        let from = line.origin - index.origin();
+        let distance = -from.dot(along);
+        let local = from + distance * along;
+        let (first, second) = along.any_orthonormal_pair();
+        let bounds = index.bounds();
+        Ray {
+            line: *line,
+            local,
+            foot: local + index.origin(),
+            along,
+            length,
+            across: [first, second],
+            start: distance / length,
+            noise: noise(line, index.origin(), [bounds.low, bounds.high]),
+        }
+    }
+
+    /// The distance from the foot of a parameter.
+    fn distance(&self, t: f64) -> f64 {
+        (t - self.start) * self.length
+    }
+
+    /// The parameter of a point.
+    fn parameter(&self, point: DVec3) -> f64 {
+        (point - self.line.origin).dot(self.along) / self.length
+    }
+}
+
+/// How far points of a line and of what is in a box may be off for rounding, taken from an origin.
+pub(super) fn noise(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
+    let reach = low.abs().max(high.abs()).length();
+    let reach = reach + line.origin.distance(origin) + line.origin.length();
+    (8.0 * f64::EPSILON * reach).min(FARTHEST * low.distance(high))
+}
+
+/// A block to be looked at: where the line enters it, and where it is.
+#[derive(Debug, Clone, Copy, Default)]
+struct Entry {
+    enters: f64,
+    level: u32,
+    row: u32,
+    column: u32,
+}
+
+/// The most entries that wait: three for each level of a pyramid over 2^31 nodes, which has at most 30 levels.
+const WAITING: usize = 3 * 30 + 4;
+
+/// Adds the hits of one sheet. Of all, every cell's; else those up to the first, and what may be one with it.
+pub(super) fn search<const N: usize>(
+    cells: &impl Cells<N>,
+    index: &Pyramid,
+    sheet: u32,
+    line: &Line,
+    which: Which,
+    tolerance: f64,
+    scratch: &mut impl Solve<N>,
+) {
+    let (solver, hits) = scratch.parts();
+    let ray = Ray::new(line, index);
+    let play = ray.noise;
+    let slab = Slab::new(ray.local, ray.along, play);
+    let (from, to) = (ray.distance(line.from) - play, ray.distance(line.to) + play);
+    let mut leaf = Leaf { cells, index, sheet, ray: &ray, tolerance, solver };
+    let levels = index.levels();
+    let mut stack = [Entry::default(); WAITING];
+    let mut count = 1;
+    stack[0] = Entry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
+    // Where what is beyond does not matter.
+    let mut farthest = to;
+    let first = |farthest: f64, hits: &[Hit]| match which {
+        Which::First => {
+            // Farther than what is one with the hit may be.
+            let reach = 4.0 * tolerance + 1e4 * play;
+            hits.iter().map(|hit| ray.distance(hit.t) + reach).fold(farthest, f64::min)
+        }
+        _ => farthest,
+    };
+    farthest = first(farthest, hits);
+    while count > 0 {
+        count -= 1;
+        let Entry { enters, level, row, column } = stack[count];
+        if enters > farthest {
+            continue;
+        }
+        let (row, column) = (row as usize, column as usize);
+        if level == 0 {
+            let known = hits.len();
+            leaf.search(row, column, hits);
+            if hits.len() > known {
+                if which == Which::Any {
+                    return;
+                }
+                farthest = first(farthest, &hits[known..]);
+            }
+            continue;
+        }
+        let level_below = &levels[level as usize - 1];
+        let [near, far] = slab.through(level_below.group(row, column), from, farthest);
+        let waiting = count;
+        for child in 0..4 {
+            let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
+            let oriented = |row, column| level_below.oriented(row, column);
+            if near[child] > far[child]
+                || oriented(row, column).is_some_and(|oriented| !oriented.meets_line(ray.local, ray.along))
+            {
+                continue;
+            }
+            // Sorted as they come: the nearest is taken first, being last.
+            let mut at = count;
+            while at > waiting && stack[at - 1].enters < near[child] {
+                stack[at] = stack[at - 1];
+                at -= 1;
+            }
+            stack[at] = Entry { enters: near[child], level: level - 1, row: row as u32, column: column as u32 };
+            count += 1;
+        }
+    }
+}
+
+/// What the search of a block needs.
+struct Leaf<'a, C, const N: usize> {
+    cells: &'a C,
+    index: &'a Pyramid,
+    sheet: u32,
+    ray: &'a Ray,
+    tolerance: f64,
+    solver: &'a mut Solver<N>,
+}
+
+impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
+    fn search(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) {
+        let [rows, columns] = self.cells.counts();
+        let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
+        let (left, right) = (column * BLOCK, columns.min((column + 1) * BLOCK));
+        let deviation = self.index.deviation(row, column) + self.ray.noise;
+        let mut corners = [[DVec2::ZERO; BLOCK + 1]; BLOCK + 1];
+        for i in first..=last {
+            for j in left..=right {
+                let from = self.cells.corner(i, j) - self.ray.foot;
+                corners[i - first][j - left] = DVec2::new(from.dot(self.ray.across[0]), from.dot(self.ray.across[1]));
+            }
+        }
+        for (r, i) in (first..last).enumerate() {
+            for (c, j) in (left..right).enumerate() {
+                let quad = [corners[r][c], corners[r][c + 1], corners[r + 1][c + 1], corners[r + 1][c]];
+                if may_hold_origin(&quad, deviation) {
+                    self.cell(i, j, hits);
+                }
+            }
+        }
+    }
+
+    fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) {
+        let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
+        self.solver.roots.simple.clear();
+        if !simple_roots(fields, self.ray.noise, self.tolerance, &mut self.solver.roots) {
+            return self.touching(i, j, hits);
+        }
+        if !self.solver.roots.simple.is_empty() {
+            let patch = self.cells.patch(i, j);
+            for k in 0..self.solver.roots.simple.len() {
+                self.add(&patch, [i, j], self.solver.roots.simple[k], None, hits);
+            }
+        }
+    }
+
+    /// Where the fields cannot tell: the part of the line in the cell's box as a curve.
+    fn touching(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) {
+        let patch = self.cells.patch(i, j);
+        let Some(segment) = self.segment(&patch) else { return };
+        let [start, end] = segment;
+        let found = &mut self.solver.crossings;
+        found.simple.clear();
+        found.unresolved.clear();
+        crossings(&segment, &patch, self.ray.noise, self.tolerance, &mut self.solver.room, found);
+        for k in 0..self.solver.crossings.simple.len() {
+            self.add(&patch, [i, j], self.solver.crossings.simple[k].place, None, hits);
+        }
+        for k in 0..self.solver.crossings.unresolved.len() {
+            let Spot { place, low, high } = self.solver.crossings.unresolved[k];
+            let span = [low.x, high.x].map(|at| self.ray.parameter(start.lerp(end, at.clamp(0.0, 1.0))));
+            self.add(&patch, [i, j], DVec2::new(place.y, place.z), Some(span), hits);
+        }
+    }
+
+    /// The part of the line that is as far along as the patch.
+    fn segment(&self, patch: &Patch<N>) -> Option<[DVec3; 2]> {
+        let ray = self.ray;
+        let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
+        let [low, high] = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+        let play = ray.noise + self.tolerance;
+        let from = (low - play).max(ray.distance(ray.line.from) - ray.noise);
+        let to = (high + play).min(ray.distance(ray.line.to) + ray.noise);
+        (from <= to).then(|| [ray.foot + from * ray.along, ray.foot + to * ray.along])
+    }
+
+    /// Adds a hit, if the line goes so far.
+    fn add(&self, patch: &Patch<N>, [i, j]: [usize; 2], at: DVec2, span: Option<[f64; 2]>, hits: &mut Vec<Hit>) {
+        let (ray, jet) = (self.ray, patch.jet(at.x, at.y));
+        let t = ray.parameter(jet.point);
+        let play = ray.noise / ray.length;
+        if t < ray.line.from - play || t > ray.line.to + play {
+            return;
+        }
+        let t = t.clamp(ray.line.from, ray.line.to);
+        let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
+        // What is said to be a root but is not on the line was not resolved, as in cells a million times as long as wide.
+        let miss = (jet.point - ray.foot).reject_from_normalized(ray.along).length();
+        let is_off = miss > self.tolerance.max(4.0 * ray.noise);
+        let span = span.or_else(|| is_off.then(|| [t - miss / ray.length, t + miss / ray.length]));
+        let tangent = span.is_some();
+        hits.push(Hit {
+            t,
+            // What is nearest to the line may be beyond, by the tolerance.
+            span: span
+                .map_or([t; 2], |[low, high]| [low.min(t), high.max(t)].map(|t| t.clamp(ray.line.from, ray.line.to))),
+            place,
+            point: jet.point,
+            // Where the surface is not regular, the sheet knows a limit.
+            normal: jet.regular_normal(patch.noise()).unwrap_or(DVec3::ZERO),
+            tangent,
+            multiplicity: if tangent { 2 } else { 1 },
+        });
+    }
+}
+
+/// False if the origin is farther than `by` from the hull of four points, as one of the lines through two of them shows.
+#[inline(always)]
+fn may_hold_origin(quad: &[DVec2; 4], by: f64) -> bool {
+    let [a, b, c, d] = *quad;
+    let (low, high) = (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)));
+    if low.x > by || low.y > by || high.x < -by || high.y < -by {
+        return false;
+    }
+    // Seen across a side, from a to b: the origin is this far to its left, and the other corners so far.
+    let separated = |a: DVec2, b: DVec2, c: DVec2, d: DVec2| {
+        let side = b - a;
+        let (origin, c, d) = (-side.perp_dot(a), side.perp_dot(c - a), side.perp_dot(d - a));
+        let (low, high) = (c.min(d).min(0.0), c.max(d).max(0.0));
+        let outside = (low - origin).max(origin - high);
+        outside > 0.0 && outside * outside > by * by * side.length_squared()
+    };
+    !(separated(a, b, c, d) || separated(b, c, d, a) || separated(c, d, a, b) || separated(d, a, b, c))
+}

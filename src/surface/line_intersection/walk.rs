@@ -1,0 +1,204 @@
+//! The search of the index for a curved segment.
+
+use super::curve::Find;
+use super::search::FARTHEST;
+use crate::surface::Place;
+use crate::surface::cells::{BLOCK, Cells};
+use crate::surface::index::{Bounds, Pyramid};
+use crate::surface::subdivision::{Crossings, Room, Spot, crossings, halved};
+use glam::{DVec2, DVec3};
+
+/// What the cells of a segment need again and again.
+pub(super) struct Work<const M: usize, const N: usize> {
+    room: Room<M, N>,
+    found: Crossings,
+    /// How far control points may be off.
+    noise: f64,
+}
+
+impl<const M: usize, const N: usize> Default for Work<M, N> {
+    fn default() -> Self {
+        Work { room: Room::default(), found: Crossings::default(), noise: 0.0 }
+    }
+}
+
+/// A part of a segment.
+#[derive(Clone)]
+pub(super) struct Part<const M: usize> {
+    points: [DVec3; M],
+    from: f64,
+    size: f64,
+}
+
+impl<const M: usize> Part<M> {
+    /// A whole segment.
+    pub(super) fn whole(points: [DVec3; M]) -> Self {
+        Part { points, from: 0.0, size: 1.0 }
+    }
+
+    fn bounds(&self) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        self.points.iter().for_each(|&point| bounds.add(point));
+        bounds
+    }
+}
+
+/// A part of a segment and a block of cells, which has a box of this diagonal.
+struct Entry<const M: usize> {
+    part: Part<M>,
+    diagonal: f64,
+    level: usize,
+    row: usize,
+    column: usize,
+}
+
+/// Parts below this size are not halved: even of curves 1e20 times as long as the surface, they are short.
+const LEAST: f64 = 1e-30;
+
+/// The search of a sheet for a segment.
+pub(super) struct Search<'a, C> {
+    pub(super) cells: &'a C,
+    pub(super) index: &'a Pyramid,
+    pub(super) sheet: u32,
+    /// Its number on the curve.
+    pub(super) segment: usize,
+    pub(super) tolerance: f64,
+}
+
+impl<C> Search<'_, C> {
+    /// Adds what the sheet and the segment have in common.
+    pub(super) fn run<const M: usize, const N: usize>(
+        &self,
+        whole: &Part<M>,
+        work: &mut Work<M, N>,
+        finds: &mut Vec<Find>,
+    ) where
+        C: Cells<N>,
+    {
+        let origin = self.index.origin();
+        let part = Part { points: whole.points.map(|point| point - origin), ..*whole };
+        let (levels, bounds) = (self.index.levels(), self.index.bounds());
+        let reach = bounds.low.abs().max(bounds.high.abs()).length();
+        let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
+        let diagonal = bounds.low.distance(bounds.high);
+        let noise = (8.0 * f64::EPSILON * (reach + farthest)).min(FARTHEST * diagonal);
+        let whole = Bounds { low: bounds.low - origin, high: bounds.high - origin }.grown(noise);
+        let mut waiting = vec![Entry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
+        work.noise = noise;
+        while let Some(entry) = waiting.pop() {
+            let Entry { part, diagonal, level, row, column } = entry;
+            let bounds = part.bounds().grown(noise);
+            if bounds.low.distance(bounds.high) > 2.0 * diagonal && part.size > LEAST {
+                for (half, points) in halved(&part.points).into_iter().enumerate() {
+                    let size = 0.5 * part.size;
+                    let part = Part { points, size, from: part.from + half as f64 * size };
+                    let near = if level == levels.len() {
+                        part.bounds().meets(&whole)
+                    } else {
+                        self.touches(&part, noise, level, row, column)
+                    };
+                    if near {
+                        waiting.push(Entry { part, diagonal, level, row, column });
+                    }
+                }
+            } else if level == 0 {
+                self.block(&part, [row, column], work, finds);
+            } else {
+                for child in 0..4 {
+                    let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
+                    if self.touches(&part, noise, level - 1, row, column) {
+                        let child = levels[level - 1].group(row / 2, column / 2).get(child);
+                        let diagonal = child.low.distance(child.high);
+                        waiting.push(Entry { part: part.clone(), diagonal, level: level - 1, row, column });
+                    }
+                }
+            }
+        }
+    }
+
+    /// False if the part is apart from the boxes of block (row, column) of a level.
+    fn touches<const M: usize>(&self, part: &Part<M>, noise: f64, level: usize, row: usize, column: usize) -> bool {
+        let level = &self.index.levels()[level];
+        let block = level.group(row / 2, column / 2).get(2 * (row % 2) + column % 2);
+        !block.is_empty()
+            && part.bounds().grown(noise).meets(&block)
+            && level.oriented(row, column).is_none_or(|oriented| oriented.meets_hull(&part.points))
+    }
+
+    /// Adds what the cells of a block have.
+    fn block<const M: usize, const N: usize>(
+        &self,
+        part: &Part<M>,
+        [row, column]: [usize; 2],
+        work: &mut Work<M, N>,
+        finds: &mut Vec<Find>,
+    ) where
+        C: Cells<N>,
+    {
+        let [rows, columns] = self.cells.counts();
+        let origin = self.index.origin();
+        let deviation = self.index.deviation(row, column) + work.noise;
+        let along = part.bounds();
+        for i in row * BLOCK..rows.min((row + 1) * BLOCK) {
+            for j in column * BLOCK..columns.min((column + 1) * BLOCK) {
+                let mut cell = Bounds::EMPTY;
+                for corner in [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)] {
+                    cell.add(self.cells.corner(corner.0, corner.1) - origin);
+                }
+                if cell.grown(deviation).meets(&along) {
+                    self.cell(part, [i, j], work, finds);
+                }
+            }
+        }
+    }
+
+    /// Adds what one cell has.
+    fn cell<const M: usize, const N: usize>(
+        &self,
+        part: &Part<M>,
+        [i, j]: [usize; 2],
+        work: &mut Work<M, N>,
+        finds: &mut Vec<Find>,
+    ) where
+        C: Cells<N>,
+    {
+        let origin = self.index.origin();
+        let patch = self.cells.patch(i, j);
+        let mut local = patch;
+        local.points.as_flattened_mut().iter_mut().for_each(|point| *point -= origin);
+        let Work { room, found, noise } = work;
+        found.simple.clear();
+        found.unresolved.clear();
+        crossings(&part.points, &local, *noise, self.tolerance, room, found);
+        let along = |t: f64| self.segment as f64 + (part.from + part.size * t).clamp(0.0, 1.0);
+        let simple = found.simple.iter().map(|crossing| (crossing.t, [crossing.t; 2], crossing.place, false));
+        let spots = found.unresolved.iter().map(|Spot { place, low, high }| {
+            (place.x, [low.x, high.x].map(|t| t.clamp(0.0, 1.0)), DVec2::new(place.y, place.z), true)
+        });
+        for (t, span, at, tangent) in simple.chain(spots) {
+            let ends = span.map(|t| part.point(t) + origin);
+            finds.push(Find {
+                at: along(t),
+                span: span.map(along),
+                ends,
+                length: ends[0].distance(ends[1]),
+                place: Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y },
+                point: patch.point(at.x, at.y),
+                gap: part.point(t).distance(local.point(at.x, at.y)),
+                tangent,
+                runs_inside: false,
+                touches: false,
+            });
+        }
+    }
+}
+
+impl<const M: usize> Part<M> {
+    fn point(&self, t: f64) -> DVec3 {
+        let mut work = self.points;
+        for count in (1..M).rev() {
+            (0..count).for_each(|k| work[k] = work[k].lerp(work[k + 1], t));
+        }
+        work[0]
+    }
+}

@@ -1,0 +1,100 @@
+//! Many nearest points at once: sorted along a curve that fills space, so that neighbours follow each other; on many threads.
+
+use super::Closest;
+use super::hunt::Hunt;
+use super::region::unfit;
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use crate::surface::Surface;
+use glam::DVec3;
+
+/// Queries that are sorted at once.
+const SORTED: usize = 1 << 16;
+/// Queries between two chances to cancel.
+const ROUND: usize = 1 << 13;
+/// Queries that one thread takes at once.
+const TAKEN: usize = 1 << 9;
+
+impl Surface<'_> {
+    /// As [`Surface::closest`] for many queries, in their order: each answer is the same to the bit as if it were asked for alone, for
+    /// any order and any number of threads.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::QueryNotFinite`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    pub fn closest_all(&self, queries: &[DVec3], limit: f64, job: &Job<'_>) -> Result<Vec<Option<Closest>>> {
+        let mut found = alloc::filled(None, queries.len())?;
+        self.closest_into(queries, limit, &mut found, |closest| closest, job)?;
+        Ok(found)
+    }
+
+    /// [`Surface::closest_all`] with answers in the caller's form.
+    pub(crate) fn closest_into<T: Send>(
+        &self,
+        queries: &[DVec3],
+        limit: f64,
+        out: &mut [T],
+        form: impl Fn(Option<Closest>) -> T + Sync,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        if limit.is_nan() || limit < 0.0 {
+            return Err(Error::OptionOutOfRange { option: "limit", value: limit });
+        }
+        if let Some((at, value)) = queries.iter().enumerate().find_map(|(k, &query)| Some((k, unfit(query)?))) {
+            return Err(Error::QueryNotFinite { query: at as u32, value });
+        }
+        let order = alloc::with_capacity(queries.len().min(SORTED))?;
+        let mut order: Vec<(u64, u32)> = order;
+        let mut done = 0;
+        for (part, out) in queries.chunks(SORTED).zip(out.chunks_mut(SORTED)) {
+            sort(part, &mut order);
+            for round in order.chunks(ROUND) {
+                job.step(done as f64 / queries.len() as f64, "nearest points")?;
+                done += round.len();
+                let found = par::map(job.threads(), round.chunks(TAKEN), |taken| {
+                    let mut hunt = Hunt::new();
+                    let mut found = Vec::with_capacity(taken.len());
+                    let each = |&(_, k): &(u64, u32)| form(self.closest_with(part[k as usize], limit, &mut hunt));
+                    found.extend(taken.iter().map(each));
+                    found
+                });
+                for (&(_, k), found) in round.iter().zip(found.into_iter().flatten()) {
+                    out[k as usize] = found;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The queries' numbers in the order of Morton's curve through their box.
+fn sort(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
+    let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (low, high) = queries.iter().fold(none, |(low, high), &query| (low.min(query), high.max(query)));
+    // 10 bits each: finer than this, a batch of this size is not.
+    let scale = 1023.0 / (0.5 * high - 0.5 * low).max_element().max(f64::MIN_POSITIVE);
+    order.clear();
+    order.extend(queries.iter().enumerate().map(|(k, &query)| {
+        let along = ((0.5 * query - 0.5 * low) * scale).to_array();
+        let [x, y, z] = along.map(|x| spread(x as u32));
+        (x | y << 1 | z << 2, k as u32)
+    }));
+    order.sort_unstable();
+}
+
+/// The bits of a number of 21 bits, each in the lowest place of three.
+fn spread(number: u32) -> u64 {
+    let mut bits = u64::from(number) & 0x1f_ffff;
+    for (shift, mask) in [
+        (32, 0x001f_0000_0000_ffff),
+        (16, 0x001f_0000_ff00_00ff),
+        (8, 0x100f_00f0_0f00_f00f),
+        (4, 0x10c3_0c30_c30c_30c3),
+        (2, 0x1249_2492_4924_9249),
+    ] {
+        bits = (bits | bits << shift) & mask;
+    }
+    bits
+}

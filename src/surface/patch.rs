@@ -1,0 +1,147 @@
+//! A tensor Bézier patch: what the surface is over one cell.
+
+use glam::DVec3;
+
+/// Control points `points[a][b]` of degree N - 1 in u (first index) and in v, over 0 <= u, v <= 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Patch<const N: usize> {
+    /// The control net.
+    pub points: [[DVec3; N]; N],
+}
+
+/// Position and derivatives at a point of a patch, by the patch's own parameters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jet {
+    /// S.
+    pub point: DVec3,
+    /// S_u.
+    pub u: DVec3,
+    /// S_v.
+    pub v: DVec3,
+    /// S_uu.
+    pub uu: DVec3,
+    /// S_uv.
+    pub uv: DVec3,
+    /// S_vv.
+    pub vv: DVec3,
+}
+
+/// Point and first two derivatives of a Bézier curve, by de Casteljau's steps down to the last three points.
+fn curve<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 3] {
+    let mut work = *points;
+    let mut count = N;
+    while count > 3 {
+        for k in 0..count - 1 {
+            work[k] = work[k].lerp(work[k + 1], t);
+        }
+        count -= 1;
+    }
+    let degree = (N - 1) as f64;
+    let second = (work[2] - 2.0 * work[1] + work[0]) * (degree * (degree - 1.0));
+    let (left, right) = (work[0].lerp(work[1], t), work[1].lerp(work[2], t));
+    [left.lerp(right, t), (right - left) * degree, second]
+}
+
+impl<const N: usize> Patch<N> {
+    /// The point at (u, v).
+    pub fn point(&self, u: f64, v: f64) -> DVec3 {
+        self.jet(u, v).point
+    }
+
+    /// The point at (u, v) and the derivatives there.
+    #[inline]
+    pub fn jet(&self, u: f64, v: f64) -> Jet {
+        // First in u, for all columns at once, then in v.
+        let [points, first, second] = self.across(u);
+        let [point, v1, vv] = curve(&points, v);
+        let [u1, uv, _] = curve(&first, v);
+        let [uu, ..] = curve(&second, v);
+        Jet { point, u: u1, v: v1, uu, uv, vv }
+    }
+
+    /// The control points, over v, of the curve at u and of its first two derivatives by u: as [`curve`], column by column.
+    #[inline(always)]
+    fn across(&self, u: f64) -> [[DVec3; N]; 3] {
+        let mut work = self.points;
+        let low = 1.0 - u;
+        for count in (4..=N).rev() {
+            for a in 1..count {
+                let (before, after) = work.split_at_mut(a);
+                before[a - 1].iter_mut().zip(&after[0]).for_each(|(x, &next)| *x = low * *x + u * next);
+            }
+        }
+        let degree = (N - 1) as f64;
+        let mut rows = [[DVec3::ZERO; N]; 3];
+        for b in 0..N {
+            let (left, right) = (low * work[0][b] + u * work[1][b], low * work[1][b] + u * work[2][b]);
+            rows[0][b] = low * left + u * right;
+            rows[1][b] = degree * (right - left);
+            rows[2][b] = (degree * (degree - 1.0)) * (work[2][b] - 2.0 * work[1][b] + work[0][b]);
+        }
+        rows
+    }
+
+    /// The four quarters: low u and low v, low u and high v, high u and low v, high u and high v.
+    pub fn quarters(&self) -> [Patch<N>; 4] {
+        let [low, high] = self.halves();
+        let ([a, b], [c, d]) = (low.transposed().halves(), high.transposed().halves());
+        [a, b, c, d].map(|patch| patch.transposed())
+    }
+
+    /// The halves at u = 1/2.
+    pub fn halves(&self) -> [Patch<N>; 2] {
+        let (mut low, mut high) = (*self, *self);
+        // After step k the first N - k points of `high` are those of de Casteljau's k-th column.
+        for k in 0..N {
+            for a in 0..N - k - 1 {
+                for b in 0..N {
+                    high.points[a][b] = 0.5 * (high.points[a][b] + high.points[a + 1][b]);
+                }
+            }
+            if k + 1 < N {
+                low.points[k + 1] = high.points[0];
+            }
+        }
+        [low, high]
+    }
+
+    /// u and v exchanged.
+    #[must_use]
+    pub fn transposed(&self) -> Self {
+        let mut turned = *self;
+        for a in 0..N {
+            for b in 0..N {
+                turned.points[a][b] = self.points[b][a];
+            }
+        }
+        turned
+    }
+}
+
+impl Jet {
+    /// S_u x S_v, whose length is the area that a unit of the parameters has.
+    pub fn normal(&self) -> DVec3 {
+        self.u.cross(self.v)
+    }
+
+    /// The unit normal, along S_u x S_v; `None` where the surface is not regular, or nearly not. Tangents that are nothing but rounding, as at a
+    /// pole, pass for such: [`super::Surface::normal`] knows better.
+    pub fn unit_normal(&self) -> Option<DVec3> {
+        self.regular_normal(0.0)
+    }
+
+    /// The same, but `None` also where a tangent is no longer than `noise`.
+    #[inline]
+    pub(crate) fn regular_normal(&self, noise: f64) -> Option<DVec3> {
+        super::normal::regular(self.u, self.v, noise)
+    }
+
+    /// Mean and Gaussian curvature, for the normal S_u x S_v; `None` where the surface is not regular.
+    pub fn curvatures(&self) -> Option<(f64, f64)> {
+        let normal = self.normal().try_normalize()?;
+        let [e, f, g] = [self.u.dot(self.u), self.u.dot(self.v), self.v.dot(self.v)];
+        let [l, m, n] = [self.uu.dot(normal), self.uv.dot(normal), self.vv.dot(normal)];
+        let area = e * g - f * f;
+        (area > 0.0).then(|| ((e * n - 2.0 * f * m + g * l) / (2.0 * area), (l * n - m * m) / area))
+    }
+}

@@ -1,0 +1,78 @@
+//! The paper's search to the letter, with a bit for each NODE. It loses answers: it is here to show that it does.
+//!
+//! At a node with r > d: J = floor(r / d), and all nodes of the block of 2 J x 2 J cells are zeroed. But a node on the rim of the
+//! block is a corner of cells outside it as well (erratum E1), the block may touch what is looked for (E2), the nearest node is
+//! excluded by itself if it is farther than d (E3), and lines dropped in the middle leave two surfaces taken for one (E5). Use
+//! [`super::search`], or the index of [`crate::surface::Surface`].
+
+use super::lattice::Lattice;
+use crate::alloc;
+use crate::error::Result;
+
+/// The nodes that the literal rule leaves, of an open surface.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Literal {
+    columns: usize,
+    nodes: Vec<bool>,
+    /// How many nodes were looked at.
+    pub evaluations: u64,
+}
+
+impl Literal {
+    /// True if a node is left.
+    pub fn has_node(&self, [i, j]: [usize; 2]) -> bool {
+        self.nodes[i * self.columns + j]
+    }
+
+    /// True if a corner of a cell is left: otherwise nothing will be looked for in the cell.
+    pub fn has_cell(&self, [i, j]: [usize; 2]) -> bool {
+        [[i, j], [i, j + 1], [i + 1, j], [i + 1, j + 1]].into_iter().any(|node| self.has_node(node))
+    }
+}
+
+/// The rule to the letter, node after node. `d`: the greatest diameter of a cell. `drop_lines`: "if 2 J exceeds a dimension, the
+/// lines within the ball are left out altogether, as the rest is a surface too, only smaller". Lines of a closed direction are
+/// taken as those of an open one.
+///
+/// # Errors
+/// [`crate::Error::OutOfMemory`].
+pub fn literal(
+    lattice: Lattice,
+    d: f64,
+    mut measure: impl FnMut([usize; 2]) -> f64,
+    drop_lines: bool,
+) -> Result<Literal> {
+    let [m, n] = lattice.cells;
+    let mut left = Literal { columns: n + 1, nodes: alloc::filled(true, (m + 1) * (n + 1))?, evaluations: 0 };
+    // The lines that have not been dropped, of which the rule takes neighbours in the list for neighbours on the surface.
+    let (mut rows, columns) = (alloc::collect(0..m + 1)?, alloc::collect(0..n + 1)?);
+    let mut place = 0;
+    while place < rows.len() * columns.len() {
+        let (p, q) = (place / columns.len(), place % columns.len());
+        place += 1;
+        let node = [rows[p], columns[q]];
+        if !left.has_node(node) {
+            continue;
+        }
+        left.evaluations += 1;
+        let steps = ((measure(node) / d).floor() as usize).min(m + n);
+        if steps == 0 {
+            continue;
+        }
+        let range = |at: usize, count: usize| at.saturating_sub(steps)..(at + steps + 1).min(count);
+        let (block_rows, block_columns) = (range(p, rows.len()), range(q, columns.len()));
+        for &i in &rows[block_rows.clone()] {
+            for &j in &columns[block_columns.clone()] {
+                left.nodes[i * (n + 1) + j] = false;
+            }
+        }
+        if drop_lines && 2 * steps > columns.len() - 1 {
+            for i in rows.drain(block_rows) {
+                left.nodes[i * (n + 1)..(i + 1) * (n + 1)].fill(false);
+            }
+            // From the first node that is left again: what has been looked at is looked at once more.
+            place = 0;
+        }
+    }
+    Ok(left)
+}

@@ -1,0 +1,153 @@
+//! Task b) of the paper: where the normal makes a given angle with a direction.
+//!
+//! The normal plays the part of the point, angles that of distances: the deviation psi = |angle(N, direction) - alpha| does not
+//! rise faster than N turns (theorem T4; the paper has alpha = 0 only, erratum E4). How far normals of a cell may turn against each
+//! other, its *swing*, comes
+//! * from curvature, the paper's way: K times the intrinsic diameter, K a bound of both principal curvatures on the whole surface,
+//! * or from the cell's normal cone, which is tighter and needs no K.
+
+use super::diameter::{Diameters, by_cell};
+use super::lattice::Lattice;
+use super::search::{Found, Options, search};
+use super::sizes::Sizes;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::surface::cells::Cells;
+use crate::surface::{Patch, Sheet, each_sheet};
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// The angle between two directions, exact for small ones as well.
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    libm::atan2(a.cross(b).length(), a.dot(b))
+}
+
+/// What rounding adds to angles.
+const PLAY: f64 = 1e-13;
+
+/// Swings from normal cones: how far two normals of a cell may be apart; pi where there is no cone of less than a quarter turn, as
+/// where the surface is not regular.
+///
+/// # Errors
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn swings_by_cones(sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Sizes> {
+    let lattice = Lattice::of(sheet);
+    let cone = |cell: [usize; 2]| {
+        let (axis, half) = each_sheet!(sheet, cells => cone(cells, cell))?;
+        let reach = |node: DVec3| if node == DVec3::ZERO { PI } else { angle(axis, node) };
+        // Corners as the neighbours see them, where normals may jump.
+        let corners = lattice.corners(cell).map(|node| reach(normal(sheet, node))).into_iter().fold(0.0, f64::max);
+        Some(2.0 * half.max(corners) + PLAY)
+    };
+    Ok(Sizes::new(lattice, by_cell(lattice, job, |cell| cone(cell).map_or(PI, |swing| swing.min(PI)))?))
+}
+
+/// Swings from curvature: K d, and what the normals of neighbours jump at corners. `curvature`: K, no principal curvature of the
+/// surface is greater in absolute terms. That is the caller's promise; [`super::curvature_bound`] proves one.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`] for a curvature that is no number or negative, [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn swings_by_curvature(sheet: &Sheet<'_>, diameters: &Diameters, curvature: f64, job: &Job<'_>) -> Result<Sizes> {
+    if curvature < 0.0 || curvature.is_nan() {
+        return Err(Error::OptionOutOfRange { option: "curvature", value: curvature });
+    }
+    let lattice = Lattice::of(sheet);
+    let swing = |cell: [usize; 2]| {
+        let own = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|[u, v]| sheet.normal(cell[0], cell[1], u, v));
+        let seen = lattice.corners(cell).map(|node| normal(sheet, node));
+        let jump = own.into_iter().zip(seen).map(|(a, b)| angle(a, b)).fold(0.0, f64::max);
+        let regular = own.into_iter().chain(seen).all(|normal| normal != DVec3::ZERO);
+        let turn = curvature * diameters.intrinsic.get(cell) + 2.0 * jump + PLAY;
+        if regular { turn.min(PI) } else { PI }
+    };
+    Ok(Sizes::new(lattice, by_cell(lattice, job, swing)?))
+}
+
+/// The unit normal at a node: that of the cell from there on, or of the last one; 0 if there is none.
+fn normal(sheet: &Sheet<'_>, node: [usize; 2]) -> DVec3 {
+    let cells = sheet.cells();
+    let of = |k: usize| if node[k] < cells[k] { (node[k], 0.0) } else { (cells[k] - 1, 1.0) };
+    let ((i, u), (j, v)) = (of(0), of(1));
+    sheet.normal(i, j, u, v)
+}
+
+/// Normals at an angle to a direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slant {
+    /// Of any length but 0.
+    pub direction: DVec3,
+    /// From 0 to pi.
+    pub angle: f64,
+    /// True if the other side's normal will do as well.
+    pub unsigned: bool,
+}
+
+impl Slant {
+    /// The same with a unit direction.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for no direction, or an angle out of range.
+    pub fn normalized(self) -> Result<Self> {
+        if !(0.0..=PI).contains(&self.angle) {
+            return Err(Error::OptionOutOfRange { option: "angle", value: self.angle });
+        }
+        let direction = Some(self.direction).filter(|direction| direction.is_finite()).and_then(DVec3::try_normalize);
+        let value = self.direction.length();
+        Ok(Slant { direction: direction.ok_or(Error::OptionOutOfRange { option: "direction", value })?, ..self })
+    }
+
+    /// How far a unit normal is from the angle; 0 if there is no normal, which may be any.
+    pub fn deviation(&self, normal: DVec3) -> f64 {
+        if normal == DVec3::ZERO {
+            return 0.0;
+        }
+        let off = |normal: DVec3| (angle(normal, self.direction) - self.angle).abs();
+        if self.unsigned { off(normal).min(off(-normal)) } else { off(normal) }
+    }
+}
+
+/// The cells that may have a normal within a deviation of an angle, or the nearest to it, by the corrected search.
+///
+/// # Errors
+/// Those of [`Slant::normalized`] and [`search`].
+pub fn slanted(sheet: &Sheet<'_>, swings: &Sizes, slant: Slant, options: &Options, job: &Job<'_>) -> Result<Found> {
+    let slant = slant.normalized()?;
+    search(swings, |node| slant.deviation(normal(sheet, node)), options, job)
+}
+
+/// The axis and the half-angle of a cone that has all normals of a cell, as it has the Bézier points of S_u x S_v. `None` for a
+/// quarter turn or more. Where a side is one point, the cone has the limits of the normals there.
+fn cone<const N: usize>(cells: &impl Cells<N>, [i, j]: [usize; 2]) -> Option<(DVec3, f64)> {
+    let normals = cells.patch(i, j).normal_points();
+    // What rounding leaves where the normal is 0 is no direction.
+    let noise = 1e-13 * normals.iter().map(|normal| normal.length()).fold(0.0, f64::max);
+    let directions = || normals.iter().filter(|normal| normal.length() > noise);
+    let axis = directions().map(|normal| normal.normalize_or_zero()).sum::<DVec3>().try_normalize()?;
+    let half = directions().map(|&normal| angle(axis, normal)).fold(0.0, f64::max);
+    (half < 0.5 * PI).then_some((axis, half))
+}
+
+impl<const N: usize> Patch<N> {
+    /// The Bézier points of S_u x S_v, of degree 2 N - 3 in u and in v: of products, sums of products by binomial weights.
+    fn normal_points(&self) -> Vec<DVec3> {
+        let (degree, width) = (N - 1, 2 * N - 2);
+        let mut sums = vec![DVec3::ZERO; width * width];
+        for (a, b) in (0..degree).flat_map(|a| (0..N).map(move |b| (a, b))) {
+            let along_u = (self.points[a + 1][b] - self.points[a][b]) * (binomial(degree - 1, a) * binomial(degree, b));
+            for (c, d) in (0..N).flat_map(|c| (0..degree).map(move |d| (c, d))) {
+                let weight = binomial(degree, c) * binomial(degree - 1, d);
+                let along_v = (self.points[c][d + 1] - self.points[c][d]) * weight;
+                sums[(a + c) * width + b + d] += along_u.cross(along_v);
+            }
+        }
+        for (k, sum) in sums.iter_mut().enumerate() {
+            *sum /= binomial(width - 1, k / width) * binomial(width - 1, k % width);
+        }
+        sums
+    }
+}
+
+/// n over k, exact for the small n here.
+fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
+}

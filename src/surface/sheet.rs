@@ -1,0 +1,53 @@
+//! The kinds of sheets.
+
+use super::cells::Cells;
+use super::{Grid, Jet, Patch, Patches};
+use glam::DVec3;
+
+/// A piece of surface with rows and columns of cells. Copies share their nodes.
+#[derive(Debug, Clone)]
+pub enum Sheet<'a> {
+    /// Through a grid of nodes.
+    Grid(Grid<'a>),
+    /// Patches of degree 3 at most.
+    Cubic(Patches<4>),
+    /// Patches of degree 7 at most.
+    High(Patches<8>),
+}
+
+/// Does the same with sheets of any kind: `each_sheet!(sheet, cells => body)`.
+macro_rules! each_sheet {
+    ($sheet:expr, $cells:ident => $body:expr) => {
+        match $sheet {
+            $crate::surface::Sheet::Grid($cells) => $body,
+            $crate::surface::Sheet::Cubic($cells) => $body,
+            $crate::surface::Sheet::High($cells) => $body,
+        }
+    };
+}
+pub(crate) use each_sheet;
+
+impl Sheet<'_> {
+    /// The numbers of cells in u and in v.
+    pub fn cells(&self) -> [usize; 2] {
+        each_sheet!(self, cells => cells.counts())
+    }
+
+    /// Whether it is closed in u and in v: the first line of nodes follows on the last but one.
+    pub fn is_closed(&self) -> [bool; 2] {
+        each_sheet!(self, cells => cells.is_closed())
+    }
+
+    /// The corner of cells at (i, j).
+    pub fn corner(&self, i: usize, j: usize) -> DVec3 {
+        each_sheet!(self, cells => cells.corner(i, j))
+    }
+
+    /// The position and the derivatives at parameters (u, v) of the cell at (i, j).
+    pub fn jet(&self, i: usize, j: usize, u: f64, v: f64) -> Jet {
+        fn of<const N: usize>(patch: &Patch<N>, u: f64, v: f64) -> Jet {
+            patch.jet(u, v)
+        }
+        each_sheet!(self, cells => of(&Cells::patch(cells, i, j), u, v))
+    }
+}

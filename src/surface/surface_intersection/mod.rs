@@ -1,0 +1,295 @@
+//! Task e) of the paper: where two surfaces meet.
+//!
+//! 1. Pairs of cells that may meet are found by descending both pyramids together (`pairs`).
+//! 2. Over a pair the points with A(s, t) = B(u, v) are curves in the four parameters. A box of parameters is excluded, or proved to have a
+//!    graph (`chart`), whose arc is followed from side to side (`arc`); else it is halved (`solve`).
+//! 3. Arcs are chained (`chain`).
+//!
+//! What is proved: every point that the declared surfaces have in common lies in a pair of cells of step 1, and in a box that has an arc
+//! through it, or is shorter than the tolerance, or is reported as unresolved. Bounds are computed in double precision, with room for
+//! rounding (`noise`). One thing is judged by points and not proved: whether a curve that is nearer than a thousandth of the tolerance to a
+//! side of a box runs along it, touches it or crosses it, which decides between the boxes on both sides. Self-intersections of one surface
+//! are not looked for.
+
+mod arc;
+mod chain;
+mod chart;
+mod equation;
+mod net;
+mod pairs;
+mod refine;
+mod solve;
+
+pub use pairs::MAX_PAIRS;
+
+use super::cells::Cells;
+use super::{Paths, Place, Sheet, Surface, each_sheet};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::par;
+use chain::{Chain, chains};
+use chart::Part;
+use glam::{DVec3, DVec4};
+use net::Net;
+use pairs::{Indexed, pairs};
+use solve::{Pieces, Task};
+use std::ops::Range;
+
+/// Pairs of cells that one thread takes at a time.
+const CHUNK: usize = 32;
+/// Boxes of parameters looked at between two looks at the job.
+const BATCH: usize = 1 << 16;
+/// Boxes that are looked at for a pair of cells before it is put back.
+const FIRST_LIMIT: usize = 256;
+/// Boxes that are looked at for all the pairs that were put back: shared among them, but each gets [`FIRST_LIMIT`] again at least.
+const SECOND_TOTAL: usize = 1 << 20;
+/// The most for one of them.
+const SECOND_LIMIT: usize = 1 << 16;
+
+/// A pair of cells of two surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CellPair {
+    /// The sheet of the first surface, and that of the second.
+    pub sheets: [u32; 2],
+    /// Row and column of the cell of the first, and of the second.
+    pub cells: [[u32; 2]; 2],
+}
+
+/// How intersections are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// The greatest distance of the curve from the chords between its points; `None`: 1e-4 of the diagonal of the smaller surface's box;
+    /// infinity: points are only where it crosses sides of cells of either surface.
+    pub chord: Option<f64>,
+    /// Branches shorter than this may be lost, and surfaces nearer than this to each other all over are reported as touching; `None`: the
+    /// smaller one of the tolerances of the two surfaces.
+    pub tolerance: Option<f64>,
+}
+
+/// The value, which must be positive, or the default.
+fn positive(option: &'static str, value: Option<f64>, default: f64) -> Result<f64> {
+    match value {
+        Some(value) if value.is_nan() || value <= 0.0 => Err(Error::OptionOutOfRange { option, value }),
+        _ => Ok(value.unwrap_or(default)),
+    }
+}
+
+impl Surface<'_> {
+    /// The curves in which two surfaces meet: `places` on this one, `others` on the other one; they run along N_A x N_B, closed ones closed.
+    /// Every branch longer than the tolerance is found. Cells of this surface where the two touch, coincide, or meet in a point only are
+    /// in `unresolved`, and curves may end there. The points are those of this surface; the other one's are the same but for rounding.
+    ///
+    /// Work and memory in proportion to the pairs of cells that may meet, with a limit for each; where surfaces coincide there are many.
+    /// Intersections of a surface with itself are out of its scope: each surface is taken as it is.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`]; [`Error::TooLarge`] above [`MAX_PAIRS`] pairs of cells; [`Error::OutOfMemory`]; [`Error::Cancelled`].
+    pub fn meet(&self, other: &Surface<'_>, options: &Options, job: &Job<'_>) -> Result<Paths> {
+        let size = |surface: &Surface<'_>| surface.bounds()[0].distance(surface.bounds()[1]);
+        let chord = positive("chord", options.chord, 1e-4 * size(self).min(size(other)))?;
+        let tolerance = positive("tolerance", options.tolerance, self.tolerance().min(other.tolerance()))?;
+        if tolerance == f64::INFINITY {
+            return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
+        }
+        let pairs = self.candidates(other, 0.0, &job.part(0.0, 0.2))?;
+        let meeting = Meeting {
+            surfaces: [self, other],
+            pairs: &pairs,
+            origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
+            tolerance,
+            chord: chord.max(tolerance),
+        };
+        let pieces = meeting.solve(&job.part(0.2, 0.9))?;
+        let (chains, explained) = chains(&pieces.arcs, &pieces.spots, meeting.tolerance)?;
+        let mut paths = meeting.paths(&pieces, &chains, &job.part(0.9, 1.0))?;
+        for (spot, _) in pieces.spots.iter().zip(explained).filter(|(_, explained)| !explained) {
+            let [place, _] = meeting.places(spot.pair, spot.x);
+            if paths.unresolved.last().is_none_or(|last| (last.sheet, last.cell) != (place.sheet, place.cell)) {
+                alloc::push(&mut paths.unresolved, place)?;
+            }
+        }
+        Ok(paths)
+    }
+
+    /// Pairs of cells of the two surfaces that may be as near to each other as `within` (0: that may meet), by sheets and cells: all that
+    /// are, and few others.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite; [`Error::TooLarge`] above [`MAX_PAIRS`];
+    /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
+    pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
+        if !(within >= 0.0 && within.is_finite()) {
+            return Err(Error::OptionOutOfRange { option: "within", value: within });
+        }
+        let mut found = Vec::new();
+        for (k, n) in (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| (k, n))) {
+            let ((sheet_a, index_a), (sheet_b, index_b)) = (self.indexed(k), other.indexed(n));
+            let a = Indexed { number: k as u32, sheet: sheet_a, index: index_a };
+            let b = Indexed { number: n as u32, sheet: sheet_b, index: index_b };
+            pairs(&a, &b, within, &mut found, job)?;
+        }
+        Ok(found)
+    }
+}
+
+/// Two surfaces that are intersected.
+struct Meeting<'a> {
+    surfaces: [&'a Surface<'a>; 2],
+    pairs: &'a [CellPair],
+    /// What coordinates are relative to.
+    origin: DVec3,
+    tolerance: f64,
+    chord: f64,
+}
+
+/// For rows and columns of a sheet, the last cell after which none follows.
+fn ends(sheet: &Sheet<'_>) -> [u32; 2] {
+    match sheet {
+        Sheet::Grid(grid) => {
+            let (cells, closed) = (grid.cells(), grid.is_closed());
+            [0, 1].map(|k| if closed[k] { u32::MAX } else { cells[k] as u32 - 1 })
+        }
+        // The sides of patches that are given may differ a little: each patch keeps its own.
+        Sheet::Cubic(_) | Sheet::High(_) => [0, 0],
+    }
+}
+
+impl Meeting<'_> {
+    /// The arcs of all pairs, in their order.
+    fn solve(&self, job: &Job<'_>) -> Result<Pieces> {
+        let all: Vec<u32> = alloc::collect((0..self.pairs.len()).map(|k| k as u32))?;
+        let mut pieces = Pieces::default();
+        self.round(&all, FIRST_LIMIT, false, &mut pieces, &job.part(0.0, 0.8))?;
+        let again = std::mem::take(&mut pieces.exhausted);
+        if !again.is_empty() {
+            let limit = (SECOND_TOTAL / again.len()).clamp(FIRST_LIMIT, SECOND_LIMIT);
+            self.round(&again, limit, true, &mut pieces, &job.part(0.8, 1.0))?;
+            pieces.arcs.sort_by_key(|arc| arc.pair);
+            pieces.spots.sort_by_key(|spot| spot.pair);
+        }
+        Ok(pieces)
+    }
+
+    /// Adds the arcs of some of the pairs.
+    fn round(&self, which: &[u32], limit: usize, last: bool, pieces: &mut Pieces, job: &Job<'_>) -> Result<()> {
+        let chunk = if last { 1 } else { CHUNK };
+        // Most pairs take a box or two, those that are done again all they may.
+        let batch = if last { BATCH.div_ceil(limit) } else { BATCH / 16 };
+        for (k, part) in which.chunks(batch).enumerate() {
+            job.step((k * batch) as f64 / which.len() as f64, "intersection")?;
+            let found = par::chunks(job.threads(), part.len(), chunk, |range| self.chunk(&part[range], limit, last));
+            for found in found {
+                pieces.append(&found?)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The arcs of some pairs, whichever their sheets are.
+    fn chunk(&self, which: &[u32], limit: usize, last: bool) -> Result<Pieces> {
+        let mut pieces = Pieces::default();
+        let sheets = |&k: &u32| self.pairs[k as usize].sheets;
+        for run in which.chunk_by(|k, n| sheets(k) == sheets(n)) {
+            let [a, b] = sheets(&run[0]);
+            let (one, other) = (self.surfaces[0].sheet(a as usize), self.surfaces[1].sheet(b as usize));
+            let (ends_a, ends_b) = (ends(one), ends(other));
+            let task = |k: u32, noise: f64| {
+                let [p, q] = self.pairs[k as usize].cells;
+                let followed = [p[0] < ends_a[0], p[1] < ends_a[1], q[0] < ends_b[0], q[1] < ends_b[1]];
+                let tolerance = self.tolerance.max(8.0 * noise);
+                Task { pair: k, followed, tolerance, chord: self.chord, limit, last, noise }
+            };
+            each_sheet!(one, cells_a => each_sheet!(other, cells_b => {
+                self.run(cells_a, cells_b, run, &task, &mut pieces)?;
+            }));
+        }
+        Ok(pieces)
+    }
+
+    /// The arcs of pairs of two sheets.
+    fn run<const N: usize, const M: usize>(
+        &self,
+        a: &impl Cells<N>,
+        b: &impl Cells<M>,
+        which: &[u32],
+        task: &impl Fn(u32, f64) -> Task,
+        pieces: &mut Pieces,
+    ) -> Result<()> {
+        let mut whole = Part::<N, M>::WHOLE;
+        let (mut last, mut size_a) = (None, 0.0);
+        for &k in which {
+            let [p, q] = self.pairs[k as usize].cells;
+            // Pairs of one cell of A follow each other.
+            if last != Some(p) {
+                (whole.nets.a, size_a) = Net::new(&a.patch(p[0] as usize, p[1] as usize), self.origin);
+                last = Some(p);
+            }
+            let size_b;
+            (whole.nets.b, size_b) = Net::new(&b.patch(q[0] as usize, q[1] as usize), self.origin);
+            // Of the nets, and of their halvings.
+            let noise = 16.0 * f64::EPSILON * f64::max(size_a, size_b);
+            task(k, noise).solve(&whole, pieces)?;
+        }
+        Ok(())
+    }
+
+    /// Where parameters of a pair are on the two surfaces.
+    fn places(&self, pair: u32, x: DVec4) -> [Place; 2] {
+        let CellPair { sheets, cells } = self.pairs[pair as usize];
+        let x = x.clamp(DVec4::ZERO, DVec4::ONE);
+        [
+            Place { sheet: sheets[0], cell: cells[0], u: x.x, v: x.y },
+            Place { sheet: sheets[1], cell: cells[1], u: x.z, v: x.w },
+        ]
+    }
+
+    /// The points of chains of arcs.
+    fn paths(&self, pieces: &Pieces, chains: &[Chain], job: &Job<'_>) -> Result<Paths> {
+        let mut paths = Paths { ends: vec![0], ..Paths::default() };
+        for (k, chain) in chains.iter().enumerate() {
+            let arcs = || chain.arcs.iter().map(|&arc| &pieces.arcs[arc as usize]);
+            // Joints within a pair of cells are where boxes were halved; a curve of few arcs needs them all the same.
+            let is_long =
+                chain.arcs.len() > 8 && arcs().any(|arc| arc.pair != pieces.arcs[chain.arcs[0] as usize].pair);
+            let mut last: Option<(u32, DVec3)> = None;
+            for (n, arc) in arcs().enumerate() {
+                if paths.places.len() & 0xffff == 0 {
+                    job.step(k as f64 / chains.len() as f64, "paths")?;
+                }
+                let spare = |&(pair, point): &(u32, DVec3)| {
+                    is_long && pair == arc.pair && point.distance(arc.ends[0]) < self.chord
+                };
+                let skips = usize::from(last.as_ref().is_some_and(spare));
+                if skips == 0 {
+                    last = Some((arc.pair, arc.ends[0]));
+                }
+                // Where the next arc begins is where this one ends.
+                let ends_here = n + 1 == chain.arcs.len() && !chain.closed;
+                let points: Range<usize> = arc.from as usize + skips..arc.to as usize - usize::from(!ends_here);
+                for &x in &pieces.points[points] {
+                    let [place, other] = self.places(arc.pair, x);
+                    alloc::push(&mut paths.places, place)?;
+                    alloc::push(&mut paths.others, other)?;
+                }
+            }
+            alloc::push(&mut paths.ends, paths.places.len() as u32)?;
+            alloc::push(&mut paths.closed, chain.closed)?;
+        }
+        paths.levels = alloc::filled(0, chains.len())?;
+        paths.points = alloc::with_capacity(paths.places.len())?;
+        paths.normals = alloc::with_capacity(paths.places.len())?;
+        for run in paths.places.chunk_by(|p, q| (p.sheet, p.cell) == (q.sheet, q.cell)) {
+            let (sheet, [i, j]) = (self.surfaces[0].sheet(run[0].sheet as usize), run[0].cell);
+            each_sheet!(sheet, cells => {
+                let patch = Cells::patch(cells, i as usize, j as usize);
+                for &place in run {
+                    let jet = patch.jet(place.u, place.v);
+                    paths.points.push(jet.point);
+                    paths.normals.push(self.surfaces[0].normal_by(place, &jet));
+                }
+            });
+        }
+        Ok(paths)
+    }
+}

@@ -1,0 +1,340 @@
+//! Pairs of cells that may meet: both pyramids are descended together, and pairs of blocks that are apart are dropped.
+
+use super::CellPair;
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::surface::cells::{BLOCK, Cells};
+use crate::surface::index::{Bounds, Oriented, Pyramid};
+use crate::surface::{Sheet, each_sheet};
+use glam::DVec3;
+
+/// The largest number of pairs of cells.
+pub const MAX_PAIRS: u64 = 1 << 26;
+
+/// Pairs of blocks between two looks at the job.
+const STEP: usize = 1024;
+
+/// A sheet, its index, and what takes its index's coordinates to the common ones.
+#[derive(Clone, Copy)]
+pub(super) struct Indexed<'a> {
+    pub(super) number: u32,
+    pub(super) sheet: &'a Sheet<'a>,
+    pub(super) index: &'a Pyramid,
+}
+
+/// A block of one of the sheets.
+struct Node {
+    level: usize,
+    row: usize,
+    column: usize,
+    bounds: Bounds,
+    solid: Option<Solid>,
+}
+
+/// A parallelepiped: its centre, its half edges and how long they are, the products of two of them, and the product of all.
+#[derive(Clone, Copy)]
+struct Solid {
+    centre: DVec3,
+    half: [DVec3; 3],
+    lengths: [f64; 3],
+    normals: [DVec3; 3],
+    volume: f64,
+}
+
+impl Solid {
+    fn of(oriented: &Oriented, shift: DVec3) -> Solid {
+        let (centre, half) = oriented.edges();
+        let [x, y, z] = half;
+        let normals = [y.cross(z), z.cross(x), x.cross(y)];
+        Solid {
+            centre: centre + shift,
+            half,
+            lengths: half.map(DVec3::length),
+            normals,
+            volume: x.dot(normals[0]).abs(),
+        }
+    }
+
+    /// False if one of the axes of separation shows that the solids are farther apart than `by`: those across faces and across pairs of edges.
+    /// What a solid reaches along these is made of products of the half edges of the one and the normals of the other.
+    fn meets(&self, other: &Solid, by: f64) -> bool {
+        let between = other.centre - self.centre;
+        let products = |one: &Solid, other: &Solid| one.normals.map(|n| other.half.map(|half| half.dot(n).abs()));
+        let beyond = |one: &Solid, products: &[[f64; 3]; 3]| {
+            (0..3).any(|k| {
+                let area = one.lengths[(k + 1) % 3] * one.lengths[(k + 2) % 3];
+                between.dot(one.normals[k]).abs() > one.volume + products[k].iter().sum::<f64>() + by * area
+            })
+        };
+        let of_other = products(self, other);
+        if beyond(self, &of_other) {
+            return false;
+        }
+        let of_self = products(other, self);
+        if beyond(other, &of_self) {
+            return false;
+        }
+        // The half edges that are not in the axis a x b: (c, a, b) = (a x b, c), up to the sign.
+        let edges = |i: usize, j: usize| {
+            let reach =
+                of_other[(i + 1) % 3][j] + of_other[(i + 2) % 3][j] + of_self[(j + 1) % 3][i] + of_self[(j + 2) % 3][i];
+            let across = between.dot(self.half[i].cross(other.half[j]));
+            across.abs() > reach + by * self.lengths[i] * other.lengths[j]
+        };
+        !(0..9).any(|k| edges(k / 3, k % 3))
+    }
+}
+
+impl Node {
+    fn root(index: &Pyramid, shift: DVec3) -> Node {
+        let bounds = index.bounds();
+        let bounds = shifted(bounds, shift - index.origin());
+        Node { level: index.levels().len(), row: 0, column: 0, bounds, solid: None }
+    }
+
+    /// Child k, if there is one and it may be as near to another block as `by`.
+    fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &Node, by: f64) -> Option<Node> {
+        let level = &index.levels()[self.level - 1];
+        // Of a block that does not exist they are empty.
+        let bounds = shifted(level.group(self.row, self.column).get(k), shift);
+        if !overlap(&bounds, &near.bounds, by) {
+            return None;
+        }
+        let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
+        let solid = level.oriented(row, column).map(|oriented| Solid::of(oriented, shift));
+        let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.meets(other, by));
+        (!apart).then_some(Node { level: self.level - 1, row, column, bounds, solid })
+    }
+
+    fn extent(&self) -> f64 {
+        (self.bounds.high - self.bounds.low).max_element()
+    }
+}
+
+fn shifted(bounds: Bounds, by: DVec3) -> Bounds {
+    Bounds { low: bounds.low + by, high: bounds.high + by }
+}
+
+fn overlap(a: &Bounds, b: &Bounds, by: f64) -> bool {
+    (a.low - by).cmple(b.high).all() && (b.low - by).cmple(a.high).all()
+}
+
+/// A cell's quadrilateral, relative to the common origin: the points c + x a + y b + x y t, x and y from -1 to 1.
+#[derive(Clone, Copy)]
+struct Quad {
+    cell: [u32; 2],
+    bounds: Bounds,
+    centre: DVec3,
+    half: [DVec3; 2],
+    twist: DVec3,
+    lengths: [f64; 2],
+    /// a x b, and what t reaches along it.
+    normal: DVec3,
+    rise: f64,
+}
+
+impl Quad {
+    const NONE: Quad = Quad {
+        cell: [0; 2],
+        bounds: Bounds::EMPTY,
+        centre: DVec3::ZERO,
+        half: [DVec3::ZERO; 2],
+        twist: DVec3::ZERO,
+        lengths: [0.0; 2],
+        normal: DVec3::ZERO,
+        rise: 0.0,
+    };
+
+    fn new(cell: [u32; 2], [[p, q], [r, s]]: [[DVec3; 2]; 2], bounds: Bounds) -> Quad {
+        let half = [0.25 * (r + s - p - q), 0.25 * (q + s - p - r)];
+        let (twist, normal) = (0.25 * (p + s - q - r), half[0].cross(half[1]));
+        Quad {
+            cell,
+            bounds,
+            centre: 0.25 * (p + q + r + s),
+            half,
+            twist,
+            lengths: half.map(DVec3::length),
+            normal,
+            rise: twist.dot(normal).abs(),
+        }
+    }
+
+    /// False if the quadrilaterals are farther apart than `by`, as the axes of separation of two parallelograms show, their twists added.
+    fn meets(&self, other: &Quad, by: f64) -> bool {
+        if !overlap(&self.bounds, &other.bounds, by) {
+            return false;
+        }
+        let between = other.centre - self.centre;
+        let along = |one: &Quad, other: &Quad| other.half.map(|half| half.dot(one.normal).abs());
+        let beyond = |one: &Quad, other: &Quad, [x, y]: [f64; 2]| {
+            let reach = one.rise + x + y + other.twist.dot(one.normal).abs();
+            between.dot(one.normal).abs() > reach + by * one.lengths[0] * one.lengths[1]
+        };
+        let of_other = along(self, other);
+        if beyond(self, other, of_other) {
+            return false;
+        }
+        let of_self = along(other, self);
+        if beyond(other, self, of_self) {
+            return false;
+        }
+        let edges = |i: usize, j: usize| {
+            let axis = self.half[i].cross(other.half[j]);
+            let reach = of_other[j] + of_self[i] + self.twist.dot(axis).abs() + other.twist.dot(axis).abs();
+            between.dot(axis).abs() > reach + by * self.lengths[i] * other.lengths[j]
+        };
+        !(0..4).any(|k| edges(k / 2, k % 2))
+    }
+}
+
+/// The corners of the cells of a block, and those cells that may meet another.
+#[derive(Clone, Copy)]
+struct Block {
+    at: [usize; 2],
+    corners: [[DVec3; BLOCK + 1]; BLOCK + 1],
+    /// How far the surface may be from the cells' quadrilaterals.
+    deviation: f64,
+    quads: [Quad; BLOCK * BLOCK],
+    count: usize,
+}
+
+impl Block {
+    const NONE: Block = Block {
+        at: [usize::MAX; 2],
+        corners: [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1],
+        deviation: 0.0,
+        quads: [Quad::NONE; BLOCK * BLOCK],
+        count: 0,
+    };
+
+    /// Reads the block at a node, unless it is that already.
+    fn read(&mut self, sheet: &Indexed<'_>, node: &Node, origin: DVec3) {
+        if self.at == [node.row, node.column] {
+            return;
+        }
+        self.at = [node.row, node.column];
+        self.deviation = sheet.index.deviation(node.row, node.column);
+        let [rows, columns] = sheet.sheet.cells();
+        let [first, left] = self.at.map(|at| at * BLOCK);
+        each_sheet!(sheet.sheet, cells => {
+            for (i, line) in (first..=rows).zip(&mut self.corners) {
+                for (j, corner) in (left..=columns).zip(line) {
+                    *corner = cells.corner(i, j) - origin;
+                }
+            }
+        });
+    }
+
+    /// Chooses the cells that may be as near to a box as `by`.
+    fn choose(&mut self, sheet: &Sheet<'_>, near: &Bounds, by: f64) {
+        let [rows, columns] = sheet.cells();
+        let [first, left] = self.at.map(|at| at * BLOCK);
+        self.count = 0;
+        for (r, i) in (first..rows).take(BLOCK).enumerate() {
+            for (c, j) in (left..columns).take(BLOCK).enumerate() {
+                let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
+                let [[p, q], [s, t]] = corners;
+                let bounds = Bounds { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
+                if overlap(&bounds, near, by) {
+                    self.quads[self.count] = Quad::new([i as u32, j as u32], corners, bounds);
+                    self.count += 1;
+                }
+            }
+        }
+    }
+
+    fn quads(&self) -> &[Quad] {
+        &self.quads[..self.count]
+    }
+}
+
+/// Adds the pairs of cells of two sheets that may be as near as `within`, in order: all that are, and few others.
+pub(super) fn pairs(
+    a: &Indexed<'_>,
+    b: &Indexed<'_>,
+    within: f64,
+    found: &mut Vec<CellPair>,
+    job: &Job<'_>,
+) -> Result<()> {
+    let origin = a.index.origin();
+    let shift = b.index.origin() - origin;
+    let roots = [Node::root(a.index, DVec3::ZERO), Node::root(b.index, shift)];
+    // Boxes hold the surface to the bit; the shift from one origin to the other rounds.
+    let size = [a, b].map(|sheet| {
+        let Bounds { low, high } = sheet.index.bounds();
+        low.abs().max(high.abs()).max_element()
+    });
+    let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
+    let before = found.len();
+    let blocks = [Block::NONE; 2];
+    let mut descent = Descent { a, b, origin, shift, by, blocks, looked_at: 0, found, job };
+    descent.visit(&roots[0], &roots[1])?;
+    let key = |pair: &CellPair| {
+        let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
+        i << 96 | j << 64 | k << 32 | l
+    };
+    found[before..].sort_unstable_by_key(key);
+    Ok(())
+}
+
+/// The descent of both pyramids.
+struct Descent<'a> {
+    a: &'a Indexed<'a>,
+    b: &'a Indexed<'a>,
+    /// What coordinates are relative to, and what takes those of B's boxes there.
+    origin: DVec3,
+    shift: DVec3,
+    by: f64,
+    /// The last ones of A and of B.
+    blocks: [Block; 2],
+    looked_at: usize,
+    found: &'a mut Vec<CellPair>,
+    job: &'a Job<'a>,
+}
+
+impl Descent<'_> {
+    /// Adds the pairs of cells of two blocks.
+    fn visit(&mut self, one: &Node, other: &Node) -> Result<()> {
+        self.looked_at += 1;
+        if self.looked_at.is_multiple_of(STEP) {
+            self.job.step(0.0, "pairs of cells")?;
+        }
+        if one.level == 0 && other.level == 0 {
+            return self.cells(one, other);
+        }
+        let Descent { a, b, shift, by, .. } = *self;
+        let halves_a = one.level > 0 && (other.level == 0 || one.extent() >= other.extent());
+        for k in 0..4 {
+            if halves_a {
+                if let Some(child) = one.child(k, a.index, DVec3::ZERO, other, by) {
+                    self.visit(&child, other)?;
+                }
+            } else if let Some(child) = other.child(k, b.index, shift, one, by) {
+                self.visit(one, &child)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the pairs of cells of two blocks of cells.
+    fn cells(&mut self, one: &Node, other: &Node) -> Result<()> {
+        let Descent { a, b, ref mut blocks, ref mut found, .. } = *self;
+        let [left, right] = blocks;
+        left.read(a, one, self.origin);
+        right.read(b, other, self.origin);
+        let by = self.by + left.deviation + right.deviation;
+        left.choose(a.sheet, &other.bounds, by);
+        right.choose(b.sheet, &one.bounds, by);
+        for (p, q) in left.quads().iter().flat_map(|p| right.quads().iter().map(move |q| (p, q))) {
+            if p.meets(q, by) {
+                alloc::push(found, CellPair { sheets: [a.number, b.number], cells: [p.cell, q.cell] })?;
+            }
+        }
+        if found.len() as u64 > MAX_PAIRS {
+            return Err(Error::TooLarge { what: "pairs of cells", count: found.len() as u64, limit: MAX_PAIRS });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,152 @@
+//! Boxes of the tangents S_u and S_v of the surface through a grid: from the nodes alone, without building patches.
+//!
+//! Over a cell S = sum w_l(v) C_l(u), C_l the cubics along six lines, so S_u = sum w_l(v) C_l'(u), and C_l' is within the hull of its three control
+//! vectors 3 (b_k+1 - b_k), sums of six nodes each. Let those of the block's own lines be in a box B, and those of the lines beside it, on which
+//! its cells depend too, no farther than e from B. The weights w_l sum to 1, their absolute values to L at most, and those of the lines
+//! that are not the cell's own two to O at most. So S_u is in B, grown by (L - 1) / 2 of its size at both ends, and by O e.
+
+use super::axis::{Axis, TAPS, Weights};
+use super::cells::BLOCK;
+use super::displacements::grown;
+use super::grid::Nodes;
+use super::index::Bounds;
+use super::sweep::{Ranges, Sums, Sweep};
+use std::ops::Range;
+
+/// A grid as seen here.
+pub(super) struct Tangents<'a> {
+    pub(super) nodes: &'a Nodes<'a>,
+    pub(super) u: &'a Axis,
+    pub(super) v: &'a Axis,
+}
+
+/// Weights that give the control vectors of the derivative.
+fn steps(weights: &Weights) -> Sums<3> {
+    std::array::from_fn(|b| std::array::from_fn::<_, TAPS, _>(|k| 3.0 * (weights[b + 1][k] - weights[b][k])))
+}
+
+/// Boxes of control vectors: on a block's own lines, and on all that its cells depend on.
+#[derive(Clone, Copy)]
+struct Spread {
+    own: Bounds,
+    all: Bounds,
+}
+
+impl Spread {
+    const EMPTY: Spread = Spread { own: Bounds::EMPTY, all: Bounds::EMPTY };
+
+    fn add(&mut self, bounds: Bounds, own: bool) {
+        self.all = self.all.joined(bounds);
+        if own {
+            self.own = self.own.joined(bounds);
+        }
+    }
+
+    /// Round the sums of lines that lie along `axis`.
+    fn sums(&self, axis: &Axis) -> Bounds {
+        let beside = (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.outside();
+        let grown = grown(self.own, axis.lebesgue());
+        Bounds { low: grown.low - beside, high: grown.high + beside }
+    }
+}
+
+/// True if a line is a side of one of some cells.
+fn is_own(axis: &Axis, cells: &Range<usize>, line: usize) -> bool {
+    cells.contains(&line) || line == if axis.is_closed() { cells.end % axis.cells() } else { cells.end }
+}
+
+impl Tangents<'_> {
+    /// The boxes of S_u and S_v over the blocks of some rows of blocks, row after row.
+    pub(super) fn of_blocks(&self, block_rows: Range<usize>, boxes: &mut [[Bounds; 2]]) {
+        let Tangents { nodes, u, v } = *self;
+        let sweep = Sweep { nodes, u, v, sums: steps };
+        let across = v.cells().div_ceil(BLOCK);
+        let rows = |r: usize| r * BLOCK..u.cells().min((r + 1) * BLOCK);
+        let columns = |c: usize| c * BLOCK..v.cells().min((c + 1) * BLOCK);
+        // S_v: along each row once, and then for all blocks that depend on it.
+        let mut along = vec![Spread::EMPTY; boxes.len()];
+        let mut ranges = Ranges::new(v.cells());
+        let mut line = Vec::new();
+        for row in u.lines_of(rows(block_rows.start).start..rows(block_rows.end - 1).end) {
+            ranges.clear();
+            sweep.along(row, &mut line, &mut ranges);
+            let needed = block_rows.clone().filter(|&r| u.lines_of(rows(r)).any(|line| line == row));
+            let needed: Vec<_> = needed.map(|r| (r, is_own(u, &rows(r), row))).collect();
+            for c in 0..across {
+                let found = ranges.over(columns(c));
+                for &(r, own) in &needed {
+                    along[(r - block_rows.start) * across + c].add(found, own);
+                }
+            }
+        }
+        let mut ranges = Ranges::new(nodes.columns());
+        for (r, (boxes, along)) in block_rows.zip(boxes.chunks_mut(across).zip(along.chunks(across))) {
+            ranges.clear();
+            for i in rows(r) {
+                sweep.across(i, &mut ranges);
+            }
+            for (c, (bounds, along)) in boxes.iter_mut().zip(along).enumerate() {
+                let mut across = Spread::EMPTY;
+                across.add(ranges.over(columns(c).start..columns(c).end + 1), true);
+                for j in v.lines_of(columns(c)) {
+                    across.add(ranges.over(j..j + 1), false);
+                }
+                *bounds = [across.sums(v), along.sums(u)];
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::cells::Cells;
+    use crate::surface::{Grid, Patch, Scheme};
+    use glam::DVec3;
+
+    /// Nodes without any order: whatever the weights, tangents are in the boxes; and near their sides somewhere, or the boxes were too large.
+    #[test]
+    fn tangents_are_in_their_boxes() {
+        let mut state = 7_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        let mut nearest = f64::INFINITY;
+        for round in 0..400 {
+            let cells = [[9, 6], [5, 5], [2, 9], [13, 4], [3, 3]][round % 5];
+            let closed = [round / 5 % 2 == 1, round / 10 % 2 == 1].map(|closed| closed && cells.iter().all(|&n| n > 2));
+            let scheme = if round / 20 % 2 == 0 { Scheme::SixTap } else { Scheme::FourPoint };
+            let [h, w] = cells;
+            let mut data = vec![0.0; 3 * (h + 1) * (w + 1)];
+            for (i, j) in (0..=h).flat_map(|i| (0..=w).map(move |j| (i, j))) {
+                let (a, b) = (if closed[0] { i % h } else { i }, if closed[1] { j % w } else { j });
+                for k in 0..3 {
+                    let again = data[3 * (a * (w + 1) + b) + k];
+                    data[3 * (i * (w + 1) + j) + k] = if (a, b) == (i, j) { random() } else { again };
+                }
+            }
+            let grid = Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap();
+            let [rows, columns] = cells.map(|count| count.div_ceil(BLOCK));
+            let mut boxes = vec![[Bounds::EMPTY; 2]; rows * columns];
+            grid.tangents(0..rows, &mut boxes);
+            for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
+                let patch: Patch<4> = Grid::patch(&grid, i, j);
+                let bounds = &boxes[i / BLOCK * columns + j / BLOCK];
+                for k in 0..121 {
+                    let jet = patch.jet(f64::from(k / 11) / 10.0, f64::from(k % 11) / 10.0);
+                    for (tangent, bounds) in [jet.u, jet.v].into_iter().zip(bounds) {
+                        let size = bounds.high - bounds.low;
+                        let within = (tangent - bounds.low).min(bounds.high - tangent) / size;
+                        nearest = nearest.min(within.min_element());
+                        assert!(
+                            within.cmpge(DVec3::splat(-1e-13)).all(),
+                            "{cells:?} {closed:?} {scheme:?}, cell {i} {j}: {within}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(nearest < 0.05, "{nearest}");
+    }
+}
