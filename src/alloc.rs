@@ -18,7 +18,7 @@ pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
 }
 
 /// [`filled`], for long vectors: the host can cancel.
-pub(crate) fn filled_heard<T: Clone>(value: T, len: usize, job: &Job<'_>, stage: &'static str) -> Result<Vec<T>> {
+pub(crate) fn filled_cancellable<T: Clone>(value: T, len: usize, job: &Job<'_>, stage: &'static str) -> Result<Vec<T>> {
     let mut vec = with_capacity(len)?;
     job.ranges(stage, len, |range| {
         vec.resize(range.end, value.clone());
@@ -41,7 +41,7 @@ pub(crate) fn collect<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<
 }
 
 /// [`collect`], for long iterators: the host can cancel.
-pub(crate) fn collect_heard<T>(
+pub(crate) fn collect_cancellable<T>(
     mut items: impl ExactSizeIterator<Item = T>,
     job: &Job<'_>,
     stage: &'static str,

@@ -20,18 +20,18 @@ pub(crate) fn map<T: Send, R: Send>(
     items: impl ExactSizeIterator<Item = T> + Send,
     work: impl Fn(T) -> R + Sync,
 ) -> Vec<R> {
-    match shared_out(threads, items, work, |_| Ok::<(), Infallible>(())) {
+    match run_ordered(threads, items, work, |_| Ok::<(), Infallible>(())) {
         Ok(results) => results,
         Err(never) => match never {},
     }
 }
 
-/// [`map`] that the host is heard in: the calling thread reports before each item that it takes, and when it is told to stop
-/// no thread takes another. Items are to be large enough for that, and small enough for a host not to wait.
+/// [`map`] that the host can cancel: the calling thread reports progress before each item that it takes, and once the host
+/// cancels no thread takes another. Items should be large enough to be worth a report and small enough not to delay one.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled).
-pub(crate) fn heard<T: Send, R: Send>(
+pub(crate) fn map_cancellable<T: Send, R: Send>(
     job: &Job<'_>,
     stage: &'static str,
     items: impl ExactSizeIterator<Item = T> + Send,
@@ -39,11 +39,12 @@ pub(crate) fn heard<T: Send, R: Send>(
 ) -> Result<Vec<R>> {
     let count = items.len().max(1) as f64;
     job.step(0.0, stage)?;
-    shared_out(job.threads(), items, work, |i| job.step(i as f64 / count, stage))
+    run_ordered(job.threads(), items, work, |i| job.step(i as f64 / count, stage))
 }
 
-/// The work of [`map`]; `before` is called on this thread with the number of each item that it takes.
-fn shared_out<T: Send, R: Send, E>(
+/// The engine of [`map`]: results in the order of the items. `before` is called on this thread with the number of each item
+/// that it takes.
+fn run_ordered<T: Send, R: Send, E>(
     threads: usize,
     items: impl ExactSizeIterator<Item = T> + Send,
     work: impl Fn(T) -> R + Sync,
@@ -100,15 +101,15 @@ pub(crate) fn chunks<R: Send>(
     map(threads, ranges(len, chunk), work)
 }
 
-/// [`heard`] over the ranges of [`chunks`].
-pub(crate) fn heard_chunks<R: Send>(
+/// [`map_cancellable`] over the ranges of [`chunks`].
+pub(crate) fn chunks_cancellable<R: Send>(
     job: &Job<'_>,
     stage: &'static str,
     len: usize,
     chunk: usize,
     work: impl Fn(Range<usize>) -> R + Sync,
 ) -> Result<Vec<R>> {
-    heard(job, stage, ranges(len, chunk), work)
+    map_cancellable(job, stage, ranges(len, chunk), work)
 }
 
 fn ranges(len: usize, chunk: usize) -> impl ExactSizeIterator<Item = Range<usize>> + Send {
@@ -144,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn a_host_is_heard_before_every_item_of_this_thread() {
+    fn progress_is_reported_before_every_item_of_this_thread() {
         struct Counter(Cell<u32>);
         impl crate::Progress for Counter {
             fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {
@@ -157,7 +158,7 @@ mod tests {
             let counter = Counter(Cell::new(calls));
             let begun = AtomicUsize::new(0);
             let work = |range: Range<usize>| begun.fetch_add(1, Ordering::Relaxed) + range.len();
-            let done = heard_chunks(&Job::new(threads, &counter), "work", 1000, 10, work);
+            let done = chunks_cancellable(&Job::new(threads, &counter), "work", 1000, 10, work);
             (done.map(|done| done.len()), begun.into_inner(), calls - counter.0.get())
         };
         // One call at first, and one for each item.

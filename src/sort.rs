@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn a_host_is_heard() {
+    fn a_host_can_cancel() {
         struct Counter(Cell<u32>);
         impl Progress for Counter {
             fn step(&self, fraction: f64, _: &'static str) -> ControlFlow<()> {

@@ -38,7 +38,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let part = job.part(0.5, 1.0).share(c, curves.len());
         part.step(0.0, "measuring curves")?;
         let curve = curve.view();
-        let length = if curve.is_empty() { 0.0 } else { curve.lengths_heard(&part)?.total() };
+        let length = if curve.is_empty() { 0.0 } else { curve.lengths_cancellable(&part)?.total() };
         total += length;
         if c < LISTED {
             // Writing to a string cannot fail.

@@ -41,11 +41,11 @@ pub(crate) struct KdTree<'a> {
 impl<'a> KdTree<'a> {
     /// Extra memory: 5 bytes a point.
     pub(crate) fn new(points: &'a [DVec3]) -> Result<Self> {
-        Self::heard(points, &Job::default(), "")
+        Self::new_cancellable(points, &Job::default(), "")
     }
 
     /// As [`new`](Self::new), for many points: the host can cancel.
-    pub(crate) fn heard(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
+    pub(crate) fn new_cancellable(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = KdTree {
             points,
             order: alloc::collect((0..points.len()).map(|i| i as u32))?,
@@ -61,14 +61,14 @@ impl<'a> KdTree<'a> {
             done += count;
             Ok(())
         };
-        split_heard(points, &mut tree.order, &mut tree.axis, &mut hear)?;
+        split_cancellable(points, &mut tree.order, &mut tree.axis, &mut hear)?;
         Ok(tree)
     }
 
     /// A tree for queries that are far away from points which are close together, such as those of a curve: what cells do not tell
     /// apart, boxes that fit do. 10 bytes a point more.
     pub(crate) fn boxed(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
-        let mut tree = Self::heard(points, job, stage)?;
+        let mut tree = Self::new_cancellable(points, job, stage)?;
         let mut boxes = alloc::filled([DVec3::INFINITY, DVec3::NEG_INFINITY], points.len().div_ceil(APART))?;
         tree.find_boxes(0..points.len(), &mut boxes);
         tree.boxes = boxes;
@@ -243,7 +243,7 @@ impl Reach {
 }
 
 /// Splits a range and its halves; `hear` is called for every large one, with the number of points that it sees to alone.
-fn split_heard(
+fn split_cancellable(
     points: &[DVec3],
     order: &mut [u32],
     axes: &mut [u8],
@@ -256,8 +256,8 @@ fn split_heard(
     }
     hear(1)?;
     let [(left, left_axes), (right, right_axes)] = split_once(points, order, axes);
-    split_heard(points, left, left_axes, hear)?;
-    split_heard(points, right, right_axes, hear)
+    split_cancellable(points, left, left_axes, hear)?;
+    split_cancellable(points, right, right_axes, hear)
 }
 
 fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {

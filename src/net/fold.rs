@@ -42,7 +42,7 @@ pub(super) fn sides(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let search = Search { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
         let (lines, part) = ((BLOCK / shape.columns()).max(1), job.part(0.0, 0.5));
-        let blocks = par::heard_chunks(&part, STAGE, shape.rows() - 1, lines, |mut rows| {
+        let blocks = par::chunks_cancellable(&part, STAGE, shape.rows() - 1, lines, |mut rows| {
             rows.any(|i| search.is_folded_in_row(i))
         })?;
         if blocks.contains(&true) { search.parted(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }
@@ -109,13 +109,13 @@ impl<A: Real, B: Real> Search<'_, A, B> {
         // Each cell twice: as it is, and turned over.
         let (mut forest, over) = (Forest::new(2 * count)?, count as u32);
         let mut folded = Vec::new();
-        let heard = |cell: u32, from: f64| match cell as usize % BLOCK {
+        let checked = |cell: u32, from: f64| match cell as usize % BLOCK {
             0 => job.step(from + 0.4 * f64::from(cell) / count as f64, STAGE),
             _ => Ok(()),
         };
         for pair in cells().flat_map(|(i, j)| self.pairs(i, j)) {
             let [a, b] = pair.0;
-            heard(a, 0.0)?;
+            checked(a, 0.0)?;
             match self.is_folded(pair) {
                 Some(true) => alloc::push(&mut folded, [a, b])?,
                 Some(false) => [[a, b], [a + over, b + over]].into_iter().for_each(|cells| forest.join(cells)),
@@ -147,7 +147,7 @@ impl<A: Real, B: Real> Search<'_, A, B> {
         }));
         at_ends.into_iter().for_each(|cell| signs[cell as usize] = -1);
         for ((sign, (i, j)), cell) in signs.iter_mut().zip(cells()).zip(0..) {
-            heard(cell, 0.6)?;
+            checked(cell, 0.6)?;
             *sign = if self.is_crossed(i, j) { -1 } else { *sign };
         }
         Ok(signs)

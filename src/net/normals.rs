@@ -183,7 +183,7 @@ fn rows<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_
     let (shape, stride) = (out.shape(), out.stride());
     let lines = (BLOCK / stride).max(1);
     let [x, y, z] = out.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride));
-    par::heard(job, STAGE, x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
+    par::map_cancellable(job, STAGE, x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
         let [x, y, z] = [x, y, z].map(|matrix| matrix.chunks_mut(stride));
         let lines = x.zip(y).zip(z).enumerate().map(|(line, ((x, y), z))| {
             let out = [x, y, z].map(|row| &mut row[..shape.columns()]);
@@ -236,7 +236,7 @@ fn glued<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, job: &Job<'
     let (shape, groups) = (out.shape(), &corners.groups);
     let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
     let mut normals = alloc::zeroed(groups.len())?;
-    par::heard(job, STAGE, normals.chunks_mut(GLUED).enumerate(), |(chunk, normals)| {
+    par::map_cancellable(job, STAGE, normals.chunks_mut(GLUED).enumerate(), |(chunk, normals)| {
         for (normal, k) in normals.iter_mut().zip(GLUED * chunk..) {
             let sum = places(k).fold(Sum::default(), |sum, (i, j)| sum.add(corners.sum(i, j)));
             *normal = corners.unit(sum).to_array();

@@ -100,7 +100,7 @@ pub(crate) fn rows<V: Send, R: Send>(
     work: impl Fn(usize, &mut [V]) -> R + Sync,
 ) -> Result<impl Iterator<Item = R>> {
     let lines = (BLOCK / width).max(1);
-    let blocks = par::heard(job, stage, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
+    let blocks = par::map_cancellable(job, stage, values.chunks_mut(lines * width).enumerate(), |(block, values)| {
         let rows = values.chunks_mut(width).enumerate();
         rows.map(|(line, row)| work(block * lines + line, row)).collect::<Vec<R>>()
     })?;

@@ -18,7 +18,7 @@
 use super::curve::Place;
 use super::method::{Method, through};
 use super::request::{Mode, Options, PointStatus};
-use super::run::{Room, Run, Sketch, Solved};
+use super::run::{Run, Sketch, Solved, Workspace};
 use crate::error::Result;
 
 /// Appends the blended curve of a run.
@@ -26,13 +26,13 @@ pub(super) fn curve(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     sketch: &mut Sketch,
 ) -> Result<()> {
     let points = run.points;
     let n = points.len();
-    room.solution.resize(n)?;
-    let (controls, parameters) = (&mut room.solution.controls, &mut room.solution.t);
+    workspace.solution.resize(n)?;
+    let (controls, parameters) = (&mut workspace.solution.controls, &mut workspace.solution.t);
     for i in run.sections() {
         let [a, p, c] = run.triple(i);
         let t = options.method.parameter(a, p, c).or_else(|status| {

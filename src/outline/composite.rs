@@ -16,7 +16,7 @@ use super::curve::Place;
 use super::judge::Smoothness;
 use super::method::{Method, power};
 use super::request::{Joint, Lock, Options, PointStatus, Report, Solver};
-use super::run::{Room, Run, Sketch, Solution, Solved, mark};
+use super::run::{Run, Sketch, Solution, Solved, Workspace, mark};
 use super::tridiagonal::Cyclic;
 use super::{consistent, curvature, joints, segment, sweeps, tridiagonal};
 use crate::error::Result;
@@ -27,17 +27,17 @@ pub(super) fn curve(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     sketch: &mut Sketch,
     report: &mut Report,
 ) -> Result<()> {
-    identify(run, options, solved, room, report)?;
+    identify(run, options, solved, workspace, report)?;
     if !run.closed {
-        return append(run, &room.solution, solved, sketch);
+        return append(run, &workspace.solution, solved, sketch);
     }
-    let places = (0..).zip(&room.solution.t).map(|(segment, &t)| Place { segment, t });
+    let places = (0..).zip(&workspace.solution.t).map(|(segment, &t)| Place { segment, t });
     solved.iter_mut().zip(places).for_each(|(solved, place)| solved.place = place);
-    trace(run, &room.solution, |p| p, sketch.closed_quadratics(run.points.len())?, report);
+    trace(run, &workspace.solution, |p| p, sketch.closed_quadratics(run.points.len())?, report);
     Ok(())
 }
 
@@ -46,20 +46,20 @@ pub(super) fn identify(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     report: &mut Report,
 ) -> Result<()> {
-    let (n, solution) = (run.points.len(), &mut room.solution);
+    let (n, solution) = (run.points.len(), &mut workspace.solution);
     solution.resize(n)?;
     solution.beta.clear();
     parameters(run, options, solution, solved);
     solve(run, solution);
     if (options.lock, options.joint, options.solver) != (Lock::Parameter, Joint::Half, Solver::Fast) {
-        room.solution.given[..n].copy_from_slice(&room.solution.t[..n]);
+        workspace.solution.given[..n].copy_from_slice(&workspace.solution.t[..n]);
         match options.joint {
-            Joint::Half => lock(run, options, solved, room, report).map(|_| ())?,
-            Joint::Knot => joints::knots(run, options, solved, room, report)?,
-            Joint::G2 => curvature::curvatures(run, options, solved, room, report)?,
+            Joint::Half => lock(run, options, solved, workspace, report).map(|_| ())?,
+            Joint::Knot => joints::knots(run, options, solved, workspace, report)?,
+            Joint::G2 => curvature::curvatures(run, options, solved, workspace, report)?,
         }
     }
     Ok(())
@@ -71,13 +71,13 @@ pub(super) fn lock(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     report: &mut Report,
 ) -> Result<bool> {
     match (options.lock, options.solver) {
-        (Lock::Parameter, Solver::Fast) => Ok(solve(run, &mut room.solution)),
-        (Lock::SelfConsistent, Solver::Fast) => consistent::solve(run, options, solved, room, report),
-        _ => sweeps::solve(run, options, solved, room, report),
+        (Lock::Parameter, Solver::Fast) => Ok(solve(run, &mut workspace.solution)),
+        (Lock::SelfConsistent, Solver::Fast) => consistent::solve(run, options, solved, workspace, report),
+        _ => sweeps::solve(run, options, solved, workspace, report),
     }
 }
 

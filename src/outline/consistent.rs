@@ -17,7 +17,7 @@
 use super::composite;
 use super::method::{Method, power};
 use super::request::{FitStatus, Options, PointStatus, Report};
-use super::run::{Iteration, Room, Run, Solution, Solved, mark};
+use super::run::{Iteration, Run, Solution, Solved, Workspace, mark};
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
@@ -52,7 +52,7 @@ pub(super) struct Row<const D: usize> {
     value: [f64; D],
 }
 
-/// The room of Newton's step in D dimensions.
+/// The workspace of Newton's step in D dimensions.
 pub(super) struct Newton<const D: usize> {
     rows: Vec<Row<D>>,
     upper: Vec<[[f64; D]; D]>,
@@ -72,10 +72,10 @@ pub(super) fn solve(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     report: &mut Report,
 ) -> Result<bool> {
-    let Room { solution, iteration, flat, spatial, .. } = room;
+    let Workspace { solution, iteration, flat, spatial, .. } = workspace;
     iteration.begin(run, solution)?;
     // Medians have t = 1/2 in any triangle.
     if options.method.alpha() == Some(0.0) || run.sections().is_empty() {
@@ -372,7 +372,7 @@ fn inverse<const D: usize>(m: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
     (determinant.abs() > 1e-14).then_some(adjoint)
 }
 
-/// Makes room for `n` items.
+/// Reserves memory for `n` items.
 fn resize<T: Clone>(list: &mut Vec<T>, n: usize, empty: T) -> Result<()> {
     if list.len() < n {
         alloc::reserve(list, n - list.len())?;

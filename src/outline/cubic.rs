@@ -13,7 +13,7 @@
 use super::curve::Place;
 use super::method::power;
 use super::request::Options;
-use super::run::{Room, Run, Sketch, Solution, Solved};
+use super::run::{Run, Sketch, Solution, Solved, Workspace};
 use super::tridiagonal::{self, Cyclic};
 use crate::error::Result;
 
@@ -22,13 +22,13 @@ pub(super) fn curve(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     sketch: &mut Sketch,
 ) -> Result<()> {
     let points = run.points;
     let n = points.len();
-    room.solution.resize(n)?;
-    let Solution { t: intervals, controls: derivatives, upper, across, .. } = &mut room.solution;
+    workspace.solution.resize(n)?;
+    let Solution { t: intervals, controls: derivatives, upper, across, .. } = &mut workspace.solution;
     let alpha = options.method.alpha().unwrap_or(0.5);
     let (intervals, derivatives) = (&mut intervals[..n], &mut derivatives[..n]);
     let next = |i: usize| if i + 1 == n { 0 } else { i + 1 };

@@ -24,7 +24,7 @@
 use super::composite;
 use super::joints::{begin, settle};
 use super::request::{FitStatus, Options, PointStatus, Report};
-use super::run::{Room, Run, Solution, Solved, mark};
+use super::run::{Run, Solution, Solved, Workspace, mark};
 use crate::alloc;
 use crate::error::Result;
 use std::ops::Range;
@@ -54,7 +54,7 @@ const STRIDE: f64 = 0.2;
 /// Rounds without progress after which Newton's method is left.
 const PATIENCE: u32 = 24;
 
-/// The room of Newton's method for the shares, one of each for every joint.
+/// The workspace of Newton's method for the shares, one of each for every joint.
 #[derive(Default)]
 pub(super) struct Shares {
     /// w(beta) - beta.
@@ -72,27 +72,27 @@ pub(super) fn curvatures(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     report: &mut Report,
 ) -> Result<()> {
-    begin(run, &mut room.solution)?;
-    settle(run, options, solved, room, report)?;
+    begin(run, &mut workspace.solution)?;
+    settle(run, options, solved, workspace, report)?;
     let n = run.points.len();
     let joints = if run.closed { 0..n } else { 1..n.saturating_sub(2).max(1) };
     if joints.is_empty() {
         return Ok(());
     }
-    room.shares.begin(n)?;
+    workspace.shares.begin(n)?;
     let tolerance = options.tolerance.max(4.0 * f64::EPSILON);
     let (mut least, mut plain) = (f64::INFINITY, false);
     let (mut best, mut stale) = (f64::INFINITY, 0);
     for _ in 0..options.max_sweeps {
-        let (farthest, worth) = room.shares.measure(run, &room.solution, solved, joints.clone());
+        let (farthest, worth) = workspace.shares.measure(run, &workspace.solution, solved, joints.clone());
         report.last_move = farthest;
         if worth < best {
             stale = if worth < 0.5 * best && stale < PATIENCE { 0 } else { stale + 1 };
             best = worth;
-            room.shares.best.copy_from_slice(&room.solution.beta[..n]);
+            workspace.shares.best.copy_from_slice(&workspace.solution.beta[..n]);
         } else {
             stale += 1;
         }
@@ -104,7 +104,7 @@ pub(super) fn curvatures(
         // itself, from the best on.
         let gives_up = stale == PATIENCE;
         plain = stale >= PATIENCE || (!plain && worth > least);
-        let Room { shares, solution, .. } = room;
+        let Workspace { shares, solution, .. } = workspace;
         if gives_up || (plain && stale < PATIENCE) {
             solution.beta[..n].copy_from_slice(if gives_up { &shares.best } else { &shares.kept });
             composite::solve(run, solution);
@@ -115,16 +115,16 @@ pub(super) fn curvatures(
         if plain || !shares.newton(run, solution, solved, joints.clone())? {
             joints.clone().for_each(|i| solution.beta[i] = shares.kept[i] + shares.left[i]);
         }
-        settle(run, options, solved, room, report)?;
+        settle(run, options, solved, workspace, report)?;
     }
     // The curve is smooth and passes its points with any shares: those that still move keep the best that was found.
     if report.last_move > tolerance {
-        room.solution.beta[..n].copy_from_slice(&room.shares.best);
-        settle(run, options, solved, room, report)?;
+        workspace.solution.beta[..n].copy_from_slice(&workspace.shares.best);
+        settle(run, options, solved, workspace, report)?;
     }
     let next = |i: usize| if i + 1 == n { 0 } else { i + 1 };
     for i in joints {
-        let (share, beta) = (wanted(run, &room.solution, i), room.solution.beta[i]);
+        let (share, beta) = (wanted(run, &workspace.solution, i), workspace.solution.beta[i]);
         if (share.clamp(LEAST, 1.0 - LEAST) - beta).abs() > 10.0 * tolerance {
             report.status = FitStatus::NotConverged;
             [i, next(i)].iter().for_each(|&k| mark(&mut solved[k], PointStatus::NotConverged));

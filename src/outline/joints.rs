@@ -7,7 +7,7 @@
 use super::composite;
 use super::method::power;
 use super::request::{Options, PointStatus, Report};
-use super::run::{Room, Run, Solution, Solved, mark};
+use super::run::{Run, Solution, Solved, Workspace, mark};
 use super::segment;
 use crate::alloc;
 use crate::error::Result;
@@ -28,10 +28,10 @@ pub(super) fn knots(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     report: &mut Report,
 ) -> Result<()> {
-    begin(run, &mut room.solution)?;
+    begin(run, &mut workspace.solution)?;
     let alpha = options.method.alpha().unwrap_or(0.5);
     let n = run.points.len();
     let span = |i: usize| {
@@ -43,10 +43,10 @@ pub(super) fn knots(
         let inner = run.closed || (i > 0 && next > 1 && next < n - 1);
         if inner {
             let (here, there) = (span(i), span(next));
-            room.solution.beta[i] = here / (here + there);
+            workspace.solution.beta[i] = here / (here + there);
         }
     }
-    settle(run, options, solved, room, report)
+    settle(run, options, solved, workspace, report)
 }
 
 /// Finds the curve for the shares there are; where it runs away, they fall back to halves.
@@ -54,18 +54,18 @@ pub(super) fn settle(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     report: &mut Report,
 ) -> Result<()> {
     for round in 0..=ROUNDS {
-        let sound = composite::solve(run, &mut room.solution)
-            && !astray(run, &room.solution).any(|_| true)
-            && composite::lock(run, options, solved, room, report)?;
-        if sound && !astray(run, &room.solution).any(|_| true) {
+        let sound = composite::solve(run, &mut workspace.solution)
+            && !astray(run, &workspace.solution).any(|_| true)
+            && composite::lock(run, options, solved, workspace, report)?;
+        if sound && !astray(run, &workspace.solution).any(|_| true) {
             return Ok(());
         }
         let n = run.points.len();
-        let Room { solution, iteration, .. } = room;
+        let Workspace { solution, iteration, .. } = workspace;
         iteration.begin(run, solution)?;
         for i in astray(run, solution) {
             iteration.held[i] = true;
@@ -80,7 +80,7 @@ pub(super) fn settle(
         solution.t[..n].copy_from_slice(&solution.given[..n]);
     }
     // Not even with halves does the lock have a solution near by: now all is by parameters.
-    composite::solve(run, &mut room.solution);
+    composite::solve(run, &mut workspace.solution);
     Ok(())
 }
 
@@ -113,24 +113,24 @@ mod tests {
     fn shares_without_a_solution_fall_back_to_halves() {
         let points: Vec<DVec3> = (0..9).map(|i| DVec3::new(f64::from(i % 3), f64::from(i * i % 7), 0.0)).collect();
         let run = Run { points: &points, closed: true, tangents: [None, None], size: 6.0 };
-        let (options, mut room, mut report) = (Options::default(), Room::default(), Report::default());
+        let (options, mut workspace, mut report) = (Options::default(), Workspace::default(), Report::default());
         let mut solved = [Solved::default(); 9];
-        room.solution.resize(9).unwrap();
-        room.solution.t.fill(0.4);
-        room.solution.given.fill(0.4);
-        composite::solve(&run, &mut room.solution);
-        let halves = room.solution.controls.clone();
-        begin(&run, &mut room.solution).unwrap();
-        room.solution.beta[4] = f64::NAN;
-        settle(&run, &options, &mut solved, &mut room, &mut report).unwrap();
-        assert_eq!(room.solution.controls, halves);
+        workspace.solution.resize(9).unwrap();
+        workspace.solution.t.fill(0.4);
+        workspace.solution.given.fill(0.4);
+        composite::solve(&run, &mut workspace.solution);
+        let halves = workspace.solution.controls.clone();
+        begin(&run, &mut workspace.solution).unwrap();
+        workspace.solution.beta[4] = f64::NAN;
+        settle(&run, &options, &mut solved, &mut workspace, &mut report).unwrap();
+        assert_eq!(workspace.solution.controls, halves);
         assert!(solved.iter().all(|solved| solved.status == PointStatus::FellBack));
         // What is astray only before the equations are solved does no harm.
         let mut solved = [Solved::default(); 9];
-        room.solution.controls[4] = DVec3::splat(1e3);
+        workspace.solution.controls[4] = DVec3::splat(1e3);
         // With it its neighbours miss their points.
-        assert_eq!(astray(&run, &room.solution).collect::<Vec<_>>(), [3, 4, 5]);
-        settle(&run, &options, &mut solved, &mut room, &mut report).unwrap();
+        assert_eq!(astray(&run, &workspace.solution).collect::<Vec<_>>(), [3, 4, 5]);
+        settle(&run, &options, &mut solved, &mut workspace, &mut report).unwrap();
         assert!(solved.iter().all(|solved| solved.status == PointStatus::Ok));
     }
 }

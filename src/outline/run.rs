@@ -55,7 +55,7 @@ impl Run<'_> {
     }
 }
 
-/// The unknowns of a composite curve and the room to find them in: one of each for every point of the run.
+/// The unknowns of a composite curve and the workspace to find them in: one of each for every point of the run.
 #[derive(Default)]
 pub(super) struct Solution {
     /// The parameter of each point on its section.
@@ -73,7 +73,7 @@ pub(super) struct Solution {
 }
 
 impl Solution {
-    /// Makes room for `n` points.
+    /// Reserves memory for `n` points.
     pub(super) fn resize(&mut self, n: usize) -> Result<()> {
         for list in [&mut self.t, &mut self.given, &mut self.upper, &mut self.across] {
             if list.len() < n {
@@ -137,7 +137,7 @@ impl Default for Solved {
 
 /// What the solvers work in, used again for each run.
 #[derive(Default)]
-pub(super) struct Room {
+pub(super) struct Workspace {
     pub(super) solution: Solution,
     /// What the iterations of composite curves need besides.
     pub(super) iteration: Iteration,
@@ -219,7 +219,7 @@ impl Sketch {
         alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
     }
 
-    /// Room for the control points of `n` quadratic segments that are the whole curve, to be filled in.
+    /// Memory for the control points of `n` quadratic segments that are the whole curve, to be filled in.
     pub(super) fn closed_quadratics(&mut self, n: usize) -> Result<&mut [DVec3]> {
         self.clear();
         alloc::reserve(&mut self.points, 2 * n + 1)?;

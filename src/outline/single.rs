@@ -14,7 +14,7 @@ use super::curve::{MAX_DEGREE, Place};
 use super::dense::Dense;
 use super::method::Method;
 use super::request::{FitStatus, Lock, Options, PointStatus, Report, Solver};
-use super::run::{Room, Run, Sketch, Solved, mark};
+use super::run::{Run, Sketch, Solved, Workspace, mark};
 use super::{segment, sweeps};
 use crate::alloc;
 use crate::error::Result;
@@ -29,7 +29,7 @@ pub(super) const MISSED: f64 = 1e-12;
 /// A point that the curve passes no nearer than this, times the size, is said to be missed by rounding.
 const EXACT: f64 = 1e-14;
 
-/// The room of single curves: all for the points of the run, the first once more at the end of a closed one.
+/// The workspace of single curves: all for the points of the run, the first once more at the end of a closed one.
 #[derive(Default)]
 pub(super) struct Single {
     pub(super) points: Vec<DVec3>,
@@ -53,7 +53,7 @@ pub(super) fn curve(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     sketch: &mut Sketch,
     report: &mut Report,
 ) -> Result<()> {
@@ -62,9 +62,9 @@ pub(super) fn curve(
     let degree = inner + tangents.iter().flatten().count();
     if degree > MAX_DEGREE {
         report.status = FitStatus::DegreeTooHigh;
-        return instead(run, options, solved, room, sketch, report);
+        return instead(run, options, solved, workspace, sketch, report);
     }
-    let single = &mut room.single;
+    let single = &mut workspace.single;
     single.begin(run, degree)?;
     let normal = if options.lock == Lock::Parameter { None } else { sweeps::plane(run) };
     if options.lock != Lock::Parameter && normal.is_none() {
@@ -92,7 +92,7 @@ pub(super) fn curve(
     let misses = single.residual().0;
     if misses.is_nan() || misses > MISSED * run.size {
         report.status = FitStatus::IllConditioned;
-        return instead(run, options, solved, room, sketch, report);
+        return instead(run, options, solved, workspace, sketch, report);
     }
     for (i, solved) in solved.iter_mut().enumerate() {
         if single.distance(i) > EXACT * run.size {
@@ -112,13 +112,13 @@ fn instead(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     sketch: &mut Sketch,
     report: &mut Report,
 ) -> Result<()> {
     let plain = Options { lock: Lock::Parameter, solver: Solver::Fast, ..*options };
     solved.iter_mut().for_each(|solved| mark(solved, PointStatus::FellBack));
-    composite::curve(run, &plain, solved, room, sketch, report)
+    composite::curve(run, &plain, solved, workspace, sketch, report)
 }
 
 /// The direction of the section of the first point's triangle there.

@@ -19,7 +19,7 @@ use super::composite;
 use super::consistent;
 use super::method::Method;
 use super::request::{FitStatus, Lock, Options, PointStatus, Report, Solver};
-use super::run::{Iteration, Room, Run, Solution, Solved, mark};
+use super::run::{Iteration, Run, Solution, Solved, Workspace, mark};
 use super::stepping;
 use crate::alloc;
 use crate::error::Result;
@@ -43,10 +43,10 @@ pub(super) fn solve(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     report: &mut Report,
 ) -> Result<bool> {
-    let Room { solution, iteration, .. } = room;
+    let Workspace { solution, iteration, .. } = workspace;
     iteration.begin(run, solution)?;
     if run.sections().is_empty() {
         return Ok(true);

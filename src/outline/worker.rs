@@ -3,7 +3,7 @@
 use super::curve::{Place, check_finite};
 use super::fit::{Fit, span};
 use super::request::{Constraint, Demand, Ends, FitStatus, Mode, Options, Outlines, PointStatus, Report};
-use super::run::{Room, Run, Sketch, Solved};
+use super::run::{Run, Sketch, Solved, Workspace};
 use super::{blend, composite, cubic, judge, single};
 use crate::alloc;
 use crate::error::Result;
@@ -11,7 +11,7 @@ use crate::geom::scale::power_of_two;
 use glam::DVec3;
 use std::ops::Range;
 
-/// What a thread works with; the room is used again for each outline.
+/// What a thread works with; the workspace is used again for each outline.
 pub(super) struct Worker<'a> {
     outlines: &'a Outlines<'a>,
     options: &'a Options,
@@ -26,7 +26,7 @@ pub(super) struct Worker<'a> {
     cuts: Vec<Cut>,
     /// What came of each node.
     solved: Vec<Solved>,
-    room: Room,
+    workspace: Workspace,
     sketch: Sketch,
     pub(super) done: Fit,
 }
@@ -62,13 +62,13 @@ impl<'a> Worker<'a> {
             node_of: Vec::new(),
             cuts: Vec::new(),
             solved: Vec::new(),
-            room: Room::default(),
+            workspace: Workspace::default(),
             sketch: Sketch::default(),
             done: Fit::new(outlines.closed),
         }
     }
 
-    /// Makes room for the results of some outlines.
+    /// Reserves memory for the results of some outlines.
     pub(super) fn reserve(&mut self, batch: Range<usize>) -> Result<()> {
         let points = span(self.outlines, batch.start).start..span(self.outlines, batch.end - 1).end;
         let expected = points.len() + 2 * batch.len();
@@ -256,7 +256,7 @@ impl<'a> Worker<'a> {
         }
         if self.cuts.is_empty() {
             let run = Run { points: &self.nodes, closed: true, tangents: [None, None], size };
-            return curve(&run, self.options, &mut self.solved, &mut self.room, &mut self.sketch, report);
+            return curve(&run, self.options, &mut self.solved, &mut self.workspace, &mut self.sketch, report);
         }
         for pair in 0..self.cuts.len() - 1 {
             let [from, to] = [self.cuts[pair], self.cuts[pair + 1]];
@@ -269,7 +269,7 @@ impl<'a> Worker<'a> {
             if pair > 0 && from.tangent.is_none() {
                 self.sketch.mark_corner()?;
             }
-            curve(&run, self.options, solved, &mut self.room, &mut self.sketch, report)?;
+            curve(&run, self.options, solved, &mut self.workspace, &mut self.sketch, report)?;
         }
         if self.is_closed() && self.cuts[0].tangent.is_none() {
             self.sketch.mark_corner()?;
@@ -285,8 +285,8 @@ impl<'a> Worker<'a> {
     /// Finds the composite curve of a closed outline in one run and writes it where the outline is.
     fn smooth(&mut self, points: &Range<usize>, frame: Frame, first: usize, mut report: Report) -> Result<()> {
         let run = Run { points: &self.nodes, closed: true, tangents: [None, None], size: frame.size };
-        composite::identify(&run, self.options, &mut self.solved, &mut self.room, &mut report)?;
-        let (n, solution, done) = (self.nodes.len(), &self.room.solution, &mut self.done);
+        composite::identify(&run, self.options, &mut self.solved, &mut self.workspace, &mut report)?;
+        let (n, solution, done) = (self.nodes.len(), &self.workspace.solution, &mut self.done);
         let base = done.points.len();
         alloc::reserve(&mut done.points, 2 * n + 1)?;
         done.points.resize(base + 2 * n + 1, DVec3::ZERO);
@@ -390,15 +390,15 @@ fn curve(
     run: &Run<'_>,
     options: &Options,
     solved: &mut [Solved],
-    room: &mut Room,
+    workspace: &mut Workspace,
     sketch: &mut Sketch,
     report: &mut Report,
 ) -> Result<()> {
     match options.mode {
-        Mode::BlendC1 | Mode::BlendC2 => blend::curve(run, options, solved, room, sketch),
-        Mode::CubicC2 => cubic::curve(run, options, solved, room, sketch),
-        Mode::Single => single::curve(run, options, solved, room, sketch, report),
-        Mode::Composite => composite::curve(run, options, solved, room, sketch, report),
+        Mode::BlendC1 | Mode::BlendC2 => blend::curve(run, options, solved, workspace, sketch),
+        Mode::CubicC2 => cubic::curve(run, options, solved, workspace, sketch),
+        Mode::Single => single::curve(run, options, solved, workspace, sketch, report),
+        Mode::Composite => composite::curve(run, options, solved, workspace, sketch, report),
     }
 }
 

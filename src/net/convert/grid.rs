@@ -147,11 +147,11 @@ impl Grid {
         let mut grid = Grid { cells: Vec::new(), columns: 0, rows_closed: false, shift: None, poles: [None, None] };
         let count = walker.mesh.faces().len();
         grid.add_row(walker, head)?;
-        let (mut row, mut heard) = (head, 0);
+        let (mut row, mut next_report) = (head, 0);
         while let Step::Cell(next) = walker.step(row, Way::Down)? {
-            if grid.cells.len() >= heard {
+            if grid.cells.len() >= next_report {
                 job.step(0.5 * grid.cells.len() as f64 / count as f64, STAGE)?;
-                heard = grid.cells.len() + STEP;
+                next_report = grid.cells.len() + STEP;
             }
             grid.shift = grid.cells[..grid.columns].iter().position(|&cell| cell == next);
             if grid.shift.is_some() {

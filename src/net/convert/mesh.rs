@@ -86,9 +86,10 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
     let shape = net.shape();
     let first = job.part(0.0, 0.1);
     let classes = if options.weld {
-        Classes::heard(net.topology(), &first.part(0.0, 0.7), FACES)?.table_heard(&first.part(0.7, 1.0), FACES)?
+        Classes::new_cancellable(net.topology(), &first.part(0.0, 0.7), FACES)?
+            .table_cancellable(&first.part(0.7, 1.0), FACES)?
     } else {
-        alloc::collect_heard((0..shape.node_count()).map(|node| node as u32), &first, FACES)?
+        alloc::collect_cancellable((0..shape.node_count()).map(|node| node as u32), &first, FACES)?
     };
     let mut faces = Faces {
         columns: shape.columns() as u32,
@@ -279,7 +280,7 @@ impl<T: Real> Faces<'_, T> {
         let edges = std::mem::take(&mut self.edges);
         let part = |from: f64, to: f64| job.part(from, to);
         let wires = wires::without_faces(edges, &self.offsets, &self.nodes, self.classes, &part(0.0, 0.2), NUMBERS)?;
-        let mut vertex = alloc::filled_heard(NONE, self.classes.len(), &part(0.2, 0.3), NUMBERS)?;
+        let mut vertex = alloc::filled_cancellable(NONE, self.classes.len(), &part(0.2, 0.3), NUMBERS)?;
         let mut use_class = |node: u32| vertex[self.classes[node as usize] as usize] = 0;
         part(0.3, 0.4).ranges(NUMBERS, self.nodes.len(), |range| {
             self.nodes[range].iter().for_each(|&node| use_class(node));
@@ -328,7 +329,7 @@ fn positions<T: Real>(
         let at = node as usize / columns * stride + node as usize % columns;
         matrices.map(|matrix| matrix[at])
     });
-    let points: Vec<[T; 3]> = alloc::collect_heard(points, job, NUMBERS)?;
+    let points: Vec<[T; 3]> = alloc::collect_cancellable(points, job, NUMBERS)?;
     Ok(match T::SCALAR {
         Scalar::F32 => PositionBuffer::F32(bytemuck::allocation::cast_vec(points)),
         Scalar::F64 => PositionBuffer::F64(bytemuck::allocation::cast_vec(points)),

@@ -22,7 +22,7 @@ pub struct Texture {
 impl Texture {
     /// Of faces whose corners are nodes.
     pub(super) fn new(shape: Shape, nodes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
-        let mut number = alloc::filled_heard(NONE, shape.node_count(), &job.part(0.0, 0.2), stage)?;
+        let mut number = alloc::filled_cancellable(NONE, shape.node_count(), &job.part(0.0, 0.2), stage)?;
         job.part(0.2, 0.4).ranges(stage, nodes.len(), |range| {
             nodes[range].iter().for_each(|&node| number[node as usize] = 0);
             Ok(())
@@ -38,7 +38,7 @@ impl Texture {
             Ok(())
         })?;
         let corners =
-            alloc::collect_heard(nodes.iter().map(|&node| number[node as usize]), &job.part(0.8, 1.0), stage)?;
+            alloc::collect_cancellable(nodes.iter().map(|&node| number[node as usize]), &job.part(0.8, 1.0), stage)?;
         Ok(Texture { coordinates, corners })
     }
 }

@@ -59,7 +59,7 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let total = each!(net.coordinates(), planes => {
         let hidden = Hidden::of(net)?;
         let (count, part) = (net.shape().rows() - 1, job.part(0.0, 0.7));
-        let parts = par::heard_chunks(&part, "measure", count, rows_at_once(net.shape()), |rows| {
+        let parts = par::chunks_cancellable(&part, "measure", count, rows_at_once(net.shape()), |rows| {
             rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &hidden, i, origin)))
         })?;
         parts.into_iter().fold(Sums::default(), Sums::add)
@@ -180,7 +180,7 @@ pub(crate) fn bounds(net: &Net<'_>, job: &Job<'_>) -> Result<(DVec3, DVec3)> {
     let join = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
     each!(net.coordinates(), planes => {
         let rows_at_once = (BLOCK / net.shape().columns()).max(1);
-        let parts = par::heard_chunks(job, "measure", net.shape().rows(), rows_at_once, |rows| {
+        let parts = par::chunks_cancellable(job, "measure", net.shape().rows(), rows_at_once, |rows| {
             rows.fold(empty, |found, i| join(found, simd::run(Extent(planes.row(i)))))
         })?;
         Ok(parts.into_iter().fold(empty, join))

@@ -42,7 +42,7 @@ pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
             if points.iter().all(|point| point.is_finite()) { sums.add(patch(points)) } else { sums }
         })
     };
-    let parts = par::heard_chunks(job, "moments", net.shape().rows() - 1, rows_at_once(net.shape()), |rows| {
+    let parts = par::chunks_cancellable(job, "moments", net.shape().rows() - 1, rows_at_once(net.shape()), |rows| {
         rows.map(row).fold(Integrals::default(), Integrals::add)
     })?;
     let total = parts.into_iter().fold(Integrals::default(), Integrals::add);

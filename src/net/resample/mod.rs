@@ -180,7 +180,7 @@ fn interpolated<T: Real>(
     let mut to = Planes::zeroed(shape)?;
     let lines = (BLOCK / shape.columns()).max(1);
     let [x, y, z] = to.matrices_mut().map(|matrix| matrix.chunks_mut(lines * shape.columns()));
-    let results = par::heard(job, "resample", x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
+    let results = par::map_cancellable(job, "resample", x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
         let mut line = crate::alloc::filled(0.0, from.shape().columns())?;
         for (axis, matrix) in [x, y, z].into_iter().enumerate() {
             for (k, row) in matrix.chunks_mut(shape.columns()).enumerate() {

@@ -27,20 +27,20 @@ impl Classes {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn of(topology: &Topology) -> Result<Self> {
-        Self::heard(topology, &Job::default(), "")
+        Self::new_cancellable(topology, &Job::default(), "")
     }
 
     /// The same, for large nets: the host can cancel.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](crate::Error::Cancelled).
-    pub(crate) fn heard(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
+    pub(crate) fn new_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let shape = topology.shape();
         if let (Links::Sides(sides), []) = (&topology.links, topology.seams()) {
             return Ok(Classes { shape, kind: Kind::Sides(SideClasses::new(shape, *sides)) });
         }
         let nodes = (0..shape.node_count()).map(|node| node as u32);
-        let mut forest = Forest::of(alloc::collect_heard(nodes, &job.part(0.0, 0.3), stage)?);
+        let mut forest = Forest::of(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
         match &topology.links {
             Links::Sides(sides) => sides.links(shape).for_each(|link| forest.join(shape.ends(link))),
             Links::Matrix(matrix) => forest.contract(shape, matrix, &job.part(0.3, 0.8), stage)?,
@@ -89,25 +89,25 @@ impl Classes {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn table(&self) -> Result<Vec<u32>> {
-        self.table_heard(&Job::default(), "")
+        self.table_cancellable(&Job::default(), "")
     }
 
     /// The same, for large nets: the host can cancel.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](crate::Error::Cancelled).
-    pub(crate) fn table_heard(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
+    pub(crate) fn table_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
         match &self.kind {
             Kind::Sides(_) => {
                 let nodes = (0..self.shape.node_count()).map(|node| node as u32);
-                let mut table = alloc::collect_heard(nodes, job, stage)?;
+                let mut table = alloc::collect_cancellable(nodes, job, stage)?;
                 self.glued(|node, representative| {
                     table[node as usize] = representative;
                     Ok(())
                 })?;
                 Ok(table)
             }
-            Kind::Table(table) => alloc::collect_heard(table.iter().copied(), job, stage),
+            Kind::Table(table) => alloc::collect_cancellable(table.iter().copied(), job, stage),
         }
     }
 

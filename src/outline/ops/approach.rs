@@ -14,7 +14,7 @@ use super::super::curve::{CurveView, MAX_DEGREE, Place};
 use super::super::segment;
 use super::evaluate::derive;
 use super::frame::Frame;
-use super::split::{Room, split_segment};
+use super::split::{Controls, split_segment};
 use super::tree::{Aabb, Tree};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -65,7 +65,7 @@ const SAME: f64 = 1e-7;
 /// A part of a segment.
 #[derive(Clone, Copy)]
 struct Part {
-    controls: Room,
+    controls: Controls,
     len: usize,
     from: f64,
     to: f64,
@@ -328,16 +328,16 @@ impl Part {
 
     /// n (n - 1) (B_i+2 - 2 B_i+1 + B_i) or n (B_i+1 - B_i): the mean, and how far the others are from it.
     fn derivative(&self, order: usize) -> (DVec3, f64) {
-        let mut room = self.controls;
+        let mut buffer = self.controls;
         let mut left = self.len;
         for _ in 0..order {
-            left = derive(&mut room[..left]);
+            left = derive(&mut buffer[..left]);
         }
         if left == 0 {
             return (DVec3::ZERO, 0.0);
         }
-        let mean = room[..left].iter().sum::<DVec3>() / left as f64;
-        (mean, room[..left].iter().map(|v| v.distance(mean)).fold(0.0, f64::max))
+        let mean = buffer[..left].iter().sum::<DVec3>() / left as f64;
+        (mean, buffer[..left].iter().map(|v| v.distance(mean)).fold(0.0, f64::max))
     }
 }
 
@@ -416,11 +416,11 @@ fn judge(p: &Part, q: &Part) -> Verdict {
 fn descend(whole: [&Part; 2], start: DVec2, low: DVec2, high: DVec2) -> (DVec2, DVec2) {
     let jets = |at: DVec2| {
         let jet = |part: &Part, t: f64| {
-            let mut room = part.controls;
+            let mut buffer = part.controls;
             let mut left = part.len;
             [(); 3].map(|()| {
-                let value = if left > 0 { segment::point(&room[..left], t) } else { DVec3::ZERO };
-                left = derive(&mut room[..left]);
+                let value = if left > 0 { segment::point(&buffer[..left], t) } else { DVec3::ZERO };
+                left = derive(&mut buffer[..left]);
                 value
             })
         };

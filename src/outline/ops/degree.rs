@@ -4,7 +4,7 @@ use super::super::curve::{Curve, CurveView, MAX_DEGREE};
 use super::append;
 use super::bernstein::binomials;
 use super::frame::Frame;
-use super::split::Room;
+use super::split::Controls;
 use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;
@@ -53,10 +53,10 @@ impl CurveView<'_> {
         for controls in self.segments() {
             let to = degree(controls.len() - 1);
             degree_option(to, 1)?;
-            let mut room = [DVec3::ZERO; MAX_DEGREE + 1];
-            room[..controls.len()].copy_from_slice(controls);
-            elevate(&mut room, controls.len() - 1, to);
-            append(&mut curve, &room[1..=to])?;
+            let mut buffer = [DVec3::ZERO; MAX_DEGREE + 1];
+            buffer[..controls.len()].copy_from_slice(controls);
+            elevate(&mut buffer, controls.len() - 1, to);
+            append(&mut curve, &buffer[1..=to])?;
         }
         Ok(curve)
     }
@@ -110,7 +110,7 @@ impl CurveView<'_> {
 }
 
 /// Raises the degree step by step: B'_i = i / (n + 1) B_(i-1) + (1 - i / (n + 1)) B_i.
-fn elevate(controls: &mut Room, from: usize, to: usize) {
+fn elevate(controls: &mut Controls, from: usize, to: usize) {
     for n in from..to {
         controls[n + 1] = controls[n];
         for i in (1..=n).rev() {
@@ -122,7 +122,7 @@ fn elevate(controls: &mut Room, from: usize, to: usize) {
 
 /// The largest distance of the control points of two segments, the second one raised to the degree of the first: by the
 /// convex hull of the difference no points at equal parameters are farther apart.
-fn deviation(controls: &[DVec3], mut fitted: Room, degree: usize) -> f64 {
+fn deviation(controls: &[DVec3], mut fitted: Controls, degree: usize) -> f64 {
     elevate(&mut fitted, degree, controls.len() - 1);
     let distance = |(&p, q): (&DVec3, DVec3)| p.distance(q);
     // What is no number is no fit.
@@ -136,7 +136,7 @@ fn deviation(controls: &[DVec3], mut fitted: Room, degree: usize) -> f64 {
 /// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1),
 ///
 /// between Bernstein polynomials of degrees m and n; solved by Cholesky's method.
-fn least_squares(controls: &[DVec3], m: usize) -> Room {
+fn least_squares(controls: &[DVec3], m: usize) -> Controls {
     let n = controls.len() - 1;
     let mut fitted = [DVec3::ZERO; MAX_DEGREE + 1];
     fitted[0] = controls[0];

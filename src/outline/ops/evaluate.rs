@@ -37,13 +37,13 @@ impl CurveView<'_> {
         let mut out = alloc::with_capacity(places.len().saturating_mul(order + 1))?;
         for (index, &place) in places.iter().enumerate() {
             self.check_place(index, place)?;
-            let mut room = [DVec3::ZERO; MAX_DEGREE + 1];
+            let mut buffer = [DVec3::ZERO; MAX_DEGREE + 1];
             let controls = self.segment(place.segment as usize);
-            room[..controls.len()].copy_from_slice(controls);
+            buffer[..controls.len()].copy_from_slice(controls);
             let mut left = controls.len();
             for _ in 0..=order {
-                out.push(segment::point(&room[..left], place.t));
-                left = derive(&mut room[..left]);
+                out.push(segment::point(&buffer[..left], place.t));
+                left = derive(&mut buffer[..left]);
             }
         }
         Ok(out)
@@ -90,14 +90,14 @@ pub(super) fn derive(controls: &mut [DVec3]) -> usize {
 /// The first three derivatives at `t` in the segment's own frame.
 fn derivatives(controls: &[DVec3], t: f64) -> (Frame, [DVec3; 3]) {
     let frame = Frame::of(controls);
-    let mut room = [DVec3::ZERO; MAX_DEGREE + 1];
-    for (to, &p) in room.iter_mut().zip(controls) {
+    let mut buffer = [DVec3::ZERO; MAX_DEGREE + 1];
+    for (to, &p) in buffer.iter_mut().zip(controls) {
         *to = frame.point(p);
     }
     let mut left = controls.len();
     let derived = [(); 3].map(|()| {
-        left = derive(&mut room[..left]);
-        segment::point(&room[..left], t)
+        left = derive(&mut buffer[..left]);
+        segment::point(&buffer[..left], t)
     });
     (frame, derived)
 }

@@ -59,14 +59,14 @@ impl CurveView<'_> {
     /// [`Error::CurveNotPlane`], [`Error::OptionOutOfRange`] (a degree above 3, which SVG does not have: see
     /// [`reduced`](Self::reduced)), [`Error::OutOfMemory`]. O(points).
     pub fn svg_path(&self) -> Result<String> {
-        self.svg_path_heard(&Job::default())
+        self.svg_path_cancellable(&Job::default())
     }
 
     /// The same, for long curves: the host can cancel.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`].
-    pub(crate) fn svg_path_heard(&self, job: &Job<'_>) -> Result<String> {
+    pub(crate) fn svg_path_cancellable(&self, job: &Job<'_>) -> Result<String> {
         self.check_plane()?;
         self.check_degree(3)?;
         let mut text = String::new();

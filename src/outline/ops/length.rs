@@ -38,14 +38,14 @@ impl<'a> CurveView<'a> {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn lengths(&self) -> Result<Lengths<'a>> {
-        self.lengths_heard(&Job::default())
+        self.lengths_cancellable(&Job::default())
     }
 
     /// The same, for long curves: the host can cancel.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`].
-    pub(crate) fn lengths_heard(&self, job: &Job<'_>) -> Result<Lengths<'a>> {
+    pub(crate) fn lengths_cancellable(&self, job: &Job<'_>) -> Result<Lengths<'a>> {
         let frame = Frame::of(self.points());
         let mut ends = alloc::with_capacity(self.len())?;
         let mut sum = 0.0;

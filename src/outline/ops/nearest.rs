@@ -86,8 +86,9 @@ fn answers<A: Send>(queries: &[DVec3], job: &Job<'_>, answer: impl Fn(DVec3) -> 
     for some in queries.chunks(BATCH * 64) {
         let (done, count) = (found.len() as f64, queries.len() as f64);
         let part = job.part(done / count, (done + some.len() as f64) / count);
-        let batches =
-            par::heard(&part, STAGE, some.chunks(BATCH), |batch| alloc::collect(batch.iter().map(|&q| answer(q))))?;
+        let batches = par::map_cancellable(&part, STAGE, some.chunks(BATCH), |batch| {
+            alloc::collect(batch.iter().map(|&q| answer(q)))
+        })?;
         for batch in batches {
             found.extend(batch?);
         }

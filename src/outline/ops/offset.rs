@@ -10,7 +10,7 @@ use super::super::segment;
 use super::append;
 use super::evaluate::{derive, tangent};
 use super::frame::Frame;
-use super::split::Room;
+use super::split::Controls;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use glam::DVec3;
@@ -57,14 +57,14 @@ impl CurveView<'_> {
     /// # Errors [`Error::CurveNotPlane`], [`Error::EmptyCurve`] (no segment with an extent), [`Error::OptionOutOfRange`]
     /// (distance not finite or beyond 1e100 sizes of the curve; an option), [`Error::TooLarge`], [`Error::OutOfMemory`].
     pub fn offset(&self, distance: f64, options: &OffsetOptions) -> Result<Offset> {
-        self.offset_heard(distance, options, &Job::default())
+        self.offset_cancellable(distance, options, &Job::default())
     }
 
     /// The same, for long curves: the host can cancel.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`].
-    pub(crate) fn offset_heard(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
+    pub(crate) fn offset_cancellable(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
         self.check_plane()?;
         let refuse = |option, value| Err(Error::OptionOutOfRange { option, value });
         let frame = Frame::of(self.points());
@@ -99,7 +99,7 @@ impl CurveView<'_> {
                 continue;
             }
             fit.job = job.share(k, self.len());
-            let mut local: Room = [DVec3::ZERO; MAX_DEGREE + 1];
+            let mut local: Controls = [DVec3::ZERO; MAX_DEGREE + 1];
             for (to, &p) in local.iter_mut().zip(controls) {
                 *to = frame.point(p);
             }
@@ -165,12 +165,12 @@ impl Fit<'_> {
     }
 
     fn spot(&mut self, controls: &[DVec3], t: f64) -> Spot {
-        let mut room: Room = [DVec3::ZERO; MAX_DEGREE + 1];
-        room[..controls.len()].copy_from_slice(controls);
+        let mut buffer: Controls = [DVec3::ZERO; MAX_DEGREE + 1];
+        buffer[..controls.len()].copy_from_slice(controls);
         let mut len = controls.len();
         let [point, first, second] = [(); 3].map(|()| {
-            let value = segment::point(&room[..len], t);
-            len = derive(&mut room[..len]);
+            let value = segment::point(&buffer[..len], t);
+            len = derive(&mut buffer[..len]);
             value
         });
         let along = tangent(controls, t);
@@ -221,10 +221,10 @@ impl Fit<'_> {
     /// The largest distance of the piece's points from the true offset: at the same parameter, or at the foot on the curve
     /// found from there by a step of Newton's method for (C - Q) . C' = 0, if that is nearer.
     fn measure(&mut self, controls: &[DVec3], from: &Spot, to: &Spot, inner: &[DVec3]) -> f64 {
-        let mut room = [from.point; 4];
-        room[1..=inner.len()].copy_from_slice(inner);
-        room[inner.len() + 1] = to.point;
-        let fitted = &room[..inner.len() + 2];
+        let mut buffer = [from.point; 4];
+        buffer[1..=inner.len()].copy_from_slice(inner);
+        buffer[inner.len() + 1] = to.point;
+        let fitted = &buffer[..inner.len() + 2];
         let mut most = 0.0f64;
         for k in 1..=PROBES {
             let u = f64::from(k) / f64::from(PROBES + 1);

@@ -17,7 +17,7 @@ use super::super::curve::MAX_DEGREE;
 use super::super::segment;
 use super::evaluate::derive;
 use super::nearest::nearest_on;
-use super::split::{Room, split_segment};
+use super::split::{Controls, split_segment};
 use super::tree::Aabb;
 use crate::alloc;
 use crate::error::Result;
@@ -63,7 +63,7 @@ pub(super) struct Found {
 /// A part of a segment.
 #[derive(Clone, Copy)]
 struct Part {
-    controls: Room,
+    controls: Controls,
     len: usize,
     from: f64,
     to: f64,
@@ -71,9 +71,9 @@ struct Part {
 
 impl Part {
     fn whole(controls: &[DVec3]) -> Self {
-        let mut room = [DVec3::ZERO; MAX_DEGREE + 1];
-        room[..controls.len()].copy_from_slice(controls);
-        Part { controls: room, len: controls.len(), from: 0.0, to: 1.0 }
+        let mut buffer = [DVec3::ZERO; MAX_DEGREE + 1];
+        buffer[..controls.len()].copy_from_slice(controls);
+        Part { controls: buffer, len: controls.len(), from: 0.0, to: 1.0 }
     }
 
     fn controls(&self) -> &[DVec3] {
@@ -250,12 +250,12 @@ impl Plane for DVec3 {
 
 /// The point and the first two derivatives.
 fn jet(controls: &[DVec3], t: f64) -> [DVec3; 3] {
-    let mut room = [DVec3::ZERO; MAX_DEGREE + 1];
-    room[..controls.len()].copy_from_slice(controls);
+    let mut buffer = [DVec3::ZERO; MAX_DEGREE + 1];
+    buffer[..controls.len()].copy_from_slice(controls);
     let mut left = controls.len();
     [(); 3].map(|()| {
-        let value = segment::point(&room[..left], t);
-        left = derive(&mut room[..left]);
+        let value = segment::point(&buffer[..left], t);
+        left = derive(&mut buffer[..left]);
         value
     })
 }

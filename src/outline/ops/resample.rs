@@ -5,7 +5,7 @@ use super::super::request::MAX_POINTS;
 use super::super::segment;
 use super::frame::Frame;
 use super::length::Lengths;
-use super::split::{Room, split_segment};
+use super::split::{Controls, split_segment};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -86,10 +86,10 @@ impl CurveView<'_> {
         match spacing {
             Spacing::Count(count) => {
                 within_limit(count as u64)?;
-                Walk::new(self, count, &second)?.by_count(count, &self.lengths_heard(&first)?)
+                Walk::new(self, count, &second)?.by_count(count, &self.lengths_cancellable(&first)?)
             }
             Spacing::Step(step) => {
-                let lengths = self.lengths_heard(&first)?;
+                let lengths = self.lengths_cancellable(&first)?;
                 let whole = (lengths.total() / step).floor();
                 within_limit(if whole < MAX_POINTS as f64 { whole as u64 } else { u64::MAX })?;
                 Walk::new(self, whole as usize + 2, &second)?.by_step(step, whole as usize, &lengths)
@@ -155,7 +155,7 @@ impl<'a> Walk<'a> {
         let frame = Frame::of(self.curve.points());
         self.add(Place { segment: 0, t: 0.0 })?;
         for (k, controls) in self.curve.segments().enumerate() {
-            let mut local: Room = [DVec3::ZERO; MAX_DEGREE + 1];
+            let mut local: Controls = [DVec3::ZERO; MAX_DEGREE + 1];
             for (to, &p) in local.iter_mut().zip(controls) {
                 *to = frame.point(p);
             }

@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 use glam::DVec3;
 
 /// The control points of one segment of any degree.
-pub(super) type Room = [DVec3; MAX_DEGREE + 1];
+pub(super) type Controls = [DVec3; MAX_DEGREE + 1];
 
 /// Splits a segment by de Casteljau's scheme: `right` holds the segment and keeps the part after `t`, `left` receives the one
 /// before.
@@ -24,7 +24,7 @@ pub(super) fn split_segment(right: &mut [DVec3], t: f64, left: &mut [DVec3]) {
 }
 
 /// The control points of a segment between two parameters, `from < to`; ends that are ends of the segment stay as they are.
-pub(super) fn part(controls: &[DVec3], from: f64, to: f64) -> Room {
+pub(super) fn part(controls: &[DVec3], from: f64, to: f64) -> Controls {
     let n = controls.len();
     let (mut work, mut other) = ([DVec3::ZERO; MAX_DEGREE + 1], [DVec3::ZERO; MAX_DEGREE + 1]);
     work[..n].copy_from_slice(controls);
@@ -86,8 +86,8 @@ impl CurveView<'_> {
                 continue;
             }
             let controls = self.segment(k as usize);
-            let room = part(controls, a, b);
-            let piece = &room[..controls.len()];
+            let buffer = part(controls, a, b);
+            let piece = &buffer[..controls.len()];
             match &mut curve {
                 Some(curve) => append(curve, &piece[1..])?,
                 None => append(curve.insert(Curve::from_point(piece[0])?), &piece[1..])?,

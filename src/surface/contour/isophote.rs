@@ -38,7 +38,7 @@ struct Silhouette<'a, C, const N: usize>(Normals<'a, C>);
 impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
     type Block = Corners;
     type Base = (Field<M>, f64);
-    type Room = ();
+    type Cache = ();
 
     fn block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<Corners> {
         Some(self.0.corners(&cells))
@@ -116,7 +116,7 @@ impl<C, const N: usize, const H: usize> Isophotes<'_, C, N, H> {
 impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for Isophotes<'_, C, N, H> {
     type Block = Corners;
     type Base = Squares<M>;
-    type Room = ();
+    type Cache = ();
 
     fn block(&self, cells: [Range<usize>; 2], (): &mut ()) -> Option<Corners> {
         Some(self.normals.corners(&cells))

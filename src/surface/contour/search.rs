@@ -66,9 +66,9 @@ pub(super) struct Search<'a, C, S> {
     pub(super) chord: Option<f64>,
 }
 
-/// Room for the work on a cell.
+/// Cache for the work on a cell.
 #[derive(Default)]
-struct Scratch {
+struct Workspace {
     marks: Vec<Mark>,
     links: Vec<Link>,
     /// Arcs of cells that are simple, and which of their ends are still to be found: as roots of the polynomials along sides.
@@ -77,7 +77,7 @@ struct Scratch {
     roots: Vec<f64>,
 }
 
-impl Scratch {
+impl Workspace {
     /// Finds the ends that are left.
     fn settle(&mut self, arcs: &mut [Arc]) {
         roots(&self.sides, &mut self.roots);
@@ -133,13 +133,13 @@ impl<C, S> Search<'_, C, S> {
             let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
             // Of many levels a block is long work.
             let chunk = (MANY / self.source.level_count()).clamp(1, CHUNK);
-            let parts = par::heard_chunks(&part, "contours", blocks, chunk, |range| {
+            let parts = par::chunks_cancellable(&part, "contours", blocks, chunk, |range| {
                 let mut part = Found::default();
-                let (mut scratch, mut room) = (Scratch::default(), S::Room::default());
+                let (mut workspace, mut cache) = (Workspace::default(), S::Cache::default());
                 for k in range {
-                    self.block(block(first + k), &mut room, &mut scratch, &mut part)?;
+                    self.block(block(first + k), &mut cache, &mut workspace, &mut part)?;
                 }
-                scratch.settle(&mut part.arcs);
+                workspace.settle(&mut part.arcs);
                 Ok(part)
             });
             for part in parts? {
@@ -157,8 +157,8 @@ impl<C, S> Search<'_, C, S> {
     fn block<const N: usize, const M: usize>(
         &self,
         block: [u32; 2],
-        room: &mut S::Room,
-        scratch: &mut Scratch,
+        cache: &mut S::Cache,
+        workspace: &mut Workspace,
         found: &mut Found,
     ) -> Result<()>
     where
@@ -166,12 +166,12 @@ impl<C, S> Search<'_, C, S> {
         S: Source<M>,
     {
         let [rows, columns] = self.lattice.block(block);
-        let Some(block) = self.source.block([rows.clone(), columns.clone()], room) else { return Ok(()) };
+        let Some(block) = self.source.block([rows.clone(), columns.clone()], cache) else { return Ok(()) };
         for cell in rows.flat_map(|i| columns.clone().map(move |j| [i, j])) {
-            if !self.source.may_cross(&block, cell) || self.simple(&block, cell, scratch, found)? {
+            if !self.source.may_cross(&block, cell) || self.simple(&block, cell, workspace, found)? {
                 continue;
             }
-            let base = self.source.base(&block, cell, room);
+            let base = self.source.base(&block, cell, cache);
             let mut patch = None;
             for level in self.source.levels(&base) {
                 let noise = self.source.noise(&base);
@@ -189,12 +189,12 @@ impl<C, S> Search<'_, C, S> {
                     continue;
                 }
                 let (sides, corners) = match self.source.sides() {
-                    Sides::Alike => self.common_border(&block, cell, &field, level, room),
+                    Sides::Alike => self.common_border(&block, cell, &field, level, cache),
                     _ => own_border(&field),
                 };
                 let deviation = self.source.deviation(&block);
                 let piece = Piece { cell, level, field: &field, noise, deviation, sides, corners };
-                self.piece(&piece, &mut patch, scratch, found)?;
+                self.piece(&piece, &mut patch, workspace, found)?;
             }
         }
         Ok(())
@@ -206,7 +206,7 @@ impl<C, S> Search<'_, C, S> {
         &self,
         block: &S::Block,
         cell: [usize; 2],
-        scratch: &mut Scratch,
+        workspace: &mut Workspace,
         found: &mut Found,
     ) -> Result<bool>
     where
@@ -217,22 +217,22 @@ impl<C, S> Search<'_, C, S> {
             return Ok(false);
         }
         let Some(Glance { levels, corners, play, noise }) = self.source.glance(block, cell) else { return Ok(false) };
-        let (arcs, open) = (found.arcs.len(), scratch.open.len());
+        let (arcs, open) = (found.arcs.len(), workspace.open.len());
         for level in levels {
             let values = corners.map(|x| x - self.source.level(level));
             let done = match simple(values, play, noise) {
                 Some(Simple::Misses) => continue,
                 Some(Simple::Crosses { over, slope, .. }) if !self.is_straight(block, cell, over, slope) => false,
                 Some(Simple::Crosses { sides, .. }) => {
-                    self.cross(cell, level, sides, (values, noise), scratch, found)?;
+                    self.cross(cell, level, sides, (values, noise), workspace, found)?;
                     true
                 }
                 None => false,
             };
             if !done {
                 found.arcs.truncate(arcs);
-                scratch.open.truncate(open);
-                scratch.sides.truncate(open);
+                workspace.open.truncate(open);
+                workspace.sides.truncate(open);
                 return Ok(false);
             }
         }
@@ -266,7 +266,7 @@ impl<C, S> Search<'_, C, S> {
         level: usize,
         sides: [usize; 2],
         (corners, noise): ([f64; 4], f64),
-        scratch: &mut Scratch,
+        workspace: &mut Workspace,
         found: &mut Found,
     ) -> Result<()>
     where
@@ -279,9 +279,9 @@ impl<C, S> Search<'_, C, S> {
         let ends = sides.map(|side| on_side(side, chord_root(corners, side)));
         for (end, side) in sides.into_iter().enumerate() {
             if end == 0 || self.lattice.is_open(cell, side) {
-                alloc::push(&mut scratch.open, (arc, end as u8, side as u8))?;
+                alloc::push(&mut workspace.open, (arc, end as u8, side as u8))?;
                 let along = self.source.along(cell, side, level);
-                alloc::push(&mut scratch.sides, along.map(|x| snap(x, noise)))?;
+                alloc::push(&mut workspace.sides, along.map(|x| snap(x, noise)))?;
             }
         }
         let cell = cell.map(|k| k as u32);
@@ -295,7 +295,7 @@ impl<C, S> Search<'_, C, S> {
         cell: [usize; 2],
         own: &Field<M>,
         level: usize,
-        room: &mut S::Room,
+        cache: &mut S::Cache,
     ) -> ([[f64; M]; SIDES], [bool; 4])
     where
         S: Source<M>,
@@ -306,7 +306,7 @@ impl<C, S> Search<'_, C, S> {
             let field = if owner == cell {
                 *own
             } else {
-                let base = self.source.base(block, owner, room);
+                let base = self.source.base(block, owner, cache);
                 snapped(self.source.field(&base, level), self.source.noise(&base))
             };
             let corner = field.c[if ends[0] { M - 1 } else { 0 }][if ends[1] { M - 1 } else { 0 }];
@@ -325,14 +325,14 @@ impl<C, S> Search<'_, C, S> {
         &self,
         piece: &Piece<'_, M>,
         patch: &mut Option<Patch<N>>,
-        scratch: &mut Scratch,
+        workspace: &mut Workspace,
         found: &mut Found,
     ) -> Result<()>
     where
         C: Cells<N>,
         S: Source<M>,
     {
-        let Scratch { marks, links, .. } = scratch;
+        let Workspace { marks, links, .. } = workspace;
         links.clear();
         self.marks(piece, marks);
         let [i, j] = piece.cell;

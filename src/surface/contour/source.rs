@@ -23,11 +23,11 @@ pub(super) trait Source<const M: usize>: Sync {
     type Block;
     /// What the levels of a cell have in common.
     type Base;
-    /// Room for the work on blocks, one after the other.
-    type Room: Default;
+    /// Cache for the work on blocks, one after the other.
+    type Cache: Default;
 
     /// A block of cells; `None` if no level crosses it.
-    fn block(&self, cells: [Range<usize>; 2], room: &mut Self::Room) -> Option<Self::Block>;
+    fn block(&self, cells: [Range<usize>; 2], cache: &mut Self::Cache) -> Option<Self::Block>;
 
     /// False if it is plain that no level crosses a cell.
     fn may_cross(&self, _block: &Self::Block, _cell: [usize; 2]) -> bool {
@@ -53,7 +53,7 @@ pub(super) trait Source<const M: usize>: Sync {
     }
 
     /// A cell, whether or not a level crosses it.
-    fn base(&self, block: &Self::Block, cell: [usize; 2], room: &mut Self::Room) -> Self::Base;
+    fn base(&self, block: &Self::Block, cell: [usize; 2], cache: &mut Self::Cache) -> Self::Base;
 
     /// How many levels there are, at least 1.
     fn level_count(&self) -> usize;
@@ -251,10 +251,10 @@ where
 {
     type Block = Nodes;
     type Base = Field<4>;
-    type Room = Kept;
+    type Cache = Kept;
 
     #[inline]
-    fn block(&self, cells: [Range<usize>; 2], room: &mut Kept) -> Option<Nodes> {
+    fn block(&self, cells: [Range<usize>; 2], cache: &mut Kept) -> Option<Nodes> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
         let mut block = Nodes { cells, corners: [[0.0; BLOCK + 1]; BLOCK + 1], deviation };
         if deviation.is_finite() {
@@ -266,7 +266,7 @@ where
             }
             return Some(block);
         }
-        let [low, high] = self.window(&block, room).range();
+        let [low, high] = self.window(&block, cache).range();
         let play = 0.5 * self.excess * (high - low) + self.noise;
         (!between(self.levels, [low, high], play).is_empty()).then_some(block)
     }
@@ -309,8 +309,8 @@ where
     }
 
     #[inline]
-    fn base(&self, block: &Nodes, cell: [usize; 2], room: &mut Kept) -> Field<4> {
-        self.window(block, room).field(cell)
+    fn base(&self, block: &Nodes, cell: [usize; 2], cache: &mut Kept) -> Field<4> {
+        self.window(block, cache).field(cell)
     }
 
     fn level_count(&self) -> usize {
@@ -342,9 +342,9 @@ where
 }
 
 impl<F: Fn(usize, usize) -> f64, D> Nodal<'_, F, D> {
-    fn window<'a>(&self, block: &Nodes, room: &'a mut Kept) -> &'a Window {
+    fn window<'a>(&self, block: &Nodes, cache: &'a mut Kept) -> &'a Window {
         let first = [block.cells[0].start, block.cells[1].start];
-        room.get(first, || Window::new(self.axes, &block.cells, &self.value))
+        cache.get(first, || Window::new(self.axes, &block.cells, &self.value))
     }
 }
 
@@ -366,7 +366,7 @@ pub(super) struct Plane<'a, C, const N: usize> {
 impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     type Block = ();
     type Base = Field<N>;
-    type Room = ();
+    type Cache = ();
 
     fn block(&self, _: [Range<usize>; 2], (): &mut ()) -> Option<()> {
         Some(())

@@ -1,6 +1,6 @@
 //! Many lines at once.
 
-use super::search::Scratch;
+use super::search::Workspace;
 use super::{Hit, Line, Which};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -35,12 +35,12 @@ impl Surface<'_> {
     pub fn lines(&self, lines: &[Line], which: Which, job: &Job<'_>) -> Result<Lines> {
         let mut all = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
         all.ends.push(0);
-        let each = |lines: &[Line], scratch: &mut Scratch| {
+        let each = |lines: &[Line], workspace: &mut Workspace| {
             let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
             for line in lines {
-                self.strike(line, which, scratch);
-                counts.push(scratch.hits.len() as u64);
-                alloc::append(&mut hits, &scratch.hits)?;
+                self.strike(line, which, workspace);
+                counts.push(workspace.hits.len() as u64);
+                alloc::append(&mut hits, &workspace.hits)?;
             }
             Ok((counts, hits))
         };
@@ -59,10 +59,10 @@ impl Surface<'_> {
     /// As for [`Surface::lines`].
     pub fn first_hits(&self, lines: &[Line], job: &Job<'_>) -> Result<Vec<Option<Hit>>> {
         let mut all = alloc::with_capacity(lines.len())?;
-        let each = |lines: &[Line], scratch: &mut Scratch| {
+        let each = |lines: &[Line], workspace: &mut Workspace| {
             alloc::collect(lines.iter().map(|line| {
-                self.strike(line, Which::First, scratch);
-                scratch.hits.first().copied()
+                self.strike(line, Which::First, workspace);
+                workspace.hits.first().copied()
             }))
         };
         batches(lines, job, each, |hits| alloc::append(&mut all, &hits))?;
@@ -74,7 +74,7 @@ impl Surface<'_> {
 fn batches<R: Send>(
     lines: &[Line],
     job: &Job<'_>,
-    each: impl Fn(&[Line], &mut Scratch) -> Result<R> + Sync,
+    each: impl Fn(&[Line], &mut Workspace) -> Result<R> + Sync,
     mut add: impl FnMut(R) -> Result<()>,
 ) -> Result<()> {
     job.step(0.0, "lines")?;
@@ -84,14 +84,14 @@ fn batches<R: Send>(
             other => other,
         })?;
     }
-    // A scratch for each thread's share of a round: they are handed on from batch to batch.
+    // A workspace for each thread's share of a round: they are handed on from batch to batch.
     let threads = par::at_most(lines.len().div_ceil(BATCH), job.threads());
-    let mut scratches: Vec<Scratch> = (0..threads).map(|_| Scratch::default()).collect();
+    let mut workspaces: Vec<Workspace> = (0..threads).map(|_| Workspace::default()).collect();
     let round = BATCH * threads;
     for (k, some) in lines.chunks(round).enumerate() {
         job.step((k * round) as f64 / lines.len() as f64, "lines")?;
-        let parts = some.chunks(BATCH).zip(&mut scratches);
-        for part in par::map(threads, parts, |(batch, scratch)| each(batch, scratch)) {
+        let parts = some.chunks(BATCH).zip(&mut workspaces);
+        for part in par::map(threads, parts, |(batch, workspace)| each(batch, workspace)) {
             add(part?)?;
         }
     }

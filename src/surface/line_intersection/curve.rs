@@ -4,7 +4,7 @@
 //! a part of the curve and a cell have in common, `solve` finds with proof.
 
 use super::hits::POINT;
-use super::search::Scratch;
+use super::search::Workspace;
 use super::walk::{Part, Search, Work};
 use super::{LARGEST, Line, Which};
 use crate::alloc;
@@ -275,6 +275,6 @@ pub(super) fn raised<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
 /// What one thread finds.
 #[derive(Default)]
 struct Finder {
-    lines: Scratch,
+    lines: Workspace,
     finds: Vec<Find>,
 }

@@ -20,7 +20,7 @@ use crate::job::Job;
 use crate::outline::ops::Approaches;
 use crate::outline::{CurveView, Place as CurvePlace};
 use glam::DVec3;
-use search::{Scratch, search};
+use search::{Workspace, search};
 
 /// Coordinates of lines and curves beyond this are refused: their squares would overflow.
 pub(super) const LARGEST: f64 = 1e150;
@@ -126,34 +126,34 @@ impl Surface<'_> {
     /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction.
     pub fn line(&self, line: &Line, which: Which) -> Result<Vec<Hit>> {
         line.check()?;
-        let mut scratch = Scratch::default();
-        self.strike(line, which, &mut scratch);
-        Ok(scratch.hits)
+        let mut workspace = Workspace::default();
+        self.strike(line, which, &mut workspace);
+        Ok(workspace.hits)
     }
 
-    /// Leaves the hits of a line that was checked in the scratch, by rising t.
-    fn strike(&self, line: &Line, which: Which, scratch: &mut Scratch) {
-        scratch.hits.clear();
+    /// Leaves the hits of a line that was checked in the workspace, by rising t.
+    fn strike(&self, line: &Line, which: Which, workspace: &mut Workspace) {
+        workspace.hits.clear();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
-            each_sheet!(sheet, cells => search(cells, index, k as u32, line, which, self.tolerance(), scratch));
-            if which == Which::Any && !scratch.hits.is_empty() {
+            each_sheet!(sheet, cells => search(cells, index, k as u32, line, which, self.tolerance(), workspace));
+            if which == Which::Any && !workspace.hits.is_empty() {
                 break;
             }
         }
-        self.settle(line, &mut scratch.hits);
-        if which == Which::First && scratch.hits.first().is_some_and(|hit| hit.tangent) {
+        self.settle(line, &mut workspace.hits);
+        if which == Which::First && workspace.hits.first().is_some_and(|hit| hit.tangent) {
             // What belongs to the spot may begin beyond it.
-            return self.meet_first_of_all(line, scratch);
+            return self.meet_first_of_all(line, workspace);
         }
         if which != Which::All {
-            scratch.hits.truncate(1);
+            workspace.hits.truncate(1);
         }
     }
 
-    fn meet_first_of_all(&self, line: &Line, scratch: &mut Scratch) {
-        self.strike(line, Which::All, scratch);
-        scratch.hits.truncate(1);
+    fn meet_first_of_all(&self, line: &Line, workspace: &mut Workspace) {
+        self.strike(line, Which::All, workspace);
+        workspace.hits.truncate(1);
     }
 }
 

@@ -3,26 +3,26 @@
 use super::{Hit, Line, Which};
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::{Pyramid, Slab};
-use crate::surface::subdivision::{Crossings, Room, Roots, Spot, crossings, simple_roots};
+use crate::surface::subdivision::{Crossings, CurveWorkspace, Roots, Spot, crossings, simple_roots};
 use crate::surface::{Patch, Place};
 use glam::{DVec2, DVec3};
 
 /// What searches need again and again, for patches of degree N - 1.
 pub(super) struct Solver<const N: usize> {
     roots: Roots<N>,
-    room: Room<2, N>,
+    workspace: CurveWorkspace<2, N>,
     crossings: Crossings,
 }
 
 impl<const N: usize> Default for Solver<N> {
     fn default() -> Self {
-        Solver { roots: Roots::default(), room: Room::default(), crossings: Crossings::default() }
+        Solver { roots: Roots::default(), workspace: CurveWorkspace::default(), crossings: Crossings::default() }
     }
 }
 
 /// The same for sheets of all kinds, and what was found.
 #[derive(Default)]
-pub(super) struct Scratch {
+pub(super) struct Workspace {
     pub(super) hits: Vec<Hit>,
     cubic: Solver<4>,
     high: Solver<8>,
@@ -33,13 +33,13 @@ pub(super) trait Solve<const N: usize> {
     fn parts(&mut self) -> (&mut Solver<N>, &mut Vec<Hit>);
 }
 
-impl Solve<4> for Scratch {
+impl Solve<4> for Workspace {
     fn parts(&mut self) -> (&mut Solver<4>, &mut Vec<Hit>) {
         (&mut self.cubic, &mut self.hits)
     }
 }
 
-impl Solve<8> for Scratch {
+impl Solve<8> for Workspace {
     fn parts(&mut self) -> (&mut Solver<8>, &mut Vec<Hit>) {
         (&mut self.high, &mut self.hits)
     }
@@ -123,9 +123,9 @@ pub(super) fn search<const N: usize>(
     line: &Line,
     which: Which,
     tolerance: f64,
-    scratch: &mut impl Solve<N>,
+    workspace: &mut impl Solve<N>,
 ) {
-    let (solver, hits) = scratch.parts();
+    let (solver, hits) = workspace.parts();
     let ray = Ray::new(line, index);
     let play = ray.noise;
     let slab = Slab::new(ray.local, ray.along, play);
@@ -242,7 +242,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         let found = &mut self.solver.crossings;
         found.simple.clear();
         found.unresolved.clear();
-        crossings(&segment, &patch, self.ray.noise, self.tolerance, &mut self.solver.room, found);
+        crossings(&segment, &patch, self.ray.noise, self.tolerance, &mut self.solver.workspace, found);
         for k in 0..self.solver.crossings.simple.len() {
             self.add(&patch, [i, j], self.solver.crossings.simple[k].place, None, hits);
         }

@@ -5,12 +5,12 @@ use super::search::FARTHEST;
 use crate::surface::Place;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::{Bounds, Pyramid};
-use crate::surface::subdivision::{Crossings, Room, Spot, crossings, halved};
+use crate::surface::subdivision::{Crossings, CurveWorkspace, Spot, crossings, halved};
 use glam::{DVec2, DVec3};
 
 /// What the cells of a segment need again and again.
 pub(super) struct Work<const M: usize, const N: usize> {
-    room: Room<M, N>,
+    workspace: CurveWorkspace<M, N>,
     found: Crossings,
     /// How far control points may be off.
     noise: f64,
@@ -18,7 +18,7 @@ pub(super) struct Work<const M: usize, const N: usize> {
 
 impl<const M: usize, const N: usize> Default for Work<M, N> {
     fn default() -> Self {
-        Work { room: Room::default(), found: Crossings::default(), noise: 0.0 }
+        Work { workspace: CurveWorkspace::default(), found: Crossings::default(), noise: 0.0 }
     }
 }
 
@@ -166,10 +166,10 @@ impl<C> Search<'_, C> {
         let patch = self.cells.patch(i, j);
         let mut local = patch;
         local.points.as_flattened_mut().iter_mut().for_each(|point| *point -= origin);
-        let Work { room, found, noise } = work;
+        let Work { workspace, found, noise } = work;
         found.simple.clear();
         found.unresolved.clear();
-        crossings(&part.points, &local, *noise, self.tolerance, room, found);
+        crossings(&part.points, &local, *noise, self.tolerance, workspace, found);
         let along = |t: f64| self.segment as f64 + (part.from + part.size * t).clamp(0.0, 1.0);
         let simple = found.simple.iter().map(|crossing| (crossing.t, [crossing.t; 2], crossing.place, false));
         let spots = found.unresolved.iter().map(|Spot { place, low, high }| {

@@ -37,18 +37,18 @@ pub(super) struct Part<const N: usize> {
 }
 
 /// What a search of patches needs again and again.
-pub(crate) struct Scratch<const N: usize> {
+pub(crate) struct Workspace<const N: usize> {
     /// By falling bounds.
     parts: Vec<Part<N>>,
 }
 
-impl<const N: usize> Default for Scratch<N> {
+impl<const N: usize> Default for Workspace<N> {
     fn default() -> Self {
-        Scratch { parts: Vec::new() }
+        Workspace { parts: Vec::new() }
     }
 }
 
-impl<const N: usize> Scratch<N> {
+impl<const N: usize> Workspace<N> {
     fn add(&mut self, part: Part<N>) {
         let at = self.parts.partition_point(|other| other.bound > part.bound);
         self.parts.insert(at, part);
@@ -65,7 +65,7 @@ pub(crate) fn nearest<const N: usize>(
     start: DVec2,
     limit: f64,
     tolerance: f64,
-    scratch: &mut Scratch<N>,
+    workspace: &mut Workspace<N>,
 ) -> Option<Found> {
     let foot = descend(patch, query, start, STEPS);
     let proven = proven(patch, query, &foot, 0.0, tolerance);
@@ -75,7 +75,7 @@ pub(crate) fn nearest<const N: usize>(
     if proven >= foot.distance - tolerance {
         return Some(Found::new(&foot, proven));
     }
-    divided(patch, query, foot, limit, tolerance, scratch)
+    divided(patch, query, foot, limit, tolerance, workspace)
 }
 
 /// The better one of the bounds, of which the dearer one is looked at only if the other does not do.
@@ -93,15 +93,15 @@ fn divided<const N: usize>(
     mut best: Foot,
     limit: f64,
     tolerance: f64,
-    scratch: &mut Scratch<N>,
+    workspace: &mut Workspace<N>,
 ) -> Option<Found> {
-    scratch.parts.clear();
+    workspace.parts.clear();
     let whole = Part { patch: *patch, from: DVec2::ZERO, size: DVec2::ONE, bound: 0.0 };
-    whole.divide(|part| scratch.add(part.bounded(query)));
+    whole.divide(|part| workspace.add(part.bounded(query)));
     // The least bound of the parts that are done.
     let mut done = f64::INFINITY;
     let mut looked_at = 0;
-    while let Some(part) = scratch.parts.pop() {
+    while let Some(part) = workspace.parts.pop() {
         let open = part.bound.min(done);
         if open > limit {
             return None;
@@ -123,7 +123,7 @@ fn divided<const N: usize>(
         if proven >= best.distance - tolerance || part.size.min_element() <= 0.5_f64.powi(DEPTH) {
             done = done.min(proven);
         } else {
-            Part { bound: proven, ..part }.divide(|part| scratch.add(part.bounded(query)));
+            Part { bound: proven, ..part }.divide(|part| workspace.add(part.bounded(query)));
         }
     }
     (done <= limit).then(|| Found::new(&best, done))

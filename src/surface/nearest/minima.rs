@@ -1,7 +1,7 @@
 //! All places where the distance is locally least, the nearest first.
 
 use super::Closest;
-use super::cell::{Scratch, nearest};
+use super::cell::{Workspace, nearest};
 use super::critical::{Least, minima, side_minima};
 use super::descend::{STEPS, descend};
 use super::region::check;
@@ -190,7 +190,7 @@ impl Search<'_> {
 
     fn is_least_in<const N: usize>(&self, cells: &impl Cells<N>, sheet: usize, least: &Least) -> bool {
         let index = self.surface.indexed(sheet).1;
-        let mut scratch = Scratch::default();
+        let mut workspace = Workspace::default();
         let mut blocks = vec![Block::root(index)];
         while let Some(block) = blocks.pop() {
             if block.level > 0 {
@@ -205,7 +205,7 @@ impl Search<'_> {
                 }
                 let start = DVec2::splat(0.5);
                 let Some(there) =
-                    nearest(&patch, least.point, start, self.tolerance, 0.1 * self.tolerance, &mut scratch)
+                    nearest(&patch, least.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace)
                 else {
                     continue;
                 };

@@ -1,6 +1,6 @@
 //! The region of cells that have a point within a distance: the paper's region of task a), as bits and as a list.
 
-use super::cell::{Scratch, nearest};
+use super::cell::{Workspace, nearest};
 use super::search::Block;
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -112,7 +112,7 @@ impl Ball {
         region: &mut Region,
         job: &Job<'_>,
     ) -> Result<()> {
-        let mut scratch = Scratch::default();
+        let mut workspace = Workspace::default();
         let mut blocks = vec![Block::root(index)];
         let mut looked_at = 0;
         while let Some(block) = blocks.pop() {
@@ -126,7 +126,7 @@ impl Ball {
                 continue;
             }
             for (i, j) in block.cells(cells) {
-                let (has, whole) = self.judge(cells, (i, j), &mut scratch);
+                let (has, whole) = self.judge(cells, (i, j), &mut workspace);
                 if has {
                     alloc::push(&mut region.cells, [sheet, i as u32, j as u32])?;
                     alloc::push(&mut region.whole, whole)?;
@@ -141,7 +141,7 @@ impl Ball {
         &self,
         cells: &impl Cells<N>,
         (i, j): (usize, usize),
-        scratch: &mut Scratch<N>,
+        workspace: &mut Workspace<N>,
     ) -> (bool, bool) {
         let patch = cells.patch(i, j);
         if patch.farthest(self.query) <= self.radius {
@@ -155,7 +155,7 @@ impl Ball {
             return (false, false);
         }
         let start = glam::DVec2::splat(0.5);
-        let found = nearest(&patch, self.query, start, self.radius, self.tolerance, scratch);
+        let found = nearest(&patch, self.query, start, self.radius, self.tolerance, workspace);
         (found.is_some_and(|found| found.bound <= self.radius), false)
     }
 }

@@ -77,14 +77,14 @@ pub fn search(
     let [lines_u, lines_v] = lattice.lines();
     let widest = lines_u.max(lines_v).next_power_of_two();
     let mut stride = if options.by_rows { 1 } else { widest };
-    let mut pacer = Pacer::new(job);
+    let mut ticker = ProgressTicker::new(job);
     while stride > 0 {
         for i in (0..lines_u).step_by(stride) {
             // The negative answer at once: nothing is left.
             if window.is_empty() {
                 return Ok(found);
             }
-            pacer.spend(lines_v / stride / 8 + 1, i as f64 / (lines_u * stride) as f64)?;
+            ticker.spend(lines_v / stride / 8 + 1, i as f64 / (lines_u * stride) as f64)?;
             if !lattice.span(0, i, 1).indices().any(|row| window.spans[0].contains(row)) {
                 continue;
             }
@@ -101,7 +101,7 @@ pub fn search(
                     && (j / stride).is_multiple_of(2);
                 if !seen && lattice.round([i, j]).any(|cell| found.scale.get(cell)) {
                     let cost = visit(&mut found, &mut window, sizes, [i, j], measure([i, j]), options);
-                    pacer.spend(cost, 0.0)?;
+                    ticker.spend(cost, 0.0)?;
                 }
                 j += stride;
             }
@@ -207,15 +207,15 @@ impl Window {
 }
 
 /// Asks from time to time whether to go on.
-struct Pacer<'a, 'b> {
+struct ProgressTicker<'a, 'b> {
     job: &'a Job<'b>,
     spent: usize,
     fraction: f64,
 }
 
-impl<'a, 'b> Pacer<'a, 'b> {
+impl<'a, 'b> ProgressTicker<'a, 'b> {
     fn new(job: &'a Job<'b>) -> Self {
-        Pacer { job, spent: 0, fraction: 0.0 }
+        ProgressTicker { job, spent: 0, fraction: 0.0 }
     }
 
     fn spend(&mut self, work: usize, fraction: f64) -> Result<()> {

@@ -55,14 +55,14 @@ struct Pair<const M: usize, const N: usize> {
 }
 
 /// What searches need again and again.
-pub(crate) struct Room<const M: usize, const N: usize> {
+pub(crate) struct CurveWorkspace<const M: usize, const N: usize> {
     pairs: Vec<Pair<M, N>>,
     open: Vec<Open>,
 }
 
-impl<const M: usize, const N: usize> Default for Room<M, N> {
+impl<const M: usize, const N: usize> Default for CurveWorkspace<M, N> {
     fn default() -> Self {
-        Room { pairs: Vec::new(), open: Vec::new() }
+        CurveWorkspace { pairs: Vec::new(), open: Vec::new() }
     }
 }
 
@@ -73,7 +73,7 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     patch: &Patch<N>,
     noise: f64,
     tolerance: f64,
-    room: &mut Room<M, N>,
+    workspace: &mut CurveWorkspace<M, N>,
     found: &mut Crossings,
 ) {
     // Near the origin, where rounding is small.
@@ -85,11 +85,11 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
     let least = tolerance.max(4.0 * noise);
     let whole = Pair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE, depth: 0 };
     let known = found.simple.len();
-    room.open.clear();
-    room.pairs.clear();
-    room.pairs.push(whole.clone());
+    workspace.open.clear();
+    workspace.pairs.clear();
+    workspace.pairs.push(whole.clone());
     let mut looked_at = 0;
-    while let Some(pair) = room.pairs.pop() {
+    while let Some(pair) = workspace.pairs.pop() {
         looked_at += 1;
         match pair.decide(&whole, noise, least) {
             Verdict::None => {}
@@ -105,15 +105,15 @@ pub(crate) fn crossings<const M: usize, const N: usize>(
             Verdict::Open { flat } => {
                 let done = flat && pair.size.x <= WIDE;
                 if done || pair.depth == DEPTH || looked_at >= PAIRS {
-                    room.open.push(pair.open());
+                    workspace.open.push(pair.open());
                 } else {
-                    room.pairs.extend(pair.halves());
+                    workspace.pairs.extend(pair.halves());
                 }
             }
         }
     }
     let spots = found.unresolved.len();
-    add_spots(&room.open, &mut found.unresolved);
+    add_spots(&workspace.open, &mut found.unresolved);
     found.unresolved[spots..].iter_mut().for_each(|spot| whole.settle(spot));
 }
 
@@ -360,7 +360,7 @@ mod tests {
 
     fn solve<const M: usize>(curve: &[DVec3; M], patch: &Patch<4>) -> Crossings {
         let mut found = Crossings::default();
-        crossings(curve, patch, 0.0, 1e-9, &mut Room::default(), &mut found);
+        crossings(curve, patch, 0.0, 1e-9, &mut CurveWorkspace::default(), &mut found);
         found.simple.sort_by(|a, b| a.t.total_cmp(&b.t));
         found
     }

@@ -5,7 +5,7 @@ mod field;
 mod roots;
 mod spots;
 
-pub(crate) use curve::{Crossings, Room, crossings, halved};
+pub(crate) use curve::{Crossings, CurveWorkspace, crossings, halved};
 pub(crate) use field::{Field, polynomial};
 #[allow(unused_imports, reason = "not every set of searches needs it")]
 pub(crate) use roots::roots;

@@ -92,13 +92,13 @@ fn reports_of_nets_of_curves_never_fall() {
 }
 
 #[test]
-fn a_cancel_is_heard_at_every_report() {
+fn a_cancel_stops_at_every_report() {
     for (id, set) in LONG {
         let given = rings(id, 1 << 13);
         let (_, reports) = run(id, &given, set, usize::MAX);
         for stop_at in (1..=reports).step_by(reports.div_ceil(20)) {
-            let (done, heard) = run(id, &given, set, stop_at);
-            assert_eq!((done, heard), (Err(Error::Cancelled), stop_at), "{id}");
+            let (done, reports) = run(id, &given, set, stop_at);
+            assert_eq!((done, reports), (Err(Error::Cancelled), stop_at), "{id}");
         }
     }
 }
