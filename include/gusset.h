@@ -38,265 +38,6 @@
 
 
 /**
- * Coincident borders are sewn, by default where positions are equal; see gusset_weld_options.
- */
-#define GUSSET_ASSEMBLY_WELD 0
-
-/**
- * Nothing is welded.
- */
-#define GUSSET_ASSEMBLY_NO_WELD 1
-
-/**
- * Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean
- * distance of its vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the
- * loop with the longer ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the
- * larger of the two.
- */
-#define GUSSET_GAP_AUTO 0
-
-/**
- * Gaps are closed up to max_gap.
- */
-#define GUSSET_GAP_GIVEN 1
-
-/**
- * A strip joins them.
- */
-#define GUSSET_JOINT_JOINED 0
-
-/**
- * Left: joining them would make a one-sided surface with what is joined already.
- */
-#define GUSSET_JOINT_ORIENTATION_CONFLICT 1
-
-/**
- * Left: they pass the same vertex.
- */
-#define GUSSET_JOINT_SHARE_VERTEX 2
-
-/**
- * Left: every strip would repeat an edge that the mesh already has.
- */
-#define GUSSET_JOINT_NO_STRIP 3
-
-/**
- * No other loop that it may be joined to (one of another component, not excluded) is near enough, or not along enough of both.
- */
-#define GUSSET_LEFT_FACES_NOTHING 0
-
-/**
- * It is open, or the faces along it disagree in orientation or are not manifold there.
- */
-#define GUSSET_LEFT_NOT_SIMPLE 1
-
-/**
- * It has fewer than three vertices.
- */
-#define GUSSET_LEFT_TOO_SHORT 2
-
-/**
- * It faces another loop, but no strip could be made: see the joints.
- */
-#define GUSSET_LEFT_NOT_JOINED 3
-
-/**
- * At an edge with three or more faces each face has a border of its own; loops run along it and are always closed.
- */
-#define GUSSET_NON_MANIFOLD_CUT 0
-
-/**
- * Only edges with exactly one face belong to loops; one that meets an edge with more ends there, as an open chain.
- */
-#define GUSSET_NON_MANIFOLD_STOP 1
-
-/**
- * Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
- */
-#define GUSSET_SURVEY_WHOLE_MESH 0
-
-/**
- * As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open,
- * touching itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from
- * the boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut
- * there. The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made
- * to deceive may hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
- */
-#define GUSSET_SURVEY_BOUNDARY_ONLY 1
-
-/**
- * The chain does not close: it has one vertex more than it has edges.
- */
-#define GUSSET_LOOP_OPEN 1
-
-/**
- * The loop passes a vertex where the surface touches itself.
- */
-#define GUSSET_LOOP_BOW_TIE 2
-
-/**
- * It was cut from a longer walk at a vertex that the walk passed twice.
- */
-#define GUSSET_LOOP_SPLIT 4
-
-/**
- * It runs along, or ends at, an edge with three or more faces.
- */
-#define GUSSET_LOOP_NON_MANIFOLD 8
-
-/**
- * The faces along it disagree in orientation.
- */
-#define GUSSET_LOOP_NOT_ORIENTED 16
-
-/**
- * It has an edge of length 0.
- */
-#define GUSSET_LOOP_ZERO_LENGTH 32
-
-/**
- * The loop runs this edge against its face.
- */
-#define GUSSET_EDGE_REVERSED 1
-
-/**
- * The edge has three or more faces.
- */
-#define GUSSET_EDGE_NON_MANIFOLD 2
-
-/**
- * The edge has length 0.
- */
-#define GUSSET_EDGE_ZERO_LENGTH 4
-
-/**
- * A face (index) that repeats a vertex (other).
- */
-#define GUSSET_DEFECT_DEGENERATE_FACE 1
-
-/**
- * An edge whose two faces run it in the same direction: half-edges index and other.
- */
-#define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
-
-/**
- * An edge with three or more half-edges (count; a face that runs it twice counts twice): its first half-edge is index.
- */
-#define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
-
-/**
- * A vertex (index) where the surface touches itself: its faces form more than one fan.
- */
-#define GUSSET_DEFECT_BOW_TIE 4
-
-/**
- * Every edge has exactly two faces.
- */
-#define GUSSET_MESH_CLOSED 1
-
-/**
- * No non-manifold edge and no non-manifold vertex.
- */
-#define GUSSET_MESH_MANIFOLD 2
-
-/**
- * No edge whose two faces run it in the same direction.
- */
-#define GUSSET_MESH_ORIENTED 4
-
-/**
- * Faces can be turned over so that it becomes oriented.
- */
-#define GUSSET_MESH_ORIENTABLE 8
-
-/**
- * gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
- */
-#define GUSSET_SAMPLE_COUNT 0
-
-/**
- * gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always the last.
- */
-#define GUSSET_SAMPLE_STEP 1
-
-/**
- * gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
- * 20 times, which leaves 1e-12 of its size.
- */
-#define GUSSET_SAMPLE_CHORD 2
-
-/**
- * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its
- * faces. By area alone if the rim is planar.
- */
-#define GUSSET_WEIGHT_AREA_AND_BEND 0
-
-/**
- * The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
- */
-#define GUSSET_WEIGHT_BEND_THEN_AREA 1
-
-/**
- * The least area, exactly.
- */
-#define GUSSET_WEIGHT_AREA 2
-
-/**
- * No new vertices.
- */
-#define GUSSET_REFINE_NONE 0
-
-/**
- * New vertices as dense as those round the hole.
- */
-#define GUSSET_REFINE_RIM_DENSITY 1
-
-/**
- * Filled.
- */
-#define GUSSET_HOLE_FILLED 0
-
-/**
- * Left: it is the longest loop, and keep_longest says so.
- */
-#define GUSSET_HOLE_LONGEST 1
-
-/**
- * Left: it exceeds max_edges, max_length or max_diameter.
- */
-#define GUSSET_HOLE_TOO_LARGE 2
-
-/**
- * Left: an open chain.
- */
-#define GUSSET_HOLE_OPEN 3
-
-/**
- * Left: it runs along an edge with three or more faces.
- */
-#define GUSSET_HOLE_NON_MANIFOLD 4
-
-/**
- * Left: the faces along it disagree in orientation.
- */
-#define GUSSET_HOLE_NOT_ORIENTED 5
-
-/**
- * Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
- */
-#define GUSSET_HOLE_NOT_SIMPLE 6
-
-/**
- * Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
- */
-#define GUSSET_HOLE_NOT_FREE 7
-
-/**
- * Left: every triangulation would repeat an edge that the mesh already has.
- */
-#define GUSSET_HOLE_NO_TRIANGULATION 8
-
-/**
  * The points of the sections by their places: all sections have equally many.
  */
 #define GUSSET_CORRESPONDENCE_GIVEN 0
@@ -318,60 +59,20 @@
 #define GUSSET_CORRESPONDENCE_LANDMARKS 3
 
 /**
- * Coordinates are 32-bit floats.
+ * gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
  */
-#define GUSSET_F32 1
+#define GUSSET_SAMPLE_COUNT 0
 
 /**
- * Coordinates are 64-bit floats.
+ * gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always the last.
  */
-#define GUSSET_F64 2
+#define GUSSET_SAMPLE_STEP 1
 
 /**
- * Indices and face offsets are 32-bit unsigned integers.
+ * gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
+ * 20 times, which leaves 1e-12 of its size.
  */
-#define GUSSET_U32 0
-
-/**
- * Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
- */
-#define GUSSET_U64 1
-
-/**
- * No edge has one face only.
- */
-#define GUSSET_NET_CLOSED 1
-
-/**
- * A surface, with or without boundary: no wires, branches and pinches.
- */
-#define GUSSET_NET_MANIFOLD 2
-
-/**
- * No edge that two faces run along the same way.
- */
-#define GUSSET_NET_ORIENTED 4
-
-/**
- * Faces can be turned over so that there is none.
- */
-#define GUSSET_NET_ORIENTABLE 8
-
-/**
- * No pyramid has more levels.
- */
-#define GUSSET_PYRAMID_LEVELS 32
-
-/**
- * Closed components face as most of their faces did.
- */
-#define GUSSET_OUTWARD_KEEP 0
-
-/**
- * Closed components face outwards, each by its own volume: of shells inside one another each one encloses what is within it.
- * One whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
- */
-#define GUSSET_OUTWARD_CLOSED 1
+#define GUSSET_SAMPLE_CHORD 2
 
 /**
  * The curve passes the point in the direction of the tangent, of any length but 0.
@@ -616,14 +317,278 @@
 #define GUSSET_FIT_DEGREE_TOO_HIGH 6
 
 /**
- * The surface through the nodes of a frame.
+ * Coordinates are 32-bit floats.
  */
-#define GUSSET_FRAME_NODES 0
+#define GUSSET_F32 1
 
 /**
- * Gordon's surface of the curves of a frame, which contains them.
+ * Coordinates are 64-bit floats.
  */
-#define GUSSET_FRAME_CURVES 1
+#define GUSSET_F64 2
+
+/**
+ * Indices and face offsets are 32-bit unsigned integers.
+ */
+#define GUSSET_U32 0
+
+/**
+ * Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
+ */
+#define GUSSET_U64 1
+
+/**
+ * Coincident borders are sewn, by default where positions are equal; see gusset_weld_options.
+ */
+#define GUSSET_ASSEMBLY_WELD 0
+
+/**
+ * Nothing is welded.
+ */
+#define GUSSET_ASSEMBLY_NO_WELD 1
+
+/**
+ * Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean
+ * distance of its vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the
+ * loop with the longer ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the
+ * larger of the two.
+ */
+#define GUSSET_GAP_AUTO 0
+
+/**
+ * Gaps are closed up to max_gap.
+ */
+#define GUSSET_GAP_GIVEN 1
+
+/**
+ * A strip joins them.
+ */
+#define GUSSET_JOINT_JOINED 0
+
+/**
+ * Left: joining them would make a one-sided surface with what is joined already.
+ */
+#define GUSSET_JOINT_ORIENTATION_CONFLICT 1
+
+/**
+ * Left: they pass the same vertex.
+ */
+#define GUSSET_JOINT_SHARE_VERTEX 2
+
+/**
+ * Left: every strip would repeat an edge that the mesh already has.
+ */
+#define GUSSET_JOINT_NO_STRIP 3
+
+/**
+ * No other loop that it may be joined to (one of another component, not excluded) is near enough, or not along enough of both.
+ */
+#define GUSSET_LEFT_FACES_NOTHING 0
+
+/**
+ * It is open, or the faces along it disagree in orientation or are not manifold there.
+ */
+#define GUSSET_LEFT_NOT_SIMPLE 1
+
+/**
+ * It has fewer than three vertices.
+ */
+#define GUSSET_LEFT_TOO_SHORT 2
+
+/**
+ * It faces another loop, but no strip could be made: see the joints.
+ */
+#define GUSSET_LEFT_NOT_JOINED 3
+
+/**
+ * At an edge with three or more faces each face has a border of its own; loops run along it and are always closed.
+ */
+#define GUSSET_NON_MANIFOLD_CUT 0
+
+/**
+ * Only edges with exactly one face belong to loops; one that meets an edge with more ends there, as an open chain.
+ */
+#define GUSSET_NON_MANIFOLD_STOP 1
+
+/**
+ * Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
+ */
+#define GUSSET_SURVEY_WHOLE_MESH 0
+
+/**
+ * As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open,
+ * touching itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from
+ * the boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut
+ * there. The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made
+ * to deceive may hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
+ */
+#define GUSSET_SURVEY_BOUNDARY_ONLY 1
+
+/**
+ * The chain does not close: it has one vertex more than it has edges.
+ */
+#define GUSSET_LOOP_OPEN 1
+
+/**
+ * The loop passes a vertex where the surface touches itself.
+ */
+#define GUSSET_LOOP_BOW_TIE 2
+
+/**
+ * It was cut from a longer walk at a vertex that the walk passed twice.
+ */
+#define GUSSET_LOOP_SPLIT 4
+
+/**
+ * It runs along, or ends at, an edge with three or more faces.
+ */
+#define GUSSET_LOOP_NON_MANIFOLD 8
+
+/**
+ * The faces along it disagree in orientation.
+ */
+#define GUSSET_LOOP_NOT_ORIENTED 16
+
+/**
+ * It has an edge of length 0.
+ */
+#define GUSSET_LOOP_ZERO_LENGTH 32
+
+/**
+ * The loop runs this edge against its face.
+ */
+#define GUSSET_EDGE_REVERSED 1
+
+/**
+ * The edge has three or more faces.
+ */
+#define GUSSET_EDGE_NON_MANIFOLD 2
+
+/**
+ * The edge has length 0.
+ */
+#define GUSSET_EDGE_ZERO_LENGTH 4
+
+/**
+ * A face (index) that repeats a vertex (other).
+ */
+#define GUSSET_DEFECT_DEGENERATE_FACE 1
+
+/**
+ * An edge whose two faces run it in the same direction: half-edges index and other.
+ */
+#define GUSSET_DEFECT_ORIENTATION_CONFLICT 2
+
+/**
+ * An edge with three or more half-edges (count; a face that runs it twice counts twice): its first half-edge is index.
+ */
+#define GUSSET_DEFECT_NON_MANIFOLD_EDGE 3
+
+/**
+ * A vertex (index) where the surface touches itself: its faces form more than one fan.
+ */
+#define GUSSET_DEFECT_BOW_TIE 4
+
+/**
+ * Every edge has exactly two faces.
+ */
+#define GUSSET_MESH_CLOSED 1
+
+/**
+ * No non-manifold edge and no non-manifold vertex.
+ */
+#define GUSSET_MESH_MANIFOLD 2
+
+/**
+ * No edge whose two faces run it in the same direction.
+ */
+#define GUSSET_MESH_ORIENTED 4
+
+/**
+ * Faces can be turned over so that it becomes oriented.
+ */
+#define GUSSET_MESH_ORIENTABLE 8
+
+/**
+ * The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its
+ * faces. By area alone if the rim is planar.
+ */
+#define GUSSET_WEIGHT_AREA_AND_BEND 0
+
+/**
+ * The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
+ */
+#define GUSSET_WEIGHT_BEND_THEN_AREA 1
+
+/**
+ * The least area, exactly.
+ */
+#define GUSSET_WEIGHT_AREA 2
+
+/**
+ * No new vertices.
+ */
+#define GUSSET_REFINE_NONE 0
+
+/**
+ * New vertices as dense as those round the hole.
+ */
+#define GUSSET_REFINE_RIM_DENSITY 1
+
+/**
+ * Filled.
+ */
+#define GUSSET_HOLE_FILLED 0
+
+/**
+ * Left: it is the longest loop, and keep_longest says so.
+ */
+#define GUSSET_HOLE_LONGEST 1
+
+/**
+ * Left: it exceeds max_edges, max_length or max_diameter.
+ */
+#define GUSSET_HOLE_TOO_LARGE 2
+
+/**
+ * Left: an open chain.
+ */
+#define GUSSET_HOLE_OPEN 3
+
+/**
+ * Left: it runs along an edge with three or more faces.
+ */
+#define GUSSET_HOLE_NON_MANIFOLD 4
+
+/**
+ * Left: the faces along it disagree in orientation.
+ */
+#define GUSSET_HOLE_NOT_ORIENTED 5
+
+/**
+ * Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
+ */
+#define GUSSET_HOLE_NOT_SIMPLE 6
+
+/**
+ * Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
+ */
+#define GUSSET_HOLE_NOT_FREE 7
+
+/**
+ * Left: every triangulation would repeat an edge that the mesh already has.
+ */
+#define GUSSET_HOLE_NO_TRIANGULATION 8
+
+/**
+ * Closed components face as most of their faces did.
+ */
+#define GUSSET_OUTWARD_KEEP 0
+
+/**
+ * Closed components face outwards, each by its own volume: of shells inside one another each one encloses what is within it.
+ * One whose volume is 0 up to rounding is as with GUSSET_OUTWARD_KEEP.
+ */
+#define GUSSET_OUTWARD_CLOSED 1
 
 /**
  * The strip of triangles of least area through the first meridian.
@@ -812,47 +777,6 @@
 #define GUSSET_TOLERANCE_GIVEN 1
 
 /**
- * gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
- */
-#define GUSSET_NEAREST_FOUND 1
-
-/**
- * gusset_surface_nearest_point: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
- * would take too long, as it may next to a centre of curvature; bound is right nevertheless.
- */
-#define GUSSET_NEAREST_PROVEN 2
-
-/**
- * gusset_surface_nearest_point: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
- */
-#define GUSSET_NEAREST_AMBIGUOUS 4
-
-/**
- * gusset_sheet_curve_create: u stays and v runs: along rows.
- */
-#define GUSSET_ALONG_ROWS 0
-
-/**
- * gusset_sheet_curve_create: v stays and u runs: along columns.
- */
-#define GUSSET_ALONG_COLUMNS 1
-
-/**
- * There is no normal: the tangents are 0, or parallel all along the lines to the point.
- */
-#define GUSSET_NORMAL_NONE 0
-
-/**
- * The normal of the plane that the tangents span.
- */
-#define GUSSET_NORMAL_REGULAR 1
-
-/**
- * The limit along the coordinate line, where the tangents do not span a plane: at poles.
- */
-#define GUSSET_NORMAL_LIMIT 2
-
-/**
  * The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
  */
 #define GUSSET_WELD_BOUNDARY 0
@@ -906,6 +830,82 @@
  * M = N, or the edge belongs to a face of fewer than three proper edges.
  */
 #define GUSSET_WINGED_DEGENERATE 4
+
+/**
+ * No edge has one face only.
+ */
+#define GUSSET_NET_CLOSED 1
+
+/**
+ * A surface, with or without boundary: no wires, branches and pinches.
+ */
+#define GUSSET_NET_MANIFOLD 2
+
+/**
+ * No edge that two faces run along the same way.
+ */
+#define GUSSET_NET_ORIENTED 4
+
+/**
+ * Faces can be turned over so that there is none.
+ */
+#define GUSSET_NET_ORIENTABLE 8
+
+/**
+ * No pyramid has more levels.
+ */
+#define GUSSET_PYRAMID_LEVELS 32
+
+/**
+ * gusset_sheet_curve_create: u stays and v runs: along rows.
+ */
+#define GUSSET_ALONG_ROWS 0
+
+/**
+ * gusset_sheet_curve_create: v stays and u runs: along columns.
+ */
+#define GUSSET_ALONG_COLUMNS 1
+
+/**
+ * There is no normal: the tangents are 0, or parallel all along the lines to the point.
+ */
+#define GUSSET_NORMAL_NONE 0
+
+/**
+ * The normal of the plane that the tangents span.
+ */
+#define GUSSET_NORMAL_REGULAR 1
+
+/**
+ * The limit along the coordinate line, where the tangents do not span a plane: at poles.
+ */
+#define GUSSET_NORMAL_LIMIT 2
+
+/**
+ * gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
+ */
+#define GUSSET_NEAREST_FOUND 1
+
+/**
+ * gusset_surface_nearest_point: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
+ * would take too long, as it may next to a centre of curvature; bound is right nevertheless.
+ */
+#define GUSSET_NEAREST_PROVEN 2
+
+/**
+ * gusset_surface_nearest_point: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
+ */
+#define GUSSET_NEAREST_AMBIGUOUS 4
+
+/**
+ * The surface through the nodes of a frame.
+ */
+#define GUSSET_FRAME_NODES 0
+
+/**
+ * Gordon's surface of the curves of a frame, which contains them.
+ */
+#define GUSSET_FRAME_CURVES 1
 
 /**
  * What a function returns; `GUSSET_OK` is 0.
@@ -1301,6 +1301,686 @@ typedef struct gusset_weld gusset_weld;
 typedef struct gusset_winged gusset_winged;
 
 /**
+ * Called now and then during long work, on the thread that made the call. fraction: part done, 0 to 1. stage: what is
+ * being done, valid during the callback only. Return nonzero to cancel the call. It must not use the context, except for
+ * gusset_context_cancel and gusset_context_get_progress, and must not throw or longjmp.
+ */
+typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage);
+
+/**
+ * Called with remarks that are no failures, on the thread that made the call; message is valid during the callback only.
+ * The same rules as for progress.
+ */
+typedef void (*gusset_log_fn)(void *user, const char *message);
+
+/**
+ * What the index in a report counts.
+ */
+typedef uint32_t gusset_element;
+
+/**
+ * What went wrong in the last call, for programs.
+ */
+typedef struct gusset_error_report {
+    /**
+     * sizeof(gusset_error_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The status that the call returned.
+     */
+    int32_t status;
+    /**
+     * What index counts: one of GUSSET_ELEMENT_...
+     */
+    gusset_element element;
+    /**
+     * The first offending element.
+     */
+    uint64_t index;
+    /**
+     * Its value where it has one: the coordinate, the vertex index, the limit exceeded.
+     */
+    double value;
+    /**
+     * The mesh or loop that it belongs to: 0 the first, 1 the second.
+     */
+    uint32_t input;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_error_report;
+
+/**
+ * Indices that a result lends, or that the caller gives.
+ */
+typedef struct gusset_indices {
+    /**
+     * The first one; may be NULL if count is 0.
+     */
+    const uint32_t *data;
+    /**
+     * How many.
+     */
+    size_t count;
+} gusset_indices;
+
+/**
+ * The parts of a curve. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_curve_view {
+    /**
+     * sizeof(gusset_curve_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The control points: x, y, z of each; z is 0 for a plane curve.
+     */
+    const double *points;
+    /**
+     * How many.
+     */
+    size_t point_count;
+    /**
+     * 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to
+     * ends[k + 1].
+     */
+    struct gusset_indices ends;
+    /**
+     * 1: the curve ends where it begins and goes on there.
+     */
+    uint32_t closed;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_curve_view;
+
+/**
+ * A place on a curve.
+ */
+typedef struct gusset_place {
+    /**
+     * Counted from 0.
+     */
+    uint32_t segment;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * The parameter: 0 at the segment's first control point, 1 at its last.
+     */
+    double t;
+} gusset_place;
+
+/**
+ * How an offset is fitted.
+ */
+typedef struct gusset_offset_options {
+    /**
+     * sizeof(gusset_offset_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The deviation aimed at, above 0, in the unit of the points.
+     */
+    double tolerance;
+    /**
+     * No segment is halved once there are so many; 0 for 65536.
+     */
+    size_t max_segments;
+    /**
+     * The degree of the segments, 2 or 3; 0 for 3.
+     */
+    uint32_t degree;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_offset_options;
+
+/**
+ * What is said about an offset.
+ */
+typedef struct gusset_offset_report {
+    /**
+     * sizeof(gusset_offset_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How far the curve is from the true offset, as measured at 16 places inside each segment.
+     */
+    double deviation;
+    /**
+     * The number of corners of the original, bridged by straight segments.
+     */
+    size_t corners;
+    /**
+     * 1 if the deviation is within the tolerance.
+     */
+    uint32_t reached;
+    /**
+     * 1 if somewhere the radius of curvature is at most the distance: the offset has cusps or runs backwards there.
+     */
+    uint32_t tight;
+} gusset_offset_report;
+
+/**
+ * The parts of a form; those that it does not have are empty. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_curve_form_view {
+    /**
+     * sizeof(gusset_curve_form_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The text of an SVG path, ended by a 0; empty for other forms.
+     */
+    const char *text;
+    /**
+     * Its length without the 0.
+     */
+    size_t text_length;
+    /**
+     * The points of a contour or the control points of a spline: x, y, z of each.
+     */
+    const double *points;
+    /**
+     * How many.
+     */
+    size_t point_count;
+    /**
+     * Of a contour, for each point: 1 on the curve, 0 off it.
+     */
+    const uint8_t *on_curve;
+    /**
+     * Of a spline: the knots, point_count + degree + 1 of them.
+     */
+    const double *knots;
+    /**
+     * How many.
+     */
+    size_t knot_count;
+    /**
+     * Of a spline: its degree.
+     */
+    size_t degree;
+} gusset_curve_form_view;
+
+/**
+ * What is demanded of a curve at a point.
+ */
+typedef struct gusset_constraint {
+    /**
+     * The point, counted over all outlines.
+     */
+    uint32_t point;
+    /**
+     * GUSSET_DEMAND_...
+     */
+    uint32_t demand;
+    /**
+     * x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines.
+     */
+    double tangent[3];
+} gusset_constraint;
+
+/**
+ * Outlines in the caller's memory: all points one after another. Nothing is copied on the way in. The arrays may have any
+ * alignment, must be as long as the counts say, and must not change during a call.
+ */
+typedef struct gusset_outlines {
+    /**
+     * sizeof(gusset_outlines), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The coordinates, doubles: x, y or x, y, z at the start of every point_stride bytes; finite.
+     */
+    const void *points;
+    /**
+     * In bytes; 0 for points without gaps.
+     */
+    size_t point_stride;
+    /**
+     * The number of points of all outlines, at most 2^30.
+     */
+    size_t point_count;
+    /**
+     * Where each outline begins, and where the last one ends: outline_count + 1 places, 0 first, never decreasing. NULL with
+     * outline_count 0 for a single outline of all points.
+     */
+    const uint32_t *offsets;
+    /**
+     * The number of outlines, or 0.
+     */
+    size_t outline_count;
+    /**
+     * In ascending order of their points, at most one for each; or NULL. Of points that are merged the first one's holds.
+     */
+    const struct gusset_constraint *constraints;
+    /**
+     * How many.
+     */
+    size_t constraint_count;
+    /**
+     * 2 or 3.
+     */
+    uint32_t dimension;
+    /**
+     * 1: from the last point of each outline back to its first one; a last point that repeats the first does no harm. 0: open.
+     */
+    uint32_t closed;
+} gusset_outlines;
+
+/**
+ * How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of
+ * its box.
+ */
+typedef struct gusset_outline_options {
+    /**
+     * sizeof(gusset_outline_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_CURVE_...
+     */
+    uint32_t curve;
+    /**
+     * GUSSET_METHOD_...
+     */
+    uint32_t method;
+    /**
+     * GUSSET_LOCK_..., for composite and single curves.
+     */
+    uint32_t lock;
+    /**
+     * GUSSET_JOINT_SHARE_..., for composite curves.
+     */
+    uint32_t joint;
+    /**
+     * GUSSET_SOLVER_...
+     */
+    uint32_t solver;
+    /**
+     * GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent demanded there comes first.
+     */
+    uint32_t ends;
+    /**
+     * Read for GUSSET_METHOD_ALPHA; 0 to 1.
+     */
+    double alpha;
+    /**
+     * Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for 1/6.
+     */
+    double parameter_limit;
+    /**
+     * Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0, below 1.
+     */
+    double repeat_tolerance;
+    /**
+     * Points where the polygon turns by more than this angle, in radians, are corners; 0 or pi for none.
+     */
+    double corner_angle;
+    /**
+     * Iterations end when nothing moves farther, below 1; 0 for 1e-12.
+     */
+    double tolerance;
+    /**
+     * The first step of GUSSET_SOLVER_STEP, at most 1; 0 for 0.1.
+     */
+    double first_step;
+    /**
+     * What a step is divided by where the deviation changes its sign, above 1; 0 for 10.
+     */
+    double step_divisor;
+    /**
+     * The most sweeps or iterations; 0 for 200.
+     */
+    uint32_t max_sweeps;
+    /**
+     * The most steps at a point in a sweep; 0 for 20,000.
+     */
+    uint32_t max_steps;
+    /**
+     * GUSSET_REPEATS_...
+     */
+    uint32_t repeats;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_outline_options;
+
+/**
+ * How a frame is made; all zero is the default: the points themselves are the nodes.
+ */
+typedef struct gusset_frame_options {
+    /**
+     * sizeof(gusset_frame_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_CORRESPONDENCE_...
+     */
+    uint32_t correspondence;
+    /**
+     * The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of parts from each landmark to the
+     * next.
+     */
+    uint32_t columns;
+    /**
+     * 1: the last section is followed by the first one. 0 or 1.
+     */
+    uint32_t ring;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+    /**
+     * For ANGLE: a point of the axis.
+     */
+    double axis_point[3];
+    /**
+     * For ANGLE: its direction; seen against it angles grow counter-clockwise.
+     */
+    double axis_direction[3];
+    /**
+     * For ANGLE: towards the nodes of column 0; any vector not along the axis.
+     */
+    double reference[3];
+    /**
+     * For LANDMARKS: for each section its landmarks in order, places among its own points; as many for each.
+     */
+    struct gusset_indices landmarks;
+    /**
+     * How the curves across are made; NULL for the defaults.
+     */
+    const struct gusset_outline_options *across;
+    /**
+     * How the curves along are made; NULL for the defaults.
+     */
+    const struct gusset_outline_options *along;
+} gusset_frame_options;
+
+/**
+ * The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
+ */
+typedef struct gusset_frame_view {
+    /**
+     * sizeof(gusset_frame_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of sections.
+     */
+    size_t rows;
+    /**
+     * The number of nodes in a section.
+     */
+    size_t columns;
+    /**
+     * x, y, z of each node.
+     */
+    const double *nodes;
+    /**
+     * The direction of the curve across at each node: x, y, z, of length 1, or 0 where there is none.
+     */
+    const double *across;
+    /**
+     * The direction of the curve along.
+     */
+    const double *along;
+    /**
+     * For each section 1 if it was taken backwards.
+     */
+    const uint8_t *turned;
+    /**
+     * Nodes that could have been elsewhere, as a half-plane meets their section more than once.
+     */
+    struct gusset_indices ambiguous;
+    /**
+     * The largest distance between the two curves at a node, relative to the size of the nodes' box.
+     */
+    double max_gap;
+    /**
+     * The smallest sine of the angle at which two curves cross at a node.
+     */
+    double min_sine;
+} gusset_frame_view;
+
+/**
+ * What a section measures.
+ */
+typedef struct gusset_section_report {
+    /**
+     * Its length: of a closed section all round.
+     */
+    double girth;
+    /**
+     * The area within, never negative; that of an open section is closed by its chord.
+     */
+    double area;
+    /**
+     * The mean of its points by arc length.
+     */
+    double centre[3];
+} gusset_section_report;
+
+/**
+ * What was found. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_places_view {
+    /**
+     * sizeof(gusset_places_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The places, in the order of the (first) curve.
+     */
+    const struct gusset_place *places;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * The points there: x, y, z of each.
+     */
+    const double *points;
+    /**
+     * Of intersections: the places on the second curve, or the later ones on the same; else NULL.
+     */
+    const struct gusset_place *others;
+    /**
+     * Parts that two segments have in common: start and end on the first, the same start and end on the second; four places
+     * each.
+     */
+    const struct gusset_place *overlaps;
+    /**
+     * How many, each of four places.
+     */
+    size_t overlap_count;
+    /**
+     * Of crossings: the segments that lie in the line or plane altogether.
+     */
+    struct gusset_indices inside;
+    /**
+     * 1 if some pair of segments was given up: they run beside each other within rounding for a long way.
+     */
+    uint32_t undecided;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_places_view;
+
+/**
+ * The nearest point of a curve.
+ */
+typedef struct gusset_curve_nearest_point {
+    /**
+     * Where on the curve.
+     */
+    struct gusset_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The distance.
+     */
+    double distance;
+} gusset_curve_nearest_point;
+
+/**
+ * The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round
+ * clockwise count negative.
+ */
+typedef struct gusset_curve_moment_report {
+    /**
+     * sizeof(gusset_curve_moment_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The signed area.
+     */
+    double area;
+    /**
+     * The centre of gravity; the curve's start if the area is 0.
+     */
+    double centroid[2];
+    /**
+     * The integrals of x x, x y and y y about the centroid, with the sign of the area.
+     */
+    double second[3];
+} gusset_curve_moment_report;
+
+/**
+ * All curves in one. Pointers are valid until the outline is destroyed.
+ *
+ * Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends
+ * starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1],
+ * both included, counted from the curve's first one. A closed curve repeats its first control point at its end.
+ */
+typedef struct gusset_outline_view {
+    /**
+     * sizeof(gusset_outline_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of outlines.
+     */
+    size_t outline_count;
+    /**
+     * The number of points of all outlines.
+     */
+    size_t point_count;
+    /**
+     * x, y, z of each control point.
+     */
+    const double *controls;
+    /**
+     * The number of control points.
+     */
+    size_t control_count;
+    /**
+     * The ends of the segments.
+     */
+    struct gusset_indices ends;
+    /**
+     * Two places for each curve, and two behind the last.
+     */
+    const size_t *starts;
+    /**
+     * For each point the segment of its curve that it lies on.
+     */
+    struct gusset_indices segments;
+    /**
+     * For each point its parameter there, 0 to 1.
+     */
+    const double *parameters;
+    /**
+     * For each point what became of it: GUSSET_POINT_...
+     */
+    const uint8_t *statuses;
+} gusset_outline_view;
+
+/**
+ * What became of an outline. Lengths but size are relative to size.
+ */
+typedef struct gusset_outline_report {
+    /**
+     * sizeof(gusset_outline_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_FIT_...
+     */
+    uint32_t fit;
+    /**
+     * Sweeps or iterations; 0 for what needs none.
+     */
+    uint32_t iterations;
+    /**
+     * Steps of GUSSET_SOLVER_STEP.
+     */
+    uint64_t steps;
+    /**
+     * The longest side of the outline's box, in the unit of the points.
+     */
+    double size;
+    /**
+     * The largest distance of a point from its place on the curve; merged points count as the one that they repeat.
+     */
+    double max_residual;
+    /**
+     * The largest sine of the angle by which the curve turns at a joint that is to be smooth.
+     */
+    double max_joint_sine;
+    /**
+     * The farthest move of a control point in the last iteration.
+     */
+    double last_move;
+    /**
+     * How many points have another status than GUSSET_POINT_OK.
+     */
+    uint32_t not_ok;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_outline_report;
+
+/**
+ * One section for each point: the quadratic from the point before over the control point to the point after. Pointers are
+ * valid until the sections are destroyed.
+ */
+typedef struct gusset_sections_view {
+    /**
+     * sizeof(gusset_sections_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The number of points.
+     */
+    size_t count;
+    /**
+     * x, y, z of the control points; the ends of open outlines, which have no section, have themselves.
+     */
+    const double *controls;
+    /**
+     * The parameter of each point on its section; 0 and 1 at the ends of open outlines.
+     */
+    const double *parameters;
+    /**
+     * GUSSET_POINT_...
+     */
+    const uint8_t *statuses;
+} gusset_sections_view;
+
+/**
  * A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing is copied on the way in.
  *
  * As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners (TOO_LARGE); at
@@ -1602,20 +2282,6 @@ typedef struct gusset_assembly_options {
      */
     const struct gusset_fill_options *fill_options;
 } gusset_assembly_options;
-
-/**
- * Indices that a result lends, or that the caller gives.
- */
-typedef struct gusset_indices {
-    /**
-     * The first one; may be NULL if count is 0.
-     */
-    const uint32_t *data;
-    /**
-     * How many.
-     */
-    size_t count;
-} gusset_indices;
 
 /**
  * Where a piece went.
@@ -1968,289 +2634,6 @@ typedef struct gusset_check_view {
 } gusset_check_view;
 
 /**
- * Called now and then during long work, on the thread that made the call. fraction: part done, 0 to 1. stage: what is
- * being done, valid during the callback only. Return nonzero to cancel the call. It must not use the context, except for
- * gusset_context_cancel and gusset_context_get_progress, and must not throw or longjmp.
- */
-typedef int (*gusset_progress_fn)(void *user, double fraction, const char *stage);
-
-/**
- * Called with remarks that are no failures, on the thread that made the call; message is valid during the callback only.
- * The same rules as for progress.
- */
-typedef void (*gusset_log_fn)(void *user, const char *message);
-
-/**
- * What the index in a report counts.
- */
-typedef uint32_t gusset_element;
-
-/**
- * What went wrong in the last call, for programs.
- */
-typedef struct gusset_error_report {
-    /**
-     * sizeof(gusset_error_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The status that the call returned.
-     */
-    int32_t status;
-    /**
-     * What index counts: one of GUSSET_ELEMENT_...
-     */
-    gusset_element element;
-    /**
-     * The first offending element.
-     */
-    uint64_t index;
-    /**
-     * Its value where it has one: the coordinate, the vertex index, the limit exceeded.
-     */
-    double value;
-    /**
-     * The mesh or loop that it belongs to: 0 the first, 1 the second.
-     */
-    uint32_t input;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_error_report;
-
-/**
- * The parts of a curve. Pointers are valid until it is destroyed.
- */
-typedef struct gusset_curve_view {
-    /**
-     * sizeof(gusset_curve_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The control points: x, y, z of each; z is 0 for a plane curve.
-     */
-    const double *points;
-    /**
-     * How many.
-     */
-    size_t point_count;
-    /**
-     * 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to
-     * ends[k + 1].
-     */
-    struct gusset_indices ends;
-    /**
-     * 1: the curve ends where it begins and goes on there.
-     */
-    uint32_t closed;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_curve_view;
-
-/**
- * A place on a curve.
- */
-typedef struct gusset_place {
-    /**
-     * Counted from 0.
-     */
-    uint32_t segment;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * The parameter: 0 at the segment's first control point, 1 at its last.
-     */
-    double t;
-} gusset_place;
-
-/**
- * The nearest point of a curve.
- */
-typedef struct gusset_curve_nearest_point {
-    /**
-     * Where on the curve.
-     */
-    struct gusset_place place;
-    /**
-     * x, y, z.
-     */
-    double point[3];
-    /**
-     * The distance.
-     */
-    double distance;
-} gusset_curve_nearest_point;
-
-/**
- * The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round
- * clockwise count negative.
- */
-typedef struct gusset_curve_moment_report {
-    /**
-     * sizeof(gusset_curve_moment_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The signed area.
-     */
-    double area;
-    /**
-     * The centre of gravity; the curve's start if the area is 0.
-     */
-    double centroid[2];
-    /**
-     * The integrals of x x, x y and y y about the centroid, with the sign of the area.
-     */
-    double second[3];
-} gusset_curve_moment_report;
-
-/**
- * The parts of a form; those that it does not have are empty. Pointers are valid until it is destroyed.
- */
-typedef struct gusset_curve_form_view {
-    /**
-     * sizeof(gusset_curve_form_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The text of an SVG path, ended by a 0; empty for other forms.
-     */
-    const char *text;
-    /**
-     * Its length without the 0.
-     */
-    size_t text_length;
-    /**
-     * The points of a contour or the control points of a spline: x, y, z of each.
-     */
-    const double *points;
-    /**
-     * How many.
-     */
-    size_t point_count;
-    /**
-     * Of a contour, for each point: 1 on the curve, 0 off it.
-     */
-    const uint8_t *on_curve;
-    /**
-     * Of a spline: the knots, point_count + degree + 1 of them.
-     */
-    const double *knots;
-    /**
-     * How many.
-     */
-    size_t knot_count;
-    /**
-     * Of a spline: its degree.
-     */
-    size_t degree;
-} gusset_curve_form_view;
-
-/**
- * What was found. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_places_view {
-    /**
-     * sizeof(gusset_places_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The places, in the order of the (first) curve.
-     */
-    const struct gusset_place *places;
-    /**
-     * How many.
-     */
-    size_t count;
-    /**
-     * The points there: x, y, z of each.
-     */
-    const double *points;
-    /**
-     * Of intersections: the places on the second curve, or the later ones on the same; else NULL.
-     */
-    const struct gusset_place *others;
-    /**
-     * Parts that two segments have in common: start and end on the first, the same start and end on the second; four places
-     * each.
-     */
-    const struct gusset_place *overlaps;
-    /**
-     * How many, each of four places.
-     */
-    size_t overlap_count;
-    /**
-     * Of crossings: the segments that lie in the line or plane altogether.
-     */
-    struct gusset_indices inside;
-    /**
-     * 1 if some pair of segments was given up: they run beside each other within rounding for a long way.
-     */
-    uint32_t undecided;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_places_view;
-
-/**
- * How an offset is fitted.
- */
-typedef struct gusset_offset_options {
-    /**
-     * sizeof(gusset_offset_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The deviation aimed at, above 0, in the unit of the points.
-     */
-    double tolerance;
-    /**
-     * No segment is halved once there are so many; 0 for 65536.
-     */
-    size_t max_segments;
-    /**
-     * The degree of the segments, 2 or 3; 0 for 3.
-     */
-    uint32_t degree;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_offset_options;
-
-/**
- * What is said about an offset.
- */
-typedef struct gusset_offset_report {
-    /**
-     * sizeof(gusset_offset_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How far the curve is from the true offset, as measured at 16 places inside each segment.
-     */
-    double deviation;
-    /**
-     * The number of corners of the original, bridged by straight segments.
-     */
-    size_t corners;
-    /**
-     * 1 if the deviation is within the tolerance.
-     */
-    uint32_t reached;
-    /**
-     * 1 if somewhere the radius of curvature is at most the distance: the offset has cusps or runs backwards there.
-     */
-    uint32_t tight;
-} gusset_offset_report;
-
-/**
  * How facing vertices are found; all zero is the default.
  */
 typedef struct gusset_facing_options {
@@ -2378,264 +2761,342 @@ typedef struct gusset_quality_report {
 } gusset_quality_report;
 
 /**
- * What is demanded of a curve at a point.
+ * How to orient; all zero is the default.
  */
-typedef struct gusset_constraint {
+typedef struct gusset_orient_options {
     /**
-     * The point, counted over all outlines.
-     */
-    uint32_t point;
-    /**
-     * GUSSET_DEMAND_...
-     */
-    uint32_t demand;
-    /**
-     * x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines.
-     */
-    double tangent[3];
-} gusset_constraint;
-
-/**
- * Outlines in the caller's memory: all points one after another. Nothing is copied on the way in. The arrays may have any
- * alignment, must be as long as the counts say, and must not change during a call.
- */
-typedef struct gusset_outlines {
-    /**
-     * sizeof(gusset_outlines), set by the caller.
+     * sizeof(gusset_orient_options), set by the caller.
      */
     size_t struct_size;
     /**
-     * The coordinates, doubles: x, y or x, y, z at the start of every point_stride bytes; finite.
+     * GUSSET_OUTWARD_...
      */
-    const void *points;
-    /**
-     * In bytes; 0 for points without gaps.
-     */
-    size_t point_stride;
-    /**
-     * The number of points of all outlines, at most 2^30.
-     */
-    size_t point_count;
-    /**
-     * Where each outline begins, and where the last one ends: outline_count + 1 places, 0 first, never decreasing. NULL with
-     * outline_count 0 for a single outline of all points.
-     */
-    const uint32_t *offsets;
-    /**
-     * The number of outlines, or 0.
-     */
-    size_t outline_count;
-    /**
-     * In ascending order of their points, at most one for each; or NULL. Of points that are merged the first one's holds.
-     */
-    const struct gusset_constraint *constraints;
-    /**
-     * How many.
-     */
-    size_t constraint_count;
-    /**
-     * 2 or 3.
-     */
-    uint32_t dimension;
-    /**
-     * 1: from the last point of each outline back to its first one; a last point that repeats the first does no harm. 0: open.
-     */
-    uint32_t closed;
-} gusset_outlines;
-
-/**
- * How outlines are identified; all zero is the default. Lengths are relative to the size of the outline, the longest side of
- * its box.
- */
-typedef struct gusset_outline_options {
-    /**
-     * sizeof(gusset_outline_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_CURVE_...
-     */
-    uint32_t curve;
-    /**
-     * GUSSET_METHOD_...
-     */
-    uint32_t method;
-    /**
-     * GUSSET_LOCK_..., for composite and single curves.
-     */
-    uint32_t lock;
-    /**
-     * GUSSET_JOINT_SHARE_..., for composite curves.
-     */
-    uint32_t joint;
-    /**
-     * GUSSET_SOLVER_...
-     */
-    uint32_t solver;
-    /**
-     * GUSSET_ENDS_..., for open outlines, and parts of them that end at corners; a tangent demanded there comes first.
-     */
-    uint32_t ends;
-    /**
-     * Read for GUSSET_METHOD_ALPHA; 0 to 1.
-     */
-    double alpha;
-    /**
-     * Parameters of composite curves are kept within this and 1 less this: 0.001 to 1/2, or 0 for 1/6.
-     */
-    double parameter_limit;
-    /**
-     * Read for GUSSET_REPEATS_GIVEN: neighbours at most so far apart are one point; at least 0, below 1.
-     */
-    double repeat_tolerance;
-    /**
-     * Points where the polygon turns by more than this angle, in radians, are corners; 0 or pi for none.
-     */
-    double corner_angle;
-    /**
-     * Iterations end when nothing moves farther, below 1; 0 for 1e-12.
-     */
-    double tolerance;
-    /**
-     * The first step of GUSSET_SOLVER_STEP, at most 1; 0 for 0.1.
-     */
-    double first_step;
-    /**
-     * What a step is divided by where the deviation changes its sign, above 1; 0 for 10.
-     */
-    double step_divisor;
-    /**
-     * The most sweeps or iterations; 0 for 200.
-     */
-    uint32_t max_sweeps;
-    /**
-     * The most steps at a point in a sweep; 0 for 20,000.
-     */
-    uint32_t max_steps;
-    /**
-     * GUSSET_REPEATS_...
-     */
-    uint32_t repeats;
+    uint32_t outward;
     /**
      * 0.
      */
     uint32_t reserved;
-} gusset_outline_options;
+} gusset_orient_options;
 
 /**
- * How a frame is made; all zero is the default: the points themselves are the nodes.
+ * What was turned, and what could not be oriented. Pointers are valid until the handle is destroyed.
  */
-typedef struct gusset_frame_options {
+typedef struct gusset_orient_view {
     /**
-     * sizeof(gusset_frame_options), set by the caller.
+     * sizeof(gusset_orient_view), set by the caller.
      */
     size_t struct_size;
     /**
-     * GUSSET_CORRESPONDENCE_...
-     */
-    uint32_t correspondence;
-    /**
-     * The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of parts from each landmark to the
-     * next.
-     */
-    uint32_t columns;
-    /**
-     * 1: the last section is followed by the first one. 0 or 1.
-     */
-    uint32_t ring;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * For ANGLE: a point of the axis.
-     */
-    double axis_point[3];
-    /**
-     * For ANGLE: its direction; seen against it angles grow counter-clockwise.
-     */
-    double axis_direction[3];
-    /**
-     * For ANGLE: towards the nodes of column 0; any vector not along the axis.
-     */
-    double reference[3];
-    /**
-     * For LANDMARKS: for each section its landmarks in order, places among its own points; as many for each.
-     */
-    struct gusset_indices landmarks;
-    /**
-     * How the curves across are made; NULL for the defaults.
-     */
-    const struct gusset_outline_options *across;
-    /**
-     * How the curves along are made; NULL for the defaults.
-     */
-    const struct gusset_outline_options *along;
-} gusset_frame_options;
-
-/**
- * The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
- */
-typedef struct gusset_frame_view {
-    /**
-     * sizeof(gusset_frame_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The number of sections.
-     */
-    size_t rows;
-    /**
-     * The number of nodes in a section.
-     */
-    size_t columns;
-    /**
-     * x, y, z of each node.
-     */
-    const double *nodes;
-    /**
-     * The direction of the curve across at each node: x, y, z, of length 1, or 0 where there is none.
-     */
-    const double *across;
-    /**
-     * The direction of the curve along.
-     */
-    const double *along;
-    /**
-     * For each section 1 if it was taken backwards.
+     * Per face, 1 if it was turned over, else 0.
      */
     const uint8_t *turned;
     /**
-     * Nodes that could have been elsewhere, as a half-plane meets their section more than once.
+     * The number of faces.
      */
-    struct gusset_indices ambiguous;
+    size_t face_count;
     /**
-     * The largest distance between the two curves at a node, relative to the size of the nodes' box.
+     * The smallest face of each component that cannot be oriented, ascending. Such components stay as they are.
      */
-    double max_gap;
+    struct gusset_indices one_sided_faces;
     /**
-     * The smallest sine of the angle at which two curves cross at a node.
+     * For each of them, a half-edge of it at which two faces disagree when others agree.
      */
-    double min_sine;
-} gusset_frame_view;
+    struct gusset_indices one_sided_half_edges;
+    /**
+     * The number of faces turned over.
+     */
+    uint32_t turned_faces;
+    /**
+     * Components: faces that hang together across edges of two faces. A degenerate face is one of its own.
+     */
+    uint32_t component_count;
+    /**
+     * Closed components that face outwards now and, with GUSSET_OUTWARD_KEEP, would not.
+     */
+    uint32_t inverted_components;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_orient_view;
 
 /**
- * What a section measures.
+ * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
  */
-typedef struct gusset_section_report {
+typedef struct gusset_stitch_view {
     /**
-     * Its length: of a closed section all round.
+     * sizeof(gusset_stitch_view), set by the caller.
      */
-    double girth;
+    size_t struct_size;
     /**
-     * The area within, never negative; that of an open section is closed by its chord.
+     * Per old vertex of each mesh, its index in the result; empty for the second if there was only one mesh.
      */
-    double area;
+    struct gusset_indices vertex_map[2];
     /**
-     * The mean of its points by arc length.
+     * Per old face, its index in the result.
      */
-    double centre[3];
-} gusset_section_report;
+    struct gusset_indices face_map[2];
+    /**
+     * The vertices of each rim, by their indices in the result, from the first meridian on, side by side: rim 0 has its
+     * surface on the left, rim 1 on the right. They are also the strip's own first vertices in order: rim 0, then rim 1.
+     */
+    struct gusset_indices rim[2];
+    /**
+     * The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
+     * They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to
+     * (N - 1, M - 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by
+     * the rule by index, both.
+     */
+    struct gusset_indices meridians;
+    /**
+     * The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
+     */
+    struct gusset_indices matrix;
+    /**
+     * Of each new vertex (they are the last ones of the result), the two vertices that it lies between, on rim 0 and on
+     * rim 1, by turns.
+     */
+    struct gusset_indices parents;
+    /**
+     * Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less this.
+     */
+    const double *weights;
+    /**
+     * The first of the strip's faces in the result; they are the last ones.
+     */
+    size_t strip_face_first;
+    /**
+     * How many there are; N + M triangles for whole rims without interior rows.
+     */
+    size_t strip_face_count;
+    /**
+     * Interior rows; the matrix has two rows more.
+     */
+    uint32_t row_count;
+    /**
+     * 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
+     */
+    uint32_t closed;
+    /**
+     * 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way, each from its own first
+     * corner. Other components stay as they are.
+     */
+    uint32_t turned;
+    /**
+     * 1 if faces that cut each other were looked for, else 0.
+     */
+    uint32_t intersections_known;
+    /**
+     * Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What
+     * they share by number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split
+     * by their shorter diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
+     */
+    struct gusset_indices intersections;
+    /**
+     * How often the fairing had to be taken back in places.
+     */
+    uint32_t back_off_count;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_stitch_view;
+
+/**
+ * How a strip is made; all zero is the default.
+ */
+typedef struct gusset_strip_options {
+    /**
+     * sizeof(gusset_strip_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MERIDIANS_...
+     */
+    uint32_t meridians;
+    /**
+     * GUSSET_SEARCH_...
+     */
+    uint32_t search;
+    /**
+     * GUSSET_START_..., for closed polylines; open ones begin at their first points.
+     */
+    uint32_t start;
+    /**
+     * 1: the polylines are closed; 0: they are open.
+     */
+    uint32_t closed;
+} gusset_strip_options;
+
+/**
+ * The parts of a strip. Pointers are valid until it is destroyed.
+ */
+typedef struct gusset_strip_view {
+    /**
+     * sizeof(gusset_strip_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The points of A and of B that the first meridian joins.
+     */
+    uint32_t start[2];
+    /**
+     * The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for closed polylines of N and M
+     * points, where place N is place 0 again, and to (N - 1, M - 1) for open ones; count is twice the number of meridians.
+     */
+    struct gusset_indices meridians;
+    /**
+     * The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow. They run A_i+1, A_i, B_j:
+     * against polyline A, and along B. Where both sides advance at once a quad is split by its shorter diagonal.
+     */
+    struct gusset_indices triangles;
+} gusset_strip_view;
+
+/**
+ * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is
+ * destroyed.
+ */
+typedef struct gusset_weld_view {
+    /**
+     * sizeof(gusset_weld_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
+     */
+    struct gusset_indices vertex_map;
+    /**
+     * Per old face, its index in the result; UINT32_MAX if it was dropped.
+     */
+    struct gusset_indices face_map;
+    /**
+     * Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
+     * together there, or sewing would have collapsed a face or made an edge of three or more faces.
+     */
+    struct gusset_indices left_edges;
+    /**
+     * Vertices that lie together with another and are not one with it.
+     */
+    struct gusset_indices left_vertices;
+    /**
+     * Vertices that became one with a smaller one.
+     */
+    uint32_t welded_vertices;
+    /**
+     * Edges of two faces that were two free edges.
+     */
+    uint32_t sewn_edges;
+    /**
+     * Faces that were dropped.
+     */
+    uint32_t dropped_faces;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_weld_view;
+
+/**
+ * How tables are made; all zero is the default.
+ */
+typedef struct gusset_winged_options {
+    /**
+     * sizeof(gusset_winged_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_FACES_...
+     */
+    uint32_t winding;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_winged_options;
+
+/**
+ * One edge: Baumgart's M, N, b, c, d, e, L, R, where UINT32_MAX is NULL. Faces run clockwise seen from outside.
+ */
+typedef struct gusset_winged_edge {
+    /**
+     * The vertex M, where it starts.
+     */
+    uint32_t m;
+    /**
+     * The vertex N, where it ends.
+     */
+    uint32_t n;
+    /**
+     * In R, the edge after this one; it leaves N.
+     */
+    uint32_t b;
+    /**
+     * In L, the edge before this one; it arrives at N.
+     */
+    uint32_t c;
+    /**
+     * In R, the edge before this one; it arrives at M.
+     */
+    uint32_t d;
+    /**
+     * In L, the edge after this one; it leaves M.
+     */
+    uint32_t e;
+    /**
+     * The face L: it runs N to M.
+     */
+    uint32_t left;
+    /**
+     * The face R: it runs M to N.
+     */
+    uint32_t right;
+    /**
+     * GUSSET_WINGED_... bits; 0 for an ordinary edge.
+     */
+    uint32_t marks;
+} gusset_winged_edge;
+
+/**
+ * The tables. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_winged_view {
+    /**
+     * sizeof(gusset_winged_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The edges in the order of their first half-edges; M is the vertex where that half-edge starts.
+     */
+    const struct gusset_winged_edge *edges;
+    /**
+     * How many.
+     */
+    size_t edge_count;
+    /**
+     * Per half-edge (position in face_corners), its edge.
+     */
+    struct gusset_indices edge_of_half_edge;
+    /**
+     * Per face, its first edge.
+     */
+    struct gusset_indices edge_of_face;
+    /**
+     * Per vertex, an edge at it, or UINT32_MAX.
+     */
+    struct gusset_indices edge_of_vertex;
+    /**
+     * The vertices of all loops of free edges (exactly one of L, R is NULL), loop after loop, surface on the left.
+     */
+    struct gusset_indices loop_vertices;
+    /**
+     * The edges along them; edge i starts at vertex i.
+     */
+    struct gusset_indices loop_edges;
+    /**
+     * Where each loop starts in both; one entry more than there are loops.
+     */
+    struct gusset_indices loop_offsets;
+} gusset_winged_view;
 
 /**
  * Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
@@ -3769,192 +4230,696 @@ typedef struct gusset_net_validation_view {
 } gusset_net_validation_view;
 
 /**
- * How to orient; all zero is the default.
+ * How a surface is built.
  */
-typedef struct gusset_orient_options {
+typedef struct gusset_surface_options {
     /**
-     * sizeof(gusset_orient_options), set by the caller.
+     * sizeof(gusset_surface_options), set by the caller.
      */
     size_t struct_size;
     /**
-     * GUSSET_OUTWARD_...
+     * A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
      */
-    uint32_t outward;
+    double tolerance;
+    /**
+     * 1: with the cones of normals that gusset_surface_isophotes_create and gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first
+     * such question builds them.
+     */
+    uint32_t cones;
     /**
      * 0.
      */
     uint32_t reserved;
-} gusset_orient_options;
+} gusset_surface_options;
 
 /**
- * What was turned, and what could not be oriented. Pointers are valid until the handle is destroyed.
+ * A place on a surface.
  */
-typedef struct gusset_orient_view {
+typedef struct gusset_surface_place {
     /**
-     * sizeof(gusset_orient_view), set by the caller.
+     * The sheet, counted from 0 as they were given.
      */
-    size_t struct_size;
+    uint32_t sheet;
     /**
-     * Per face, 1 if it was turned over, else 0.
+     * The row of the cell: between node rows row and row + 1.
      */
-    const uint8_t *turned;
+    uint32_t row;
     /**
-     * The number of faces.
+     * Its column.
      */
-    size_t face_count;
-    /**
-     * The smallest face of each component that cannot be oriented, ascending. Such components stay as they are.
-     */
-    struct gusset_indices one_sided_faces;
-    /**
-     * For each of them, a half-edge of it at which two faces disagree when others agree.
-     */
-    struct gusset_indices one_sided_half_edges;
-    /**
-     * The number of faces turned over.
-     */
-    uint32_t turned_faces;
-    /**
-     * Components: faces that hang together across edges of two faces. A degenerate face is one of its own.
-     */
-    uint32_t component_count;
-    /**
-     * Closed components that face outwards now and, with GUSSET_OUTWARD_KEEP, would not.
-     */
-    uint32_t inverted_components;
+    uint32_t column;
     /**
      * 0.
      */
     uint32_t reserved;
-} gusset_orient_view;
+    /**
+     * The parameter within the cell, 0 to 1, from row to row; that of the sheet is row + u.
+     */
+    double u;
+    /**
+     * The same from column to column.
+     */
+    double v;
+} gusset_surface_place;
 
 /**
- * All curves in one. Pointers are valid until the outline is destroyed.
- *
- * Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends
- * starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1],
- * both included, counted from the curve's first one. A closed curve repeats its first control point at its end.
+ * The curves. Pointers are valid until the handle is destroyed.
  */
-typedef struct gusset_outline_view {
+typedef struct gusset_surface_paths_view {
     /**
-     * sizeof(gusset_outline_view), set by the caller.
+     * sizeof(gusset_surface_paths_view), set by the caller.
      */
     size_t struct_size;
     /**
-     * The number of outlines.
+     * How many curves.
      */
-    size_t outline_count;
+    size_t path_count;
     /**
-     * The number of points of all outlines.
+     * How many points there are in all.
      */
     size_t point_count;
     /**
-     * x, y, z of each control point.
-     */
-    const double *controls;
-    /**
-     * The number of control points.
-     */
-    size_t control_count;
-    /**
-     * The ends of the segments.
+     * 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
      */
     struct gusset_indices ends;
     /**
-     * Two places for each curve, and two behind the last.
+     * By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and gusset_curve_through_create have it again at the end.)
      */
-    const size_t *starts;
+    const uint32_t *closed;
     /**
-     * For each point the segment of its curve that it lies on.
+     * By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
      */
-    struct gusset_indices segments;
+    const uint32_t *levels;
     /**
-     * For each point its parameter there, 0 to 1.
+     * x, y, z of each point, on the surface.
      */
-    const double *parameters;
+    const double *points;
     /**
-     * For each point what became of it: GUSSET_POINT_...
+     * The unit normals there, x, y, z of each; 0 where there is none.
      */
-    const uint8_t *statuses;
-} gusset_outline_view;
+    const double *normals;
+    /**
+     * Where the points are on the surface.
+     */
+    const struct gusset_surface_place *places;
+    /**
+     * Of intersections of two surfaces: where they are on the second; else NULL.
+     */
+    const struct gusset_surface_place *others;
+    /**
+     * Cells in which something may be that could not be resolved: tangency, coincidence, or pieces smaller than the tolerance.
+     */
+    const struct gusset_surface_place *unresolved;
+    /**
+     * How many.
+     */
+    size_t unresolved_count;
+} gusset_surface_paths_view;
 
 /**
- * What became of an outline. Lengths but size are relative to size.
+ * What is between the points where a curve crosses the lines of the surface.
  */
-typedef struct gusset_outline_report {
+typedef uint32_t gusset_point_spacing;
+
+/**
+ * How curves of a surface are given.
+ */
+typedef struct gusset_contour_options {
     /**
-     * sizeof(gusset_outline_report), set by the caller.
+     * sizeof(gusset_contour_options), set by the caller.
      */
     size_t struct_size;
     /**
-     * GUSSET_FIT_...
+     * With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the surface. Otherwise not read. (In
+     * gusset_intersection_options, which has no `between`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
      */
-    uint32_t fit;
+    double chord;
     /**
-     * Sweeps or iterations; 0 for what needs none.
+     * GUSSET_BETWEEN_...
      */
-    uint32_t iterations;
+    gusset_point_spacing between;
     /**
-     * Steps of GUSSET_SOLVER_STEP.
+     * With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
      */
-    uint64_t steps;
+    uint32_t points;
     /**
-     * The longest side of the outline's box, in the unit of the points.
+     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
      */
-    double size;
-    /**
-     * The largest distance of a point from its place on the curve; merged points count as the one that they repeat.
-     */
-    double max_residual;
-    /**
-     * The largest sine of the angle by which the curve turns at a joint that is to be smooth.
-     */
-    double max_joint_sine;
-    /**
-     * The farthest move of a control point in the last iteration.
-     */
-    double last_move;
-    /**
-     * How many points have another status than GUSSET_POINT_OK.
-     */
-    uint32_t not_ok;
+    uint32_t unsigned_normals;
     /**
      * 0.
      */
     uint32_t reserved;
-} gusset_outline_report;
+} gusset_contour_options;
 
 /**
- * One section for each point: the quadratic from the point before over the control point to the point after. Pointers are
- * valid until the sections are destroyed.
+ * Where the angle of a normal is nearest to the one asked for.
  */
-typedef struct gusset_sections_view {
+typedef struct gusset_nearest_angle_report {
     /**
-     * sizeof(gusset_sections_view), set by the caller.
+     * sizeof(gusset_nearest_angle_report), set by the caller.
      */
     size_t struct_size;
     /**
-     * The number of points.
+     * Where it is.
      */
-    size_t count;
+    struct gusset_surface_place place;
     /**
-     * x, y, z of the control points; the ends of open outlines, which have no section, have themselves.
+     * x, y, z.
      */
-    const double *controls;
+    double point[3];
     /**
-     * The parameter of each point on its section; 0 and 1 at the ends of open outlines.
+     * The unit normal.
      */
-    const double *parameters;
+    double normal[3];
     /**
-     * GUSSET_POINT_...
+     * Its angle with the direction, in radians.
      */
-    const uint8_t *statuses;
-} gusset_sections_view;
+    double angle;
+    /**
+     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+     */
+    double deviation;
+    /**
+     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+     */
+    double bound;
+} gusset_nearest_angle_report;
 
 /**
  * How the surface is drawn through nodes.
  */
 typedef uint32_t gusset_scheme;
+
+/**
+ * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+ */
+typedef struct gusset_line {
+    /**
+     * x, y, z of the point where t is 0; finite.
+     */
+    double origin[3];
+    /**
+     * x, y, z of the direction; of a length from 1e-150 to 1e150. t counts lengths of it.
+     */
+    double direction[3];
+    /**
+     * The least t: -INFINITY for lines, 0 for rays and segments.
+     */
+    double from;
+    /**
+     * The greatest t: INFINITY for lines and rays; not below `from`.
+     */
+    double to;
+} gusset_line;
+
+/**
+ * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
+ */
+typedef struct gusset_surface_point {
+    /**
+     * The point.
+     */
+    double point[3];
+    /**
+     * S_u.
+     */
+    double u[3];
+    /**
+     * S_v.
+     */
+    double v[3];
+    /**
+     * S_uu.
+     */
+    double uu[3];
+    /**
+     * S_uv.
+     */
+    double uv[3];
+    /**
+     * S_vv.
+     */
+    double vv[3];
+    /**
+     * The unit normal, to the side of S_u x S_v; 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
+     * tip of a cone, which has no normal.
+     */
+    double spread;
+    /**
+     * The principal curvatures, the greater first: positive where the surface bends towards the normal.
+     */
+    double principal[2];
+    /**
+     * Their directions: two unit tangents, x, y, z each.
+     */
+    double directions[6];
+    /**
+     * The mean curvature.
+     */
+    double mean;
+    /**
+     * The Gaussian curvature.
+     */
+    double gaussian;
+    /**
+     * GUSSET_NORMAL_...
+     */
+    uint32_t normal_kind;
+    /**
+     * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
+     */
+    uint32_t is_curved;
+} gusset_surface_point;
+
+/**
+ * Which hits are wanted.
+ */
+typedef uint32_t gusset_hit_selection;
+
+/**
+ * What a hit is.
+ */
+typedef uint32_t gusset_hit_kind;
+
+/**
+ * A point that a line or a curve and a surface have in common.
+ */
+typedef struct gusset_surface_hit {
+    /**
+     * Where on the line; of a curve the number of the segment and the parameter on it, added.
+     */
+    double t;
+    /**
+     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
+     */
+    double span[2];
+    /**
+     * Where on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z of the point of the surface.
+     */
+    double point[3];
+    /**
+     * x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
+     */
+    double normal[3];
+    /**
+     * GUSSET_HIT_...
+     */
+    gusset_hit_kind kind;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_hit;
+
+/**
+ * The hits. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_hits_view {
+    /**
+     * sizeof(gusset_surface_hits_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many lines were asked for; 1 for a curve.
+     */
+    size_t line_count;
+    /**
+     * How many hits there are in all.
+     */
+    size_t hit_count;
+    /**
+     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
+     */
+    const uint64_t *ends;
+    /**
+     * The hits, those of a line by rising t.
+     */
+    const struct gusset_surface_hit *hits;
+    /**
+     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
+     */
+    const struct gusset_place *on_curve;
+} gusset_surface_hits_view;
+
+/**
+ * What is looked for.
+ */
+typedef struct gusset_nearest_options {
+    /**
+     * sizeof(gusset_nearest_options), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
+     */
+    double limit;
+    /**
+     * Of minima: as many of the nearest; 0: all.
+     */
+    size_t most;
+    /**
+     * 1: limit is read.
+     */
+    uint32_t limited;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_nearest_options;
+
+/**
+ * A point of a surface that was found for a query.
+ */
+typedef struct gusset_surface_nearest_point {
+    /**
+     * Where it is on the surface.
+     */
+    struct gusset_surface_place place;
+    /**
+     * x, y, z.
+     */
+    double point[3];
+    /**
+     * The unit normal there, or its limit at a pole; 0 where there is none. The query is on its side if (query - point) . normal > 0.
+     */
+    double normal[3];
+    /**
+     * The distance from the query.
+     */
+    double distance;
+    /**
+     * No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
+     */
+    double bound;
+    /**
+     * GUSSET_SURFACE_CLOSEST_...
+     */
+    uint32_t flags;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_nearest_point;
+
+/**
+ * What was found. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_points_view {
+    /**
+     * sizeof(gusset_surface_points_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The points, the nearest first.
+     */
+    const struct gusset_surface_nearest_point *points;
+    /**
+     * How many.
+     */
+    size_t count;
+    /**
+     * None is missing that is nearer than this.
+     */
+    double bound;
+    /**
+     * 1, or 0 if the search gave up at that distance, as it may where the distance is the same all over the surface.
+     */
+    uint32_t complete;
+    /**
+     * 0.
+     */
+    uint32_t reserved;
+} gusset_surface_points_view;
+
+/**
+ * A cell of a region.
+ */
+typedef struct gusset_surface_cell {
+    /**
+     * The sheet.
+     */
+    uint32_t sheet;
+    /**
+     * The row of the cell.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+    /**
+     * 1 if all of the cell is within the radius.
+     */
+    uint32_t whole;
+} gusset_surface_cell;
+
+/**
+ * The cells. Pointers are valid until the handle is destroyed.
+ */
+typedef struct gusset_surface_region_view {
+    /**
+     * sizeof(gusset_surface_region_view), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * The cells, rising by sheet, row, column.
+     */
+    const struct gusset_surface_cell *cells;
+    /**
+     * How many.
+     */
+    size_t cell_count;
+    /**
+     * A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet k, which has c columns, is
+     * b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
+     */
+    const uint64_t *mask;
+    /**
+     * How many words.
+     */
+    size_t word_count;
+    /**
+     * By sheet: its first bit; then the number of bits.
+     */
+    const uint64_t *first;
+    /**
+     * How many sheets.
+     */
+    size_t sheet_count;
+} gusset_surface_region_view;
+
+/**
+ * What a cell region is like.
+ */
+typedef struct gusset_mask_report {
+    /**
+     * sizeof(gusset_mask_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells it has.
+     */
+    uint64_t cells;
+    /**
+     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
+     * is in several parts.
+     */
+    uint64_t integer_diameter;
+    /**
+     * Vertices less edges plus cells: 1 for a region in one part without holes.
+     */
+    int64_t euler;
+    /**
+     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
+     * infinite if the region is in several parts.
+     */
+    double diameter;
+} gusset_mask_report;
+
+/**
+ * What distances are measured from, or angles.
+ */
+typedef uint32_t gusset_reference_object;
+
+/**
+ * What the paper's search looks for, and how.
+ */
+typedef struct gusset_reference_task {
+    /**
+     * sizeof(gusset_reference_task), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * GUSSET_MASK_...
+     */
+    gusset_reference_object object;
+    /**
+     * 0: cells that may have something within `within`. 1: cells that may have the nearest.
+     */
+    uint32_t least;
+    /**
+     * A point of the object; not read for angles.
+     */
+    double point[3];
+    /**
+     * Its direction, of any length but 0; not read for points.
+     */
+    double direction[3];
+    /**
+     * A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
+     */
+    double within;
+    /**
+     * Of GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
+     */
+    double angle;
+    /**
+     * Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
+     * gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
+     */
+    double curvature;
+    /**
+     * Of GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
+     */
+    uint32_t unsigned_normals;
+    /**
+     * 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
+     */
+    uint32_t by_rings;
+    /**
+     * 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
+     */
+    uint32_t by_rows;
+    /**
+     * 1: lines of nodes that a block covers from side to side are not left out at once.
+     */
+    uint32_t keep_lines;
+} gusset_reference_task;
+
+/**
+ * What the search did.
+ */
+typedef struct gusset_reference_report {
+    /**
+     * sizeof(gusset_reference_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many cells are left.
+     */
+    uint64_t cells;
+    /**
+     * How many nodes were looked at.
+     */
+    uint64_t evaluations;
+    /**
+     * How many blocks of cells were excluded.
+     */
+    uint64_t blocks;
+    /**
+     * How many lines of cells were left out at once.
+     */
+    uint64_t dropped;
+    /**
+     * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
+     */
+    double least;
+    /**
+     * The row of that node.
+     */
+    uint32_t row;
+    /**
+     * Its column.
+     */
+    uint32_t column;
+} gusset_reference_report;
+
+/**
+ * What a surface is.
+ */
+typedef struct gusset_surface_report {
+    /**
+     * sizeof(gusset_surface_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * How many sheets.
+     */
+    size_t sheet_count;
+    /**
+     * How many cells, of all sheets.
+     */
+    size_t cell_count;
+    /**
+     * How many corners of cells: of sheets from nodes, the nodes.
+     */
+    size_t node_count;
+    /**
+     * Bytes of the index without the cones of normals; the nodes are not counted.
+     */
+    size_t index_bytes;
+    /**
+     * The length to which answers are proved.
+     */
+    double tolerance;
+    /**
+     * A corner of a box round the surface and the control nets of its cells, which may be larger than the surface: the least x, y, z.
+     */
+    double low[3];
+    /**
+     * The greatest.
+     */
+    double high[3];
+    /**
+     * Bytes of the cones of normals; 0 as long as there are none: see gusset_surface_options.
+     */
+    size_t cone_bytes;
+} gusset_surface_report;
+
+/**
+ * What a sheet of a surface is.
+ */
+typedef struct gusset_surface_sheet_report {
+    /**
+     * sizeof(gusset_surface_sheet_report), set by the caller.
+     */
+    size_t struct_size;
+    /**
+     * Cells in u: u runs from 0 to this. There is one more row of corners.
+     */
+    size_t rows;
+    /**
+     * Cells in v.
+     */
+    size_t columns;
+    /**
+     * The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each row after row: of cell (i, j) it is
+     * first_cell + i * columns + j, the bit of masks of gusset_surface_region_view.
+     */
+    uint64_t first_cell;
+    /**
+     * The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each: where its values begin for
+     * gusset_surface_contours_create.
+     */
+    uint64_t first_node;
+    /**
+     * 1: closed in u.
+     */
+    uint32_t closed_u;
+    /**
+     * 1: closed in v.
+     */
+    uint32_t closed_v;
+} gusset_surface_sheet_report;
 
 /**
  * Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride bytes, one after the other.
@@ -4001,56 +4966,6 @@ typedef struct gusset_nodes {
      */
     uint32_t closed_v;
 } gusset_nodes;
-
-/**
- * What a sheet is.
- */
-typedef struct gusset_sheet_report {
-    /**
-     * sizeof(gusset_sheet_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Cells in u: u runs from 0 to this.
-     */
-    size_t rows;
-    /**
-     * Cells in v.
-     */
-    size_t columns;
-    /**
-     * The degree of the patches in both directions as they are kept: 3 or 7.
-     */
-    uint32_t degree;
-    /**
-     * 1: the nodes are kept and patches are made when they are needed; 0: the patches are kept.
-     */
-    uint32_t is_grid;
-    /**
-     * 1: closed in u.
-     */
-    uint32_t closed_u;
-    /**
-     * 1: closed in v.
-     */
-    uint32_t closed_v;
-    /**
-     * 1: the side u = 0 is one point, a pole.
-     */
-    uint32_t pole_u0;
-    /**
-     * 1: the side u = rows is.
-     */
-    uint32_t pole_u1;
-    /**
-     * 1: the side v = 0 is.
-     */
-    uint32_t pole_v0;
-    /**
-     * 1: the side v = columns is.
-     */
-    uint32_t pole_v1;
-} gusset_sheet_report;
 
 /**
  * How the mixed derivatives S_uv at nodes are found, which tangents leave open.
@@ -4214,36 +5129,6 @@ typedef struct gusset_sheet_mesh_options {
 } gusset_sheet_mesh_options;
 
 /**
- * A place on a surface.
- */
-typedef struct gusset_surface_place {
-    /**
-     * The sheet, counted from 0 as they were given.
-     */
-    uint32_t sheet;
-    /**
-     * The row of the cell: between node rows row and row + 1.
-     */
-    uint32_t row;
-    /**
-     * Its column.
-     */
-    uint32_t column;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-    /**
-     * The parameter within the cell, 0 to 1, from row to row; that of the sheet is row + u.
-     */
-    double u;
-    /**
-     * The same from column to column.
-     */
-    double v;
-} gusset_surface_place;
-
-/**
  * What belongs to the mesh of a sheet. Pointers are valid until it is destroyed.
  */
 typedef struct gusset_sheet_mesh_view {
@@ -4270,498 +5155,15 @@ typedef struct gusset_sheet_mesh_view {
 } gusset_sheet_mesh_view;
 
 /**
- * The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
+ * What a sheet is.
  */
-typedef struct gusset_stitch_view {
+typedef struct gusset_sheet_report {
     /**
-     * sizeof(gusset_stitch_view), set by the caller.
+     * sizeof(gusset_sheet_report), set by the caller.
      */
     size_t struct_size;
     /**
-     * Per old vertex of each mesh, its index in the result; empty for the second if there was only one mesh.
-     */
-    struct gusset_indices vertex_map[2];
-    /**
-     * Per old face, its index in the result.
-     */
-    struct gusset_indices face_map[2];
-    /**
-     * The vertices of each rim, by their indices in the result, from the first meridian on, side by side: rim 0 has its
-     * surface on the left, rim 1 on the right. They are also the strip's own first vertices in order: rim 0, then rim 1.
-     */
-    struct gusset_indices rim[2];
-    /**
-     * The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
-     * They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to
-     * (N - 1, M - 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by
-     * the rule by index, both.
-     */
-    struct gusset_indices meridians;
-    /**
-     * The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
-     */
-    struct gusset_indices matrix;
-    /**
-     * Of each new vertex (they are the last ones of the result), the two vertices that it lies between, on rim 0 and on
-     * rim 1, by turns.
-     */
-    struct gusset_indices parents;
-    /**
-     * Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less this.
-     */
-    const double *weights;
-    /**
-     * The first of the strip's faces in the result; they are the last ones.
-     */
-    size_t strip_face_first;
-    /**
-     * How many there are; N + M triangles for whole rims without interior rows.
-     */
-    size_t strip_face_count;
-    /**
-     * Interior rows; the matrix has two rows more.
-     */
-    uint32_t row_count;
-    /**
-     * 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
-     */
-    uint32_t closed;
-    /**
-     * 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way, each from its own first
-     * corner. Other components stay as they are.
-     */
-    uint32_t turned;
-    /**
-     * 1 if faces that cut each other were looked for, else 0.
-     */
-    uint32_t intersections_known;
-    /**
-     * Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What
-     * they share by number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split
-     * by their shorter diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
-     */
-    struct gusset_indices intersections;
-    /**
-     * How often the fairing had to be taken back in places.
-     */
-    uint32_t back_off_count;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_stitch_view;
-
-/**
- * How a strip is made; all zero is the default.
- */
-typedef struct gusset_strip_options {
-    /**
-     * sizeof(gusset_strip_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_MERIDIANS_...
-     */
-    uint32_t meridians;
-    /**
-     * GUSSET_SEARCH_...
-     */
-    uint32_t search;
-    /**
-     * GUSSET_START_..., for closed polylines; open ones begin at their first points.
-     */
-    uint32_t start;
-    /**
-     * 1: the polylines are closed; 0: they are open.
-     */
-    uint32_t closed;
-} gusset_strip_options;
-
-/**
- * The parts of a strip. Pointers are valid until it is destroyed.
- */
-typedef struct gusset_strip_view {
-    /**
-     * sizeof(gusset_strip_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The points of A and of B that the first meridian joins.
-     */
-    uint32_t start[2];
-    /**
-     * The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for closed polylines of N and M
-     * points, where place N is place 0 again, and to (N - 1, M - 1) for open ones; count is twice the number of meridians.
-     */
-    struct gusset_indices meridians;
-    /**
-     * The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow. They run A_i+1, A_i, B_j:
-     * against polyline A, and along B. Where both sides advance at once a quad is split by its shorter diagonal.
-     */
-    struct gusset_indices triangles;
-} gusset_strip_view;
-
-/**
- * How a surface is built.
- */
-typedef struct gusset_surface_options {
-    /**
-     * sizeof(gusset_surface_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
-     */
-    double tolerance;
-    /**
-     * 1: with the cones of normals that gusset_surface_isophotes_create and gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first
-     * such question builds them.
-     */
-    uint32_t cones;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_surface_options;
-
-/**
- * The curves. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_paths_view {
-    /**
-     * sizeof(gusset_surface_paths_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many curves.
-     */
-    size_t path_count;
-    /**
-     * How many points there are in all.
-     */
-    size_t point_count;
-    /**
-     * 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
-     */
-    struct gusset_indices ends;
-    /**
-     * By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and gusset_curve_through_create have it again at the end.)
-     */
-    const uint32_t *closed;
-    /**
-     * By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
-     */
-    const uint32_t *levels;
-    /**
-     * x, y, z of each point, on the surface.
-     */
-    const double *points;
-    /**
-     * The unit normals there, x, y, z of each; 0 where there is none.
-     */
-    const double *normals;
-    /**
-     * Where the points are on the surface.
-     */
-    const struct gusset_surface_place *places;
-    /**
-     * Of intersections of two surfaces: where they are on the second; else NULL.
-     */
-    const struct gusset_surface_place *others;
-    /**
-     * Cells in which something may be that could not be resolved: tangency, coincidence, or pieces smaller than the tolerance.
-     */
-    const struct gusset_surface_place *unresolved;
-    /**
-     * How many.
-     */
-    size_t unresolved_count;
-} gusset_surface_paths_view;
-
-/**
- * What is looked for.
- */
-typedef struct gusset_nearest_options {
-    /**
-     * sizeof(gusset_nearest_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
-     */
-    double limit;
-    /**
-     * Of minima: as many of the nearest; 0: all.
-     */
-    size_t most;
-    /**
-     * 1: limit is read.
-     */
-    uint32_t limited;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_nearest_options;
-
-/**
- * A point of a surface that was found for a query.
- */
-typedef struct gusset_surface_nearest_point {
-    /**
-     * Where it is on the surface.
-     */
-    struct gusset_surface_place place;
-    /**
-     * x, y, z.
-     */
-    double point[3];
-    /**
-     * The unit normal there, or its limit at a pole; 0 where there is none. The query is on its side if (query - point) . normal > 0.
-     */
-    double normal[3];
-    /**
-     * The distance from the query.
-     */
-    double distance;
-    /**
-     * No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
-     */
-    double bound;
-    /**
-     * GUSSET_SURFACE_CLOSEST_...
-     */
-    uint32_t flags;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_surface_nearest_point;
-
-/**
- * What was found. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_points_view {
-    /**
-     * sizeof(gusset_surface_points_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The points, the nearest first.
-     */
-    const struct gusset_surface_nearest_point *points;
-    /**
-     * How many.
-     */
-    size_t count;
-    /**
-     * None is missing that is nearer than this.
-     */
-    double bound;
-    /**
-     * 1, or 0 if the search gave up at that distance, as it may where the distance is the same all over the surface.
-     */
-    uint32_t complete;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_surface_points_view;
-
-/**
- * A cell of a region.
- */
-typedef struct gusset_surface_cell {
-    /**
-     * The sheet.
-     */
-    uint32_t sheet;
-    /**
-     * The row of the cell.
-     */
-    uint32_t row;
-    /**
-     * Its column.
-     */
-    uint32_t column;
-    /**
-     * 1 if all of the cell is within the radius.
-     */
-    uint32_t whole;
-} gusset_surface_cell;
-
-/**
- * The cells. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_region_view {
-    /**
-     * sizeof(gusset_surface_region_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The cells, rising by sheet, row, column.
-     */
-    const struct gusset_surface_cell *cells;
-    /**
-     * How many.
-     */
-    size_t cell_count;
-    /**
-     * A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet k, which has c columns, is
-     * b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
-     */
-    const uint64_t *mask;
-    /**
-     * How many words.
-     */
-    size_t word_count;
-    /**
-     * By sheet: its first bit; then the number of bits.
-     */
-    const uint64_t *first;
-    /**
-     * How many sheets.
-     */
-    size_t sheet_count;
-} gusset_surface_region_view;
-
-/**
- * A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
- */
-typedef struct gusset_line {
-    /**
-     * x, y, z of the point where t is 0; finite.
-     */
-    double origin[3];
-    /**
-     * x, y, z of the direction; of a length from 1e-150 to 1e150. t counts lengths of it.
-     */
-    double direction[3];
-    /**
-     * The least t: -INFINITY for lines, 0 for rays and segments.
-     */
-    double from;
-    /**
-     * The greatest t: INFINITY for lines and rays; not below `from`.
-     */
-    double to;
-} gusset_line;
-
-/**
- * What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
- */
-typedef struct gusset_surface_point {
-    /**
-     * The point.
-     */
-    double point[3];
-    /**
-     * S_u.
-     */
-    double u[3];
-    /**
-     * S_v.
-     */
-    double v[3];
-    /**
-     * S_uu.
-     */
-    double uu[3];
-    /**
-     * S_uv.
-     */
-    double uv[3];
-    /**
-     * S_vv.
-     */
-    double vv[3];
-    /**
-     * The unit normal, to the side of S_u x S_v; 0 if there is none.
-     */
-    double normal[3];
-    /**
-     * Of limits: the largest angle, in radians, to limits along other lines to the same point. Small at the pole of a smooth surface, large at the
-     * tip of a cone, which has no normal.
-     */
-    double spread;
-    /**
-     * The principal curvatures, the greater first: positive where the surface bends towards the normal.
-     */
-    double principal[2];
-    /**
-     * Their directions: two unit tangents, x, y, z each.
-     */
-    double directions[6];
-    /**
-     * The mean curvature.
-     */
-    double mean;
-    /**
-     * The Gaussian curvature.
-     */
-    double gaussian;
-    /**
-     * GUSSET_NORMAL_...
-     */
-    uint32_t normal_kind;
-    /**
-     * 1: there are curvatures; 0: they are 0, as the surface is not regular there.
-     */
-    uint32_t is_curved;
-} gusset_surface_point;
-
-/**
- * What a surface is.
- */
-typedef struct gusset_surface_report {
-    /**
-     * sizeof(gusset_surface_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many sheets.
-     */
-    size_t sheet_count;
-    /**
-     * How many cells, of all sheets.
-     */
-    size_t cell_count;
-    /**
-     * How many corners of cells: of sheets from nodes, the nodes.
-     */
-    size_t node_count;
-    /**
-     * Bytes of the index without the cones of normals; the nodes are not counted.
-     */
-    size_t index_bytes;
-    /**
-     * The length to which answers are proved.
-     */
-    double tolerance;
-    /**
-     * A corner of a box round the surface and the control nets of its cells, which may be larger than the surface: the least x, y, z.
-     */
-    double low[3];
-    /**
-     * The greatest.
-     */
-    double high[3];
-    /**
-     * Bytes of the cones of normals; 0 as long as there are none: see gusset_surface_options.
-     */
-    size_t cone_bytes;
-} gusset_surface_report;
-
-/**
- * What a sheet of a surface is.
- */
-typedef struct gusset_surface_sheet_report {
-    /**
-     * sizeof(gusset_surface_sheet_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Cells in u: u runs from 0 to this. There is one more row of corners.
+     * Cells in u: u runs from 0 to this.
      */
     size_t rows;
     /**
@@ -4769,15 +5171,13 @@ typedef struct gusset_surface_sheet_report {
      */
     size_t columns;
     /**
-     * The number of its cell (0, 0) among the cells of all sheets, one sheet after the other, each row after row: of cell (i, j) it is
-     * first_cell + i * columns + j, the bit of masks of gusset_surface_region_view.
+     * The degree of the patches in both directions as they are kept: 3 or 7.
      */
-    uint64_t first_cell;
+    uint32_t degree;
     /**
-     * The same of its corner (0, 0) among the corners of all sheets, rows + 1 by columns + 1 each: where its values begin for
-     * gusset_surface_contours_create.
+     * 1: the nodes are kept and patches are made when they are needed; 0: the patches are kept.
      */
-    uint64_t first_node;
+    uint32_t is_grid;
     /**
      * 1: closed in u.
      */
@@ -4786,277 +5186,23 @@ typedef struct gusset_surface_sheet_report {
      * 1: closed in v.
      */
     uint32_t closed_v;
-} gusset_surface_sheet_report;
-
-/**
- * What a cell region is like.
- */
-typedef struct gusset_mask_report {
     /**
-     * sizeof(gusset_mask_report), set by the caller.
+     * 1: the side u = 0 is one point, a pole.
      */
-    size_t struct_size;
+    uint32_t pole_u0;
     /**
-     * How many cells it has.
+     * 1: the side u = rows is.
      */
-    uint64_t cells;
+    uint32_t pole_u1;
     /**
-     * The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
-     * is in several parts.
+     * 1: the side v = 0 is.
      */
-    uint64_t integer_diameter;
+    uint32_t pole_v0;
     /**
-     * Vertices less edges plus cells: 1 for a region in one part without holes.
+     * 1: the side v = columns is.
      */
-    int64_t euler;
-    /**
-     * No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
-     * infinite if the region is in several parts.
-     */
-    double diameter;
-} gusset_mask_report;
-
-/**
- * What distances are measured from, or angles.
- */
-typedef uint32_t gusset_reference_object;
-
-/**
- * What the paper's search looks for, and how.
- */
-typedef struct gusset_reference_task {
-    /**
-     * sizeof(gusset_reference_task), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_MASK_...
-     */
-    gusset_reference_object object;
-    /**
-     * 0: cells that may have something within `within`. 1: cells that may have the nearest.
-     */
-    uint32_t least;
-    /**
-     * A point of the object; not read for angles.
-     */
-    double point[3];
-    /**
-     * Its direction, of any length but 0; not read for points.
-     */
-    double direction[3];
-    /**
-     * A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
-     */
-    double within;
-    /**
-     * Of GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
-     */
-    double angle;
-    /**
-     * Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
-     * gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
-     */
-    double curvature;
-    /**
-     * Of GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
-     */
-    uint32_t unsigned_normals;
-    /**
-     * 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
-     */
-    uint32_t by_rings;
-    /**
-     * 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
-     */
-    uint32_t by_rows;
-    /**
-     * 1: lines of nodes that a block covers from side to side are not left out at once.
-     */
-    uint32_t keep_lines;
-} gusset_reference_task;
-
-/**
- * What the search did.
- */
-typedef struct gusset_reference_report {
-    /**
-     * sizeof(gusset_reference_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many cells are left.
-     */
-    uint64_t cells;
-    /**
-     * How many nodes were looked at.
-     */
-    uint64_t evaluations;
-    /**
-     * How many blocks of cells were excluded.
-     */
-    uint64_t blocks;
-    /**
-     * How many lines of cells were left out at once.
-     */
-    uint64_t dropped;
-    /**
-     * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
-     */
-    double least;
-    /**
-     * The row of that node.
-     */
-    uint32_t row;
-    /**
-     * Its column.
-     */
-    uint32_t column;
-} gusset_reference_report;
-
-/**
- * What is between the points where a curve crosses the lines of the surface.
- */
-typedef uint32_t gusset_point_spacing;
-
-/**
- * How curves of a surface are given.
- */
-typedef struct gusset_contour_options {
-    /**
-     * sizeof(gusset_contour_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the surface. Otherwise not read. (In
-     * gusset_intersection_options, which has no `between`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
-     */
-    double chord;
-    /**
-     * GUSSET_BETWEEN_...
-     */
-    gusset_point_spacing between;
-    /**
-     * With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
-     */
-    uint32_t points;
-    /**
-     * Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
-     */
-    uint32_t unsigned_normals;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_contour_options;
-
-/**
- * Where the angle of a normal is nearest to the one asked for.
- */
-typedef struct gusset_nearest_angle_report {
-    /**
-     * sizeof(gusset_nearest_angle_report), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Where it is.
-     */
-    struct gusset_surface_place place;
-    /**
-     * x, y, z.
-     */
-    double point[3];
-    /**
-     * The unit normal.
-     */
-    double normal[3];
-    /**
-     * Its angle with the direction, in radians.
-     */
-    double angle;
-    /**
-     * How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
-     */
-    double deviation;
-    /**
-     * No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
-     */
-    double bound;
-} gusset_nearest_angle_report;
-
-/**
- * Which hits are wanted.
- */
-typedef uint32_t gusset_hit_selection;
-
-/**
- * What a hit is.
- */
-typedef uint32_t gusset_hit_kind;
-
-/**
- * A point that a line or a curve and a surface have in common.
- */
-typedef struct gusset_surface_hit {
-    /**
-     * Where on the line; of a curve the number of the segment and the parameter on it, added.
-     */
-    double t;
-    /**
-     * From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
-     */
-    double span[2];
-    /**
-     * Where on the surface.
-     */
-    struct gusset_surface_place place;
-    /**
-     * x, y, z of the point of the surface.
-     */
-    double point[3];
-    /**
-     * x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
-     */
-    double normal[3];
-    /**
-     * GUSSET_HIT_...
-     */
-    gusset_hit_kind kind;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_surface_hit;
-
-/**
- * The hits. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_surface_hits_view {
-    /**
-     * sizeof(gusset_surface_hits_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * How many lines were asked for; 1 for a curve.
-     */
-    size_t line_count;
-    /**
-     * How many hits there are in all.
-     */
-    size_t hit_count;
-    /**
-     * 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
-     */
-    const uint64_t *ends;
-    /**
-     * The hits, those of a line by rising t.
-     */
-    const struct gusset_surface_hit *hits;
-    /**
-     * Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
-     */
-    const struct gusset_place *on_curve;
-} gusset_surface_hits_view;
+    uint32_t pole_v1;
+} gusset_sheet_report;
 
 /**
  * How intersections are wanted.
@@ -5126,152 +5272,6 @@ typedef struct gusset_cell_pairs_view {
      */
     size_t count;
 } gusset_cell_pairs_view;
-
-/**
- * What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is
- * destroyed.
- */
-typedef struct gusset_weld_view {
-    /**
-     * sizeof(gusset_weld_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
-     */
-    struct gusset_indices vertex_map;
-    /**
-     * Per old face, its index in the result; UINT32_MAX if it was dropped.
-     */
-    struct gusset_indices face_map;
-    /**
-     * Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
-     * together there, or sewing would have collapsed a face or made an edge of three or more faces.
-     */
-    struct gusset_indices left_edges;
-    /**
-     * Vertices that lie together with another and are not one with it.
-     */
-    struct gusset_indices left_vertices;
-    /**
-     * Vertices that became one with a smaller one.
-     */
-    uint32_t welded_vertices;
-    /**
-     * Edges of two faces that were two free edges.
-     */
-    uint32_t sewn_edges;
-    /**
-     * Faces that were dropped.
-     */
-    uint32_t dropped_faces;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_weld_view;
-
-/**
- * How tables are made; all zero is the default.
- */
-typedef struct gusset_winged_options {
-    /**
-     * sizeof(gusset_winged_options), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * GUSSET_FACES_...
-     */
-    uint32_t winding;
-    /**
-     * 0.
-     */
-    uint32_t reserved;
-} gusset_winged_options;
-
-/**
- * One edge: Baumgart's M, N, b, c, d, e, L, R, where UINT32_MAX is NULL. Faces run clockwise seen from outside.
- */
-typedef struct gusset_winged_edge {
-    /**
-     * The vertex M, where it starts.
-     */
-    uint32_t m;
-    /**
-     * The vertex N, where it ends.
-     */
-    uint32_t n;
-    /**
-     * In R, the edge after this one; it leaves N.
-     */
-    uint32_t b;
-    /**
-     * In L, the edge before this one; it arrives at N.
-     */
-    uint32_t c;
-    /**
-     * In R, the edge before this one; it arrives at M.
-     */
-    uint32_t d;
-    /**
-     * In L, the edge after this one; it leaves M.
-     */
-    uint32_t e;
-    /**
-     * The face L: it runs N to M.
-     */
-    uint32_t left;
-    /**
-     * The face R: it runs M to N.
-     */
-    uint32_t right;
-    /**
-     * GUSSET_WINGED_... bits; 0 for an ordinary edge.
-     */
-    uint32_t marks;
-} gusset_winged_edge;
-
-/**
- * The tables. Pointers are valid until the handle is destroyed.
- */
-typedef struct gusset_winged_view {
-    /**
-     * sizeof(gusset_winged_view), set by the caller.
-     */
-    size_t struct_size;
-    /**
-     * The edges in the order of their first half-edges; M is the vertex where that half-edge starts.
-     */
-    const struct gusset_winged_edge *edges;
-    /**
-     * How many.
-     */
-    size_t edge_count;
-    /**
-     * Per half-edge (position in face_corners), its edge.
-     */
-    struct gusset_indices edge_of_half_edge;
-    /**
-     * Per face, its first edge.
-     */
-    struct gusset_indices edge_of_face;
-    /**
-     * Per vertex, an edge at it, or UINT32_MAX.
-     */
-    struct gusset_indices edge_of_vertex;
-    /**
-     * The vertices of all loops of free edges (exactly one of L, R is NULL), loop after loop, surface on the left.
-     */
-    struct gusset_indices loop_vertices;
-    /**
-     * The edges along them; edge i starts at vertex i.
-     */
-    struct gusset_indices loop_edges;
-    /**
-     * Where each loop starts in both; one entry more than there are loops.
-     */
-    struct gusset_indices loop_offsets;
-} gusset_winged_view;
 
 /**
  * Along rows, from column to column.
@@ -5842,36 +5842,6 @@ typedef struct gusset_winged_view {
 #define GUSSET_NET_FINDING_FEW_NODES 4
 
 /**
- * Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the constant 1/384.
- */
-#define GUSSET_SCHEME_SIX_TAP 0
-
-/**
- * The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant 3/128, tangents jump at nodes.
- */
-#define GUSSET_SCHEME_FOUR_POINT 1
-
-/**
- * From differences of the tangents over five nodes: fourth order.
- */
-#define GUSSET_TWISTS_DIFFERENCES 0
-
-/**
- * Adini's: from the nodes next to each.
- */
-#define GUSSET_TWISTS_ADINI 1
-
-/**
- * None: flat spots at nodes.
- */
-#define GUSSET_TWISTS_ZERO 2
-
-/**
- * They are given.
- */
-#define GUSSET_TWISTS_GIVEN 3
-
-/**
  * The report's index means nothing.
  */
 #define GUSSET_ELEMENT_NONE 0
@@ -5982,31 +5952,6 @@ typedef struct gusset_winged_view {
 #define GUSSET_ELEMENT_ROW 31
 
 /**
- * The point.
- */
-#define GUSSET_REFERENCE_POINT 0
-
-/**
- * The plane through the point, across the direction.
- */
-#define GUSSET_REFERENCE_PLANE 1
-
-/**
- * The line through the point, along the direction.
- */
-#define GUSSET_REFERENCE_LINE 2
-
-/**
- * The segment from the point to the point and the direction.
- */
-#define GUSSET_REFERENCE_SEGMENT 3
-
-/**
- * Normals at an angle to the direction; distances are deviations from the angle, in radians.
- */
-#define GUSSET_REFERENCE_ANGLE 4
-
-/**
  * As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
  */
 #define GUSSET_POINT_SPACING_AUTO 0
@@ -6062,9 +6007,626 @@ typedef struct gusset_winged_view {
  */
 #define GUSSET_HIT_INSIDE 3
 
+/**
+ * The point.
+ */
+#define GUSSET_REFERENCE_POINT 0
+
+/**
+ * The plane through the point, across the direction.
+ */
+#define GUSSET_REFERENCE_PLANE 1
+
+/**
+ * The line through the point, along the direction.
+ */
+#define GUSSET_REFERENCE_LINE 2
+
+/**
+ * The segment from the point to the point and the direction.
+ */
+#define GUSSET_REFERENCE_SEGMENT 3
+
+/**
+ * Normals at an angle to the direction; distances are deviations from the angle, in radians.
+ */
+#define GUSSET_REFERENCE_ANGLE 4
+
+/**
+ * Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the constant 1/384.
+ */
+#define GUSSET_SCHEME_SIX_TAP 0
+
+/**
+ * The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant 3/128, tangents jump at nodes.
+ */
+#define GUSSET_SCHEME_FOUR_POINT 1
+
+/**
+ * From differences of the tangents over five nodes: fourth order.
+ */
+#define GUSSET_TWISTS_DIFFERENCES 0
+
+/**
+ * Adini's: from the nodes next to each.
+ */
+#define GUSSET_TWISTS_ADINI 1
+
+/**
+ * None: flat spots at nodes.
+ */
+#define GUSSET_TWISTS_ZERO 2
+
+/**
+ * They are given.
+ */
+#define GUSSET_TWISTS_GIVEN 3
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
+
+/**
+ * Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
+ */
+GUSSET_API GUSSET_MUST_USE gusset_status gusset_context_create(struct gusset_context **context);
+
+/**
+ * Destroys a context; NULL is allowed. No call may be using it.
+ */
+GUSSET_API void gusset_context_destroy(struct gusset_context *context);
+
+/**
+ * Sets the number of threads, on which results do not depend. threads: 0 as many as the machine has, 1 the calling
+ * thread only. Errors: NULL_ARGUMENT, CONTEXT_BUSY. O(1).
+ */
+GUSSET_API gusset_status gusset_context_set_threads(struct gusset_context *context, uint32_t threads);
+
+/**
+ * Sets the progress callback. progress: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
+ * CONTEXT_BUSY. O(1).
+ */
+GUSSET_API
+gusset_status gusset_context_set_progress(struct gusset_context *context,
+                                          gusset_progress_fn progress,
+                                          void *user);
+
+/**
+ * Sets the log callback. log: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
+ * CONTEXT_BUSY. O(1).
+ */
+GUSSET_API gusset_status gusset_context_set_log(struct gusset_context *context, gusset_log_fn log, void *user);
+
+/**
+ * Cancels the running call, and every later one until gusset_context_reset. From any thread; NULL is allowed. O(1).
+ */
+GUSSET_API void gusset_context_cancel(const struct gusset_context *context);
+
+/**
+ * Takes a cancel back. NULL is allowed. O(1).
+ */
+GUSSET_API void gusset_context_reset(const struct gusset_context *context);
+
+/**
+ * How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread. O(1).
+ */
+GUSSET_API double gusset_context_get_progress(const struct gusset_context *context);
+
+/**
+ * What went wrong in the last call with this context, as an English sentence; empty after a success. Never NULL. Valid
+ * until the next call with the context. Empty too for NULL, and while a call is running. O(1).
+ */
+GUSSET_API const char *gusset_context_get_message(const struct gusset_context *context);
+
+/**
+ * What went wrong in the last call with this context, as numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, CONTEXT_BUSY. O(1).
+ */
+GUSSET_API
+gusset_status gusset_context_get_report(const struct gusset_context *context,
+                                        struct gusset_error_report *report);
+
+/**
+ * Makes a curve from its control points.
+ *
+ * points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the
+ * place of the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments
+ * and 1. Degrees are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy,
+ * for gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
+ * CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_create(const struct gusset_context *context,
+                                  const double *points,
+                                  size_t point_count,
+                                  uint32_t dimension,
+                                  const uint32_t *ends,
+                                  size_t end_count,
+                                  uint32_t closed,
+                                  struct gusset_curve **curve);
+
+/**
+ * Destroys a curve; NULL is allowed.
+ */
+GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
+
+/**
+ * Lends the control points, valid until the curve is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_get_view(const struct gusset_curve *curve,
+                                    struct gusset_curve_view *parts);
+
+/**
+ * The part of a curve from one place to another, open. from: where it begins. to: where it ends. On a closed curve it
+ * may run over the start, and from a place to itself it goes round once. part: receives the result, for
+ * gusset_curve_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to before from),
+ * UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_part_create(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       struct gusset_place from,
+                                       struct gusset_place to,
+                                       struct gusset_curve **part);
+
+/**
+ * The part of a curve before a place, or the part after it; both are open. at: the place. after: 0 for the part before
+ * it, 1 for the part after it. Otherwise as gusset_curve_part_create.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_split_create(const struct gusset_context *context,
+                                        const struct gusset_curve *curve,
+                                        struct gusset_place at,
+                                        uint32_t after,
+                                        struct gusset_curve **part);
+
+/**
+ * The same curve run through from its end to its start. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
+                                          const struct gusset_curve *curve,
+                                          struct gusset_curve **reversed);
+
+/**
+ * The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below `to` raised to it. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above 64, or to is 0), TOO_LARGE, OUT_OF_MEMORY. O(degree) for
+ * each new control point.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_elevate_create(const struct gusset_context *context,
+                                          const struct gusset_curve *curve,
+                                          uint32_t by,
+                                          uint32_t to,
+                                          struct gusset_curve **elevated);
+
+/**
+ * The curve with segments of a lower degree, by least squares with fixed ends. degree: of each at most, 1 to 64.
+ * tolerance: segments that would deviate by more are kept; at least 0, in the unit of the points; infinity is allowed.
+ * deviations: receives a bound on the deviation of each segment from the original, of a kept one what it would have
+ * been; NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance),
+ * OUT_OF_MEMORY. O(degree^3) a segment.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_reduce_create(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         uint32_t degree,
+                                         double tolerance,
+                                         double *deviations,
+                                         struct gusset_curve **reduced);
+
+/**
+ * The curve beside a plane curve, re-fitted by segments with common tangents. Places where it crosses itself are not
+ * removed. distance: how far to the left of it, to the right if negative; in the unit of the points, finite. options:
+ * its tolerance must be given. report: what became of it; NULL if it is not wanted. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance,
+ * tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_offset_create(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         double distance,
+                                         const struct gusset_offset_options *options,
+                                         struct gusset_offset_report *report,
+                                         struct gusset_curve **offset);
+
+/**
+ * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
+ * the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_svg_create(const struct gusset_context *context,
+                                      const struct gusset_curve *curve,
+                                      struct gusset_curve_form **form);
+
+/**
+ * The contour of a TrueType font: control points, and those joints that are not in the middle between two of them.
+ * tolerance: how far from the middle still counts as there, at least 0, in the unit of the points; rounding always
+ * does. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a
+ * degree above 2, tolerance), OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_contour_create(const struct gusset_context *context,
+                                          const struct gusset_curve *curve,
+                                          double tolerance,
+                                          struct gusset_curve_form **form);
+
+/**
+ * The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity
+ * n - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
+ * OUT_OF_MEMORY. O(points).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_spline_create(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         struct gusset_curve_form **form);
+
+/**
+ * Destroys a form; NULL is allowed.
+ */
+GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
+
+/**
+ * Lends the parts. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
+                                         struct gusset_curve_form_view *parts);
+
+/**
+ * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of
+ * it, and a curve along through each column.
+ *
+ * sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy;
+ * NULL on failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not
+ * as many for each section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a
+ * half-plane does not meet, or that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction;
+ * the correspondences are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_create(const struct gusset_context *context,
+                                  const struct gusset_outlines *sections,
+                                  const struct gusset_frame_options *options,
+                                  struct gusset_frame **frame);
+
+/**
+ * Destroys what gusset_frame_create made; NULL is allowed.
+ */
+GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
+
+/**
+ * Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
+                                    struct gusset_frame_view *parts);
+
+/**
+ * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i
+ * of row k is point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_curves_create(const struct gusset_frame *frame,
+                                         const struct gusset_outline **across,
+                                         const struct gusset_outline **along);
+
+/**
+ * Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves
+ * across were made: a new section.
+ *
+ * point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on
+ * failure; point i of it is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create,
+ * OUT_OF_RANGE (the normal), NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
+ * O(segments).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_frame_slice_create(const struct gusset_context *context,
+                                        const struct gusset_frame *frame,
+                                        const double *point,
+                                        const double *normal,
+                                        struct gusset_outline **section);
+
+/**
+ * Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_get_section(const struct gusset_outline *outline,
+                                         size_t index,
+                                         struct gusset_section_report *measure);
+
+/**
+ * Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length
+ * but 0. places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a
+ * crossing.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *context,
+                                                  const struct gusset_curve *curve,
+                                                  const double *point,
+                                                  const double *normal,
+                                                  struct gusset_places **places);
+
+/**
+ * Where a plane curve crosses or touches a line. point: x, y of a point of the line; direction: x, y along it, not 0. Errors:
+ * CURVE_NOT_PLANE, and those of gusset_curve_intersect_plane_create.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
+                                                 const struct gusset_curve *curve,
+                                                 const double *point,
+                                                 const double *direction,
+                                                 struct gusset_places **places);
+
+/**
+ * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do
+ * not count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each
+ * pair of segments whose boxes meet.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_intersect_create(const struct gusset_context *context,
+                                            const struct gusset_curve *curve,
+                                            const struct gusset_curve *other,
+                                            struct gusset_places **places);
+
+/**
+ * Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...;
+ * amount: a whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_sample_create(const struct gusset_context *context,
+                                         const struct gusset_curve *curve,
+                                         uint32_t rule,
+                                         double amount,
+                                         struct gusset_places **places);
+
+/**
+ * Destroys what was found; NULL is allowed.
+ */
+GUSSET_API void gusset_places_destroy(struct gusset_places *places);
+
+/**
+ * Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_places_get_view(const struct gusset_places *places,
+                                     struct gusset_places_view *view);
+
+/**
+ * Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
+ * out: receives 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t,
+ * and so on; 0 beyond the degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE
+ * (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_derivatives(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       const struct gusset_place *places,
+                                       size_t count,
+                                       uint32_t order,
+                                       double *out);
+
+/**
+ * The directions at many places, of length 1; 0 on a segment without extent. out: receives 3 count numbers. Otherwise as
+ * gusset_curve_derivatives.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_tangents(const struct gusset_context *context,
+                                    const struct gusset_curve *curve,
+                                    const struct gusset_place *places,
+                                    size_t count,
+                                    double *out);
+
+/**
+ * The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where
+ * the first derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_curvatures(const struct gusset_context *context,
+                                      const struct gusset_curve *curve,
+                                      const struct gusset_place *places,
+                                      size_t count,
+                                      double *out);
+
+/**
+ * The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+ * About O(log segments + degree^2) a point, on the context's threads.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_nearest(const struct gusset_context *context,
+                                   const struct gusset_curve *curve,
+                                   const double *points,
+                                   size_t count,
+                                   struct gusset_curve_nearest_point *out);
+
+/**
+ * The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to
+ * 1e-13, in closed form up to degree 2.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_length(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  double *length);
+
+/**
+ * The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+ * O(points) in all.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
+                                      const struct gusset_curve *curve,
+                                      const struct gusset_place *places,
+                                      size_t count,
+                                      double *out);
+
+/**
+ * The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives
+ * count places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW,
+ * OUT_OF_MEMORY. O(points + count log segments).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_places_at(const struct gusset_context *context,
+                                     const struct gusset_curve *curve,
+                                     const double *lengths,
+                                     size_t count,
+                                     struct gusset_place *out);
+
+/**
+ * The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_bounds(const struct gusset_context *context,
+                                  const struct gusset_curve *curve,
+                                  double *bounds);
+
+/**
+ * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_area_vector(const struct gusset_context *context,
+                                       const struct gusset_curve *curve,
+                                       double *area);
+
+/**
+ * Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE, CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_moments(const struct gusset_context *context,
+                                   const struct gusset_curve *curve,
+                                   struct gusset_curve_moment_report *moments);
+
+/**
+ * Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its
+ * outline.
+ *
+ * outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point
+ * for each point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated
+ * as asked is no failure: its status says so, and the curve passes it all the same if that is possible at all.
+ *
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension),
+ * BAD_STRIDE, BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint
+ * whose point does not exist or is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED.
+ * Composite, blended and cubic curves take linear time; linear memory, none for each outline but for its result. Source:
+ * Nadopta; the composite and blended readings are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_create(const struct gusset_context *context,
+                                    const struct gusset_outlines *outlines,
+                                    const struct gusset_outline_options *options,
+                                    struct gusset_outline **outline);
+
+/**
+ * Destroys what gusset_outline_create made; NULL is allowed.
+ */
+GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
+
+/**
+ * Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_get_view(const struct gusset_outline *outline,
+                                      struct gusset_outline_view *parts);
+
+/**
+ * The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From
+ * any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_get_report(const struct gusset_outline *outline,
+                                        size_t index,
+                                        struct gusset_outline_report *report);
+
+/**
+ * Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy;
+ * NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_outline_curve_create(const struct gusset_context *context,
+                                          const struct gusset_outline *outline,
+                                          size_t index,
+                                          struct gusset_curve **curve);
+
+/**
+ * Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the
+ * guide of the method. A tangent demanded at a point makes its section pass in that direction; one at the first or last
+ * point of an open outline is that of the neighbour's section there. Where it cannot be had, or the normal, the method (the
+ * bisector) takes its place, and the status says so.
+ *
+ * options: NULL for the defaults; method and alpha are read, all must be valid. sections: receives the result, for
+ * gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of
+ * the normal, tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C -
+ * A) of the guide.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sections_create(const struct gusset_context *context,
+                                     const struct gusset_outlines *outlines,
+                                     const struct gusset_outline_options *options,
+                                     struct gusset_sections **sections);
+
+/**
+ * Destroys what gusset_sections_create made; NULL is allowed.
+ */
+GUSSET_API void gusset_sections_destroy(struct gusset_sections *sections);
+
+/**
+ * Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
+                                       struct gusset_sections_view *parts);
 
 /**
  * Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
@@ -6205,411 +6767,6 @@ gusset_status gusset_check_get_view(const struct gusset_check *check,
                                     struct gusset_check_view *report);
 
 /**
- * Creates a context with automatic threads and no callbacks. Destroy it with gusset_context_destroy. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
- */
-GUSSET_API GUSSET_MUST_USE gusset_status gusset_context_create(struct gusset_context **context);
-
-/**
- * Destroys a context; NULL is allowed. No call may be using it.
- */
-GUSSET_API void gusset_context_destroy(struct gusset_context *context);
-
-/**
- * Sets the number of threads, on which results do not depend. threads: 0 as many as the machine has, 1 the calling
- * thread only. Errors: NULL_ARGUMENT, CONTEXT_BUSY. O(1).
- */
-GUSSET_API gusset_status gusset_context_set_threads(struct gusset_context *context, uint32_t threads);
-
-/**
- * Sets the progress callback. progress: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
- * CONTEXT_BUSY. O(1).
- */
-GUSSET_API
-gusset_status gusset_context_set_progress(struct gusset_context *context,
-                                          gusset_progress_fn progress,
-                                          void *user);
-
-/**
- * Sets the log callback. log: NULL for none. user: handed to it, and not looked at. Errors: NULL_ARGUMENT,
- * CONTEXT_BUSY. O(1).
- */
-GUSSET_API gusset_status gusset_context_set_log(struct gusset_context *context, gusset_log_fn log, void *user);
-
-/**
- * Cancels the running call, and every later one until gusset_context_reset. From any thread; NULL is allowed. O(1).
- */
-GUSSET_API void gusset_context_cancel(const struct gusset_context *context);
-
-/**
- * Takes a cancel back. NULL is allowed. O(1).
- */
-GUSSET_API void gusset_context_reset(const struct gusset_context *context);
-
-/**
- * How much of the running (or last) call is done, 0 to 1; 0 for NULL. From any thread. O(1).
- */
-GUSSET_API double gusset_context_get_progress(const struct gusset_context *context);
-
-/**
- * What went wrong in the last call with this context, as an English sentence; empty after a success. Never NULL. Valid
- * until the next call with the context. Empty too for NULL, and while a call is running. O(1).
- */
-GUSSET_API const char *gusset_context_get_message(const struct gusset_context *context);
-
-/**
- * What went wrong in the last call with this context, as numbers. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, CONTEXT_BUSY. O(1).
- */
-GUSSET_API
-gusset_status gusset_context_get_report(const struct gusset_context *context,
-                                        struct gusset_error_report *report);
-
-/**
- * Makes a curve from its control points.
- *
- * points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the
- * place of the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments
- * and 1. Degrees are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy,
- * for gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
- * CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_create(const struct gusset_context *context,
-                                  const double *points,
-                                  size_t point_count,
-                                  uint32_t dimension,
-                                  const uint32_t *ends,
-                                  size_t end_count,
-                                  uint32_t closed,
-                                  struct gusset_curve **curve);
-
-/**
- * Destroys a curve; NULL is allowed.
- */
-GUSSET_API void gusset_curve_destroy(struct gusset_curve *curve);
-
-/**
- * Lends the control points, valid until the curve is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_get_view(const struct gusset_curve *curve,
-                                    struct gusset_curve_view *parts);
-
-/**
- * Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
- * out: receives 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t,
- * and so on; 0 beyond the degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE
- * (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_derivatives(const struct gusset_context *context,
-                                       const struct gusset_curve *curve,
-                                       const struct gusset_place *places,
-                                       size_t count,
-                                       uint32_t order,
-                                       double *out);
-
-/**
- * The directions at many places, of length 1; 0 on a segment without extent. out: receives 3 count numbers. Otherwise as
- * gusset_curve_derivatives.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_tangents(const struct gusset_context *context,
-                                    const struct gusset_curve *curve,
-                                    const struct gusset_place *places,
-                                    size_t count,
-                                    double *out);
-
-/**
- * The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where
- * the first derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_curvatures(const struct gusset_context *context,
-                                      const struct gusset_curve *curve,
-                                      const struct gusset_place *places,
-                                      size_t count,
-                                      double *out);
-
-/**
- * The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
- * About O(log segments + degree^2) a point, on the context's threads.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_nearest(const struct gusset_context *context,
-                                   const struct gusset_curve *curve,
-                                   const double *points,
-                                   size_t count,
-                                   struct gusset_curve_nearest_point *out);
-
-/**
- * The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to
- * 1e-13, in closed form up to degree 2.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_length(const struct gusset_context *context,
-                                  const struct gusset_curve *curve,
-                                  double *length);
-
-/**
- * The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives.
- * O(points) in all.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_lengths_at(const struct gusset_context *context,
-                                      const struct gusset_curve *curve,
-                                      const struct gusset_place *places,
-                                      size_t count,
-                                      double *out);
-
-/**
- * The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives
- * count places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW,
- * OUT_OF_MEMORY. O(points + count log segments).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_places_at(const struct gusset_context *context,
-                                     const struct gusset_curve *curve,
-                                     const double *lengths,
-                                     size_t count,
-                                     struct gusset_place *out);
-
-/**
- * The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_bounds(const struct gusset_context *context,
-                                  const struct gusset_curve *curve,
-                                  double *bounds);
-
-/**
- * The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_area_vector(const struct gusset_context *context,
-                                       const struct gusset_curve *curve,
-                                       double *area);
-
-/**
- * Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE, CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_moments(const struct gusset_context *context,
-                                   const struct gusset_curve *curve,
-                                   struct gusset_curve_moment_report *moments);
-
-/**
- * The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
- * the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY. O(points).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_svg_create(const struct gusset_context *context,
-                                      const struct gusset_curve *curve,
-                                      struct gusset_curve_form **form);
-
-/**
- * The contour of a TrueType font: control points, and those joints that are not in the middle between two of them.
- * tolerance: how far from the middle still counts as there, at least 0, in the unit of the points; rounding always
- * does. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a
- * degree above 2, tolerance), OUT_OF_MEMORY. O(points).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_contour_create(const struct gusset_context *context,
-                                          const struct gusset_curve *curve,
-                                          double tolerance,
-                                          struct gusset_curve_form **form);
-
-/**
- * The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity
- * n - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
- * OUT_OF_MEMORY. O(points).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_spline_create(const struct gusset_context *context,
-                                         const struct gusset_curve *curve,
-                                         struct gusset_curve_form **form);
-
-/**
- * Destroys a form; NULL is allowed.
- */
-GUSSET_API void gusset_curve_form_destroy(struct gusset_curve_form *form);
-
-/**
- * Lends the parts. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_form_get_view(const struct gusset_curve_form *form,
-                                         struct gusset_curve_form_view *parts);
-
-/**
- * Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length
- * but 0. places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a
- * crossing.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_intersect_plane_create(const struct gusset_context *context,
-                                                  const struct gusset_curve *curve,
-                                                  const double *point,
-                                                  const double *normal,
-                                                  struct gusset_places **places);
-
-/**
- * Where a plane curve crosses or touches a line. point: x, y of a point of the line; direction: x, y along it, not 0. Errors:
- * CURVE_NOT_PLANE, and those of gusset_curve_intersect_plane_create.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_intersect_line_create(const struct gusset_context *context,
-                                                 const struct gusset_curve *curve,
-                                                 const double *point,
-                                                 const double *direction,
-                                                 struct gusset_places **places);
-
-/**
- * The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do
- * not count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each
- * pair of segments whose boxes meet.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_intersect_create(const struct gusset_context *context,
-                                            const struct gusset_curve *curve,
-                                            const struct gusset_curve *other,
-                                            struct gusset_places **places);
-
-/**
- * Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...;
- * amount: a whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_sample_create(const struct gusset_context *context,
-                                         const struct gusset_curve *curve,
-                                         uint32_t rule,
-                                         double amount,
-                                         struct gusset_places **places);
-
-/**
- * Destroys what was found; NULL is allowed.
- */
-GUSSET_API void gusset_places_destroy(struct gusset_places *places);
-
-/**
- * Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_places_get_view(const struct gusset_places *places,
-                                     struct gusset_places_view *view);
-
-/**
- * The part of a curve from one place to another, open. from: where it begins. to: where it ends. On a closed curve it
- * may run over the start, and from a place to itself it goes round once. part: receives the result, for
- * gusset_curve_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to before from),
- * UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_part_create(const struct gusset_context *context,
-                                       const struct gusset_curve *curve,
-                                       struct gusset_place from,
-                                       struct gusset_place to,
-                                       struct gusset_curve **part);
-
-/**
- * The part of a curve before a place, or the part after it; both are open. at: the place. after: 0 for the part before
- * it, 1 for the part after it. Otherwise as gusset_curve_part_create.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_split_create(const struct gusset_context *context,
-                                        const struct gusset_curve *curve,
-                                        struct gusset_place at,
-                                        uint32_t after,
-                                        struct gusset_curve **part);
-
-/**
- * The same curve run through from its end to its start. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_reverse_create(const struct gusset_context *context,
-                                          const struct gusset_curve *curve,
-                                          struct gusset_curve **reversed);
-
-/**
- * The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below `to` raised to it. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above 64, or to is 0), TOO_LARGE, OUT_OF_MEMORY. O(degree) for
- * each new control point.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_elevate_create(const struct gusset_context *context,
-                                          const struct gusset_curve *curve,
-                                          uint32_t by,
-                                          uint32_t to,
-                                          struct gusset_curve **elevated);
-
-/**
- * The curve with segments of a lower degree, by least squares with fixed ends. degree: of each at most, 1 to 64.
- * tolerance: segments that would deviate by more are kept; at least 0, in the unit of the points; infinity is allowed.
- * deviations: receives a bound on the deviation of each segment from the original, of a kept one what it would have
- * been; NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance),
- * OUT_OF_MEMORY. O(degree^3) a segment.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_reduce_create(const struct gusset_context *context,
-                                         const struct gusset_curve *curve,
-                                         uint32_t degree,
-                                         double tolerance,
-                                         double *deviations,
-                                         struct gusset_curve **reduced);
-
-/**
- * The curve beside a plane curve, re-fitted by segments with common tangents. Places where it crosses itself are not
- * removed. distance: how far to the left of it, to the right if negative; in the unit of the points, finite. options:
- * its tolerance must be given. report: what became of it; NULL if it is not wanted. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance,
- * tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_offset_create(const struct gusset_context *context,
-                                         const struct gusset_curve *curve,
-                                         double distance,
-                                         const struct gusset_offset_options *options,
-                                         struct gusset_offset_report *report,
-                                         struct gusset_curve **offset);
-
-/**
  * Finds which vertices of two loops face each other.
  *
  * points_a, points_b: x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each.
@@ -6717,73 +6874,233 @@ gusset_status gusset_fill_get_quality(const struct gusset_fill *fill,
                                       struct gusset_quality_report *quality);
 
 /**
- * Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of
- * it, and a curve along through each column.
+ * Turns faces over until faces that share an edge of two faces run it in opposite directions.
  *
- * sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy;
- * NULL on failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not
- * as many for each section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a
- * half-plane does not meet, or that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction;
- * the correspondences are ours.
+ * In each component as few faces as possible are turned; where both sides are as many, its smallest face stays. Edges of three
+ * or more faces connect nothing. A component that cannot be oriented, such as a Moebius strip, stays as it is and is listed. A
+ * turned face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions, order of
+ * faces.
+ *
+ * options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure. Errors: those of
+ * gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
+ * linear extra memory.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_frame_create(const struct gusset_context *context,
-                                  const struct gusset_outlines *sections,
-                                  const struct gusset_frame_options *options,
-                                  struct gusset_frame **frame);
+gusset_status gusset_orient_create(const struct gusset_context *context,
+                                   const struct gusset_mesh_view *mesh,
+                                   const struct gusset_orient_options *options,
+                                   struct gusset_orient **orient);
 
 /**
- * Destroys what gusset_frame_create made; NULL is allowed.
+ * Destroys what gusset_orient_create made; NULL is allowed.
  */
-GUSSET_API void gusset_frame_destroy(struct gusset_frame *frame);
+GUSSET_API void gusset_orient_destroy(struct gusset_orient *orient);
 
 /**
- * Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+ * Lends the oriented mesh, valid until the handle is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_orient_get_mesh(const struct gusset_orient *orient,
+                                     struct gusset_mesh_view *view);
+
+/**
+ * Lends the flags, lists and counts. Errors and validity as for gusset_orient_get_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
+                                     struct gusset_orient_view *parts);
+
+/**
+ * Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a strip
+ * between the arcs that face each other.
+ *
+ * mesh_b: NULL if both loops are of mesh_a. loop_a, loop_b: the vertices of each loop in order, in either direction, each
+ * consecutive pair (and the last with the first) an edge with exactly one face; NULL leaves the choice open, and the
+ * loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
+ * gusset_stitch_destroy; NULL on failure.
+ *
+ * The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the
+ * strip. Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex
+ * gets a fan, which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
+ *
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT,
+ * LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP,
+ * MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+ *
+ * O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices,
+ * beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where
+ * asked for (O(n log n) and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst case); plus
+ * a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
+ * GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
+ * GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair. Source: Nesterenko,
+ * algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_create(const struct gusset_context *context,
+                                   const struct gusset_mesh_view *mesh_a,
+                                   const struct gusset_indices *loop_a,
+                                   const struct gusset_mesh_view *mesh_b,
+                                   const struct gusset_indices *loop_b,
+                                   const struct gusset_stitch_options *options,
+                                   struct gusset_stitch **stitch);
+
+/**
+ * Destroys a stitch; NULL is allowed.
+ */
+GUSSET_API void gusset_stitch_destroy(struct gusset_stitch *stitch);
+
+/**
+ * Lends the whole result, valid until the stitch is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_get_mesh(const struct gusset_stitch *stitch,
+                                     struct gusset_mesh_view *view);
+
+/**
+ * Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
+ * gusset_stitch_get_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_get_strip(const struct gusset_stitch *stitch,
+                                      struct gusset_mesh_view *view);
+
+/**
+ * Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_get_mesh.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_get_view(const struct gusset_stitch *stitch,
+                                     struct gusset_stitch_view *parts);
+
+/**
+ * Measures of the strip and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+ * thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
+                                        struct gusset_quality_report *quality);
+
+/**
+ * Makes a strip of triangles between two polylines that run side by side: meridians and faces, without any mesh.
+ *
+ * points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at
+ * least 3, and the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the
+ * result, for gusset_strip_destroy; NULL on failure. Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
+ * UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the meridians of gusset_stitch_create, and O(N + M).
+ * Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_strip_create(const struct gusset_context *context,
+                                  const double *points_a,
+                                  size_t count_a,
+                                  const double *points_b,
+                                  size_t count_b,
+                                  const struct gusset_strip_options *options,
+                                  struct gusset_strip **strip);
+
+/**
+ * Destroys a strip; NULL is allowed.
+ */
+GUSSET_API void gusset_strip_destroy(struct gusset_strip *strip);
+
+/**
+ * Lends the meridians and triangles, valid until the strip is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
+                                    struct gusset_strip_view *parts);
+
+/**
+ * Makes one vertex of vertices that lie together.
+ *
+ * By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one
+ * edge, and so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would
+ * collapse a face or make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie
+ * together without an edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together
+ * become one whatever comes of the edges.
+ *
+ * Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
+ * within the tolerance of it, nearest first, so that nothing chains.
+ *
+ * The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left,
+ * and its position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none
+ * and is no valid input.
+ *
+ * options: NULL for the defaults. weld: receives the result, for gusset_weld_destroy; NULL on failure.
+ * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the tolerance), OUT_OF_MEMORY, CANCELLED. O(H log H) for H
+ * half-edges, if no vertex has very many and few corners of one face lie together; linear extra memory.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_weld_create(const struct gusset_context *context,
+                                 const struct gusset_mesh_view *mesh,
+                                 const struct gusset_weld_options *options,
+                                 struct gusset_weld **weld);
+
+/**
+ * Destroys a weld; NULL is allowed.
+ */
+GUSSET_API void gusset_weld_destroy(struct gusset_weld *weld);
+
+/**
+ * Lends the welded mesh, valid until the weld is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
  * From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_frame_get_view(const struct gusset_frame *frame,
-                                    struct gusset_frame_view *parts);
+gusset_status gusset_weld_get_mesh(const struct gusset_weld *weld,
+                                   struct gusset_mesh_view *view);
 
 /**
- * Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i
- * of row k is point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+ * Lends the maps, lists and counts. Errors and validity as for gusset_weld_get_mesh.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_frame_curves_create(const struct gusset_frame *frame,
-                                         const struct gusset_outline **across,
-                                         const struct gusset_outline **along);
+gusset_status gusset_weld_get_view(const struct gusset_weld *weld,
+                                   struct gusset_weld_view *parts);
 
 /**
- * Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves
- * across were made: a new section.
+ * Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
  *
- * point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on
- * failure; point i of it is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create,
- * OUT_OF_RANGE (the normal), NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
- * O(segments).
+ * options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with
+ * three or more faces, or with two that run it in the same direction, becomes several marked records of one face each. The
+ * mesh of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled. Errors: those of
+ * gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
+ * linear extra memory. Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is
+ * NULL", as the text has it; the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a
+ * border on both sides.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_frame_slice_create(const struct gusset_context *context,
-                                        const struct gusset_frame *frame,
-                                        const double *point,
-                                        const double *normal,
-                                        struct gusset_outline **section);
+gusset_status gusset_winged_create(const struct gusset_context *context,
+                                   const struct gusset_mesh_view *mesh,
+                                   const struct gusset_winged_options *options,
+                                   struct gusset_winged **winged);
 
 /**
- * Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
+ * Destroys tables; NULL is allowed.
+ */
+GUSSET_API void gusset_winged_destroy(struct gusset_winged *winged);
+
+/**
+ * Lends the tables. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outline_get_section(const struct gusset_outline *outline,
-                                         size_t index,
-                                         struct gusset_section_report *measure);
+gusset_status gusset_winged_get_view(const struct gusset_winged *winged,
+                                     struct gusset_winged_view *view);
 
 /**
  * Makes a net of a copy of the caller's coordinates.
@@ -7922,133 +8239,510 @@ gusset_status gusset_net_derive(const struct gusset_context *context,
                                 double tolerance);
 
 /**
- * Turns faces over until faces that share an edge of two faces run it in opposite directions.
+ * What a status means, in a few English words. status: any number; for one that is no status, "unknown status". Never
+ * NULL; static. O(1). From any thread.
+ */
+GUSSET_API const char *gusset_status_text(int32_t status);
+
+/**
+ * Builds the index of one sheet or several, which together are one surface.
  *
- * In each component as few faces as possible are turned; where both sides are as many, its smallest face stays. Edges of three
- * or more faces connect nothing. A component that cannot be oriented, such as a Moebius strip, stays as it is and is listed. A
- * turned face keeps its first corner and has the others in reverse order; all else is as it was: vertices, positions, order of
- * faces.
- *
- * options: NULL for the defaults. orient: receives the result, for gusset_orient_destroy; NULL on failure. Errors: those of
- * gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
- * linear extra memory.
+ * sheets: count handles, none NULL, the array at any alignment; they may be destroyed afterwards. The greatest absolute
+ * coordinate of each is from 1e-30 to 1e37, or 0, control points included: boxes are in single precision. options: NULL for the
+ * defaults. surface: receives the result, for gusset_surface_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
+ * its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
+ * OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 7 bytes a node, and 0.7 with cones; threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_orient_create(const struct gusset_context *context,
-                                   const struct gusset_mesh_view *mesh,
-                                   const struct gusset_orient_options *options,
-                                   struct gusset_orient **orient);
+gusset_status gusset_surface_create(const struct gusset_context *context,
+                                    const struct gusset_sheet *const *sheets,
+                                    size_t count,
+                                    const struct gusset_surface_options *options,
+                                    struct gusset_surface **surface);
 
 /**
- * Destroys what gusset_orient_create made; NULL is allowed.
+ * Frees a surface; NULL is allowed. What was found with it stays.
  */
-GUSSET_API void gusset_orient_destroy(struct gusset_orient *orient);
+GUSSET_API void gusset_surface_destroy(struct gusset_surface *surface);
 
 /**
- * Lends the oriented mesh, valid until the handle is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+ * The curves, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
  * O(1). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_orient_get_mesh(const struct gusset_orient *orient,
-                                     struct gusset_mesh_view *view);
+gusset_status gusset_surface_paths_get_view(const struct gusset_surface_paths *paths,
+                                            struct gusset_surface_paths_view *parts);
 
 /**
- * Lends the flags, lists and counts. Errors and validity as for gusset_orient_get_mesh.
+ * Frees curves; NULL is allowed.
  */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_orient_get_view(const struct gusset_orient *orient,
-                                     struct gusset_orient_view *parts);
+GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
 
 /**
- * Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its
- * outline.
+ * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
+ * normal and the surface's.
  *
- * outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point
- * for each point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated
- * as asked is no failure: its status says so, and the curve passes it all the same if that is possible at all.
+ * point: x, y, z of a point of the plane of offset 0, at any alignment, as normal and offsets are. normal: x, y, z, not 0, of
+ * any length. offsets: count of them, rising, distances of the planes from the point along the normal. options: NULL for the
+ * defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL on failure. Every curve is found, also one within
+ * a cell, and on a closed surface all are closed; a corner on a plane counts as above it. Cells where a plane touches or
+ * contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
+ * tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a
+ * normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About O(count +
+ * cells that are cut); threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task d.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_section_create(const struct gusset_context *context,
+                                            const struct gusset_surface *surface,
+                                            const double *point,
+                                            const double *normal,
+                                            const double *offsets,
+                                            size_t count,
+                                            const struct gusset_contour_options *options,
+                                            struct gusset_surface_paths **paths);
+
+/**
+ * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
+ * surface is; greater values are to the left, seen from where the normals point to.
  *
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension),
- * BAD_STRIDE, BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint
- * whose point does not exist or is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED.
- * Composite, blended and cubic curves take linear time; linear memory, none for each outline but for its result. Source:
- * Nadopta; the composite and blended readings are ours.
+ * values: value_count of them, finite, at any alignment, as levels are: of all sheets, one after the other, each row after row,
+ * one more row and column than there are cells; the last line of a closed direction repeats the first and is not used. levels:
+ * level_count of them, rising. Otherwise as gusset_surface_section_create. Errors: as there; SIZE_OVERFLOW if there are too few values,
+ * TOO_LARGE if too many, NOT_FINITE with the number of the value. O(values + cells that are crossed); threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outline_create(const struct gusset_context *context,
-                                    const struct gusset_outlines *outlines,
-                                    const struct gusset_outline_options *options,
-                                    struct gusset_outline **outline);
+gusset_status gusset_surface_contours_create(const struct gusset_context *context,
+                                             const struct gusset_surface *surface,
+                                             const double *values,
+                                             size_t value_count,
+                                             const double *levels,
+                                             size_t level_count,
+                                             const struct gusset_contour_options *options,
+                                             struct gusset_surface_paths **paths);
 
 /**
- * Destroys what gusset_outline_create made; NULL is allowed.
- */
-GUSSET_API void gusset_outline_destroy(struct gusset_outline *outline);
-
-/**
- * Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
- * From any thread.
+ * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
+ * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
+ *
+ * direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
+ * / 2 if normals are unsigned. Otherwise as gusset_surface_section_create. Where normals jump between cells (patches,
+ * GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
+ * Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. About
+ * O(cells that are crossed), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outline_get_view(const struct gusset_outline *outline,
-                                      struct gusset_outline_view *parts);
+gusset_status gusset_surface_isophotes_create(const struct gusset_context *context,
+                                              const struct gusset_surface *surface,
+                                              const double *direction,
+                                              const double *angles,
+                                              size_t count,
+                                              const struct gusset_contour_options *options,
+                                              struct gusset_surface_paths **paths);
 
 /**
- * The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From
+ * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
+ *
+ * direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
+ * for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. About
+ * O(cells that come near to the angle), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_nearest_angle(const struct gusset_context *context,
+                                           const struct gusset_surface *surface,
+                                           const double *direction,
+                                           double angle,
+                                           const struct gusset_contour_options *options,
+                                           struct gusset_nearest_angle_report *nearest);
+
+/**
+ * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
+ *
+ * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one
+ * again: closed paths of a surface do not repeat it, and need it added. closed: 0 or 1. scheme: GUSSET_SCHEME_... curve:
+ * receives the result, for gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve),
+ * NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE, SIZE_OVERFLOW,
+ * OUT_OF_MEMORY, CANCELLED. O(count). From any thread. Source: Leus, "Carcasses on smooth surfaces": points are the surface of a
+ * curve.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_through_create(const struct gusset_context *context,
+                                          const double *nodes,
+                                          size_t count,
+                                          uint32_t closed,
+                                          gusset_scheme scheme,
+                                          struct gusset_curve **curve);
+
+/**
+ * A coordinate curve of a sheet, exactly: a segment for each cell.
+ *
+ * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round.
+ * parameter: 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for
+ * gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter),
+ * OUT_OF_MEMORY, CANCELLED. O(cells along the curve). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
+                                        const struct gusset_sheet *sheet,
+                                        uint32_t along,
+                                        double parameter,
+                                        struct gusset_curve **curve);
+
+/**
+ * Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
+ *
+ * within: a length, 0 or more and finite; below 1e-12 of the curves' size that is taken. places: receives the places on the
+ * first curve, those on the other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be
+ * told apart; undecided is 1 if something was given up that may be near enough. For gusset_places_destroy; NULL on failure.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for
+ * each pair of segments whose boxes are near. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_near_misses_create(const struct gusset_context *context,
+                                              const struct gusset_curve *curve,
+                                              const struct gusset_curve *other,
+                                              double within,
+                                              struct gusset_places **places);
+
+/**
+ * Where a curve in space comes as near to a line, ray or segment as `within`.
+ *
+ * line: one, at any alignment. The others among the places have segment 0, and the line's own parameter as t. All else as for
+ * gusset_curve_near_misses_create; also OUT_OF_RANGE for a line that is not finite or has no direction. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_curve_line_near_misses_create(const struct gusset_context *context,
+                                                   const struct gusset_curve *curve,
+                                                   const struct gusset_line *line,
+                                                   double within,
+                                                   struct gusset_places **places);
+
+/**
+ * Points, derivatives, normals and curvatures at places.
+ *
+ * places: count of them, at any alignment. results: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
+ * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
+ * CANCELLED. O(1) a place, at a pole O(cells round it); threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_evaluate(const struct gusset_context *context,
+                                      const struct gusset_surface *surface,
+                                      const struct gusset_surface_place *places,
+                                      size_t count,
+                                      struct gusset_surface_point *results);
+
+/**
+ * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round;
+ * what is beyond an open side is on it. The other way the parameters of a place are row + u and column + v.
+ *
+ * sheet: its number, counted from 0. parameters: u, v of each, packed, at any alignment. places: room for count; all 0
+ * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is
+ * not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_locate(const struct gusset_context *context,
+                                    const struct gusset_surface *surface,
+                                    uint32_t sheet,
+                                    const double *parameters,
+                                    size_t count,
+                                    struct gusset_surface_place *places);
+
+/**
+ * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
+ *
+ * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
+ * touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
+ * which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
+ * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
+ * threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_line_hits_create(const struct gusset_context *context,
+                                              const struct gusset_surface *surface,
+                                              const struct gusset_line *lines,
+                                              size_t count,
+                                              gusset_hit_selection which,
+                                              struct gusset_surface_hits **hits);
+
+/**
+ * The first hit of each of many lines, rays or segments: that of least t, which gusset_surface_line_hits_create gives first.
+ *
+ * lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
+ * where there is none, and everywhere on failure. Errors: as for gusset_surface_line_hits_create, and MISALIGNED_ARGUMENT (hits). About
+ * O(log cells) a line; threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_first_hits(const struct gusset_context *context,
+                                        const struct gusset_surface *surface,
+                                        const struct gusset_line *lines,
+                                        size_t count,
+                                        struct gusset_surface_hit *hits);
+
+/**
+ * Where a curve in space meets a surface, in the order of the curve.
+ *
+ * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
+ * receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
+ * comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_curve_hits_create(const struct gusset_context *context,
+                                               const struct gusset_surface *surface,
+                                               const struct gusset_curve *curve,
+                                               gusset_hit_selection which,
+                                               struct gusset_surface_hits **hits);
+
+/**
+ * The hits, lent until they are destroyed.
+ *
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
  * any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_outline_get_report(const struct gusset_outline *outline,
-                                        size_t index,
-                                        struct gusset_outline_report *report);
+gusset_status gusset_surface_hits_get_view(const struct gusset_surface_hits *hits,
+                                           struct gusset_surface_hits_view *parts);
 
 /**
- * Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy;
- * NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
+ * Frees hits; NULL is allowed.
  */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_outline_curve_create(const struct gusset_context *context,
-                                          const struct gusset_outline *outline,
-                                          size_t index,
-                                          struct gusset_curve **curve);
+GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
 
 /**
- * Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the
- * guide of the method. A tangent demanded at a point makes its section pass in that direction; one at the first or last
- * point of an open outline is that of the neighbour's section there. Where it cannot be had, or the normal, the method (the
- * bisector) takes its place, and the status says so.
+ * The nearest points of a surface to queries, one or many.
  *
- * options: NULL for the defaults; method and alpha are read, all must be valid. sections: receives the result, for
- * gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of
- * the normal, tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C -
- * A) of the guide.
+ * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit.
+ * points: room for count answers, in the order of the queries; none is found on failure: no flags, and infinite distances. Each
+ * answer is the same to the bit whether it is asked for alone or among others, in any order, on any number of threads; of
+ * several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
+ * no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
+ * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
+ * for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Surfaces on smooth
+ * surfaces", task a, by branch and bound.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sections_create(const struct gusset_context *context,
-                                     const struct gusset_outlines *outlines,
-                                     const struct gusset_outline_options *options,
-                                     struct gusset_sections **sections);
+gusset_status gusset_surface_nearest(const struct gusset_context *context,
+                                     const struct gusset_surface *surface,
+                                     const double *queries,
+                                     size_t count,
+                                     size_t stride,
+                                     const struct gusset_nearest_options *options,
+                                     struct gusset_surface_nearest_point *points);
 
 /**
- * Destroys what gusset_sections_create made; NULL is allowed.
- */
-GUSSET_API void gusset_sections_destroy(struct gusset_sections *sections);
-
-/**
- * Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
- * From any thread.
+ * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
+ *
+ * query: x, y, z, at any alignment. options: NULL for the defaults: all. points: receives the result, the nearest first, for
+ * gusset_surface_points_destroy; NULL on failure. None is missed: where it cannot be proved whether there is one (the distance
+ * is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_NEAREST_PROVEN and
+ * with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places count from which no way on the surface leads nearer.
+ * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
+ * CANCELLED. O(cells within the limit); with most, those no farther than the last. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sections_get_view(const struct gusset_sections *sections,
-                                       struct gusset_sections_view *parts);
+gusset_status gusset_surface_minima_create(const struct gusset_context *context,
+                                           const struct gusset_surface *surface,
+                                           const double *query,
+                                           const struct gusset_nearest_options *options,
+                                           struct gusset_surface_points **points);
+
+/**
+ * The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_points_get_view(const struct gusset_surface_points *points,
+                                             struct gusset_surface_points_view *parts);
+
+/**
+ * Frees points; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
+
+/**
+ * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
+ *
+ * query: x, y, z, at any alignment; radius: at least 0; INFINITY: all cells. region: receives all cells that have such a point,
+ * and no others but such as come within the tolerance of the radius or could not be decided in bounded work; for
+ * gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (radius),
+ * OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_region_create(const struct gusset_context *context,
+                                           const struct gusset_surface *surface,
+                                           const double *query,
+                                           double radius,
+                                           struct gusset_surface_region **region);
+
+/**
+ * The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_region_get_view(const struct gusset_surface_region *region,
+                                             struct gusset_surface_region_view *parts);
+
+/**
+ * Frees a region; NULL is allowed.
+ */
+GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
+
+/**
+ * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
+ *
+ * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
+ * of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
+ * room for; either may be NULL, both with capacity 0. written: receives the number of cells. greatest: receives two
+ * numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
+ * for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_diameters(const struct gusset_context *context,
+                                     const struct gusset_sheet *sheet,
+                                     double *euclidean,
+                                     double *intrinsic,
+                                     size_t capacity,
+                                     size_t *written,
+                                     double *greatest);
+
+/**
+ * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
+ *
+ * bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
+                                           const struct gusset_sheet *sheet,
+                                           double *bound);
+
+/**
+ * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
+ *
+ * words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
+ * j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
+ * column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
+ * from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
+ * written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
+ * distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
+ * NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask_chain(const struct gusset_context *context,
+                                      const struct gusset_sheet *sheet,
+                                      const uint64_t *words,
+                                      size_t count,
+                                      const uint32_t *from,
+                                      const uint32_t *to,
+                                      uint32_t *cells,
+                                      size_t capacity,
+                                      size_t *written);
+
+/**
+ * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
+ *
+ * words, count: the region, as for gusset_sheet_mask_chain. report: struct_size set by the caller; all else is overwritten. Errors:
+ * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
+ * for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_mask_measure(const struct gusset_context *context,
+                                        const struct gusset_sheet *sheet,
+                                        const uint64_t *words,
+                                        size_t count,
+                                        struct gusset_mask_report *report);
+
+/**
+ * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
+ * the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
+ * surface (gusset_surface_create) answers the same and more from its index, much faster.
+ *
+ * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL with capacity 0 for the
+ * size and the report alone; all words are 0 on failure. capacity: how many words it has room for. written: receives the number of
+ * words. report: what was
+ * done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
+ * (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
+ * BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
+ * at for the search. From any thread. Source: Leus; its errata are listed with the Rust module surface::leus.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_reference_mask(const struct gusset_context *context,
+                                          const struct gusset_sheet *sheet,
+                                          const struct gusset_reference_task *task,
+                                          uint64_t *words,
+                                          size_t capacity,
+                                          size_t *written,
+                                          struct gusset_reference_report *report);
+
+/**
+ * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
+ * cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
+ * size of cells; the exact normals of the surface are had from a surface.
+ *
+ * places: count places of the sheet, whose own number is not read, at any alignment; u and v 0 to 1. normals: receives x, y, z of
+ * each; 0 where there is none, and everywhere on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+ * (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell, parameters that are not 0 to 1;
+ * OUT_OF_MEMORY, CANCELLED. Bounded work for each. From any thread. Source: Leus, fig. 1.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *context,
+                                               const struct gusset_sheet *sheet,
+                                               const struct gusset_surface_place *places,
+                                               size_t count,
+                                               double *normals);
+
+/**
+ * What a surface is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+ * BAD_STRUCT_SIZE. O(sheets). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_get_report(const struct gusset_surface *surface,
+                                        struct gusset_surface_report *facts);
+
+/**
+ * What a sheet of a surface is.
+ *
+ * sheet: its number, as in places. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+ * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT (sheet). O(sheets). From any thread.
+ */
+GUSSET_API
+GUSSET_MUST_USE
+gusset_status gusset_surface_get_sheet(const struct gusset_surface *surface,
+                                       size_t sheet,
+                                       struct gusset_surface_sheet_report *facts);
 
 /**
  * Makes a surface through a copy of nodes.
@@ -8084,48 +8778,6 @@ gusset_status gusset_sheet_borrow_create(const struct gusset_context *context,
  * Frees a sheet; NULL is allowed. What was made of it keeps what it needs.
  */
 GUSSET_API void gusset_sheet_destroy(struct gusset_sheet *sheet);
-
-/**
- * Tells what a sheet is.
- *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(cells at the
- * sides). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_get_report(const struct gusset_sheet *sheet,
-                                      struct gusset_sheet_report *parts);
-
-/**
- * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
- *
- * errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal
- * parameters: C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes
- * in a direction; 0 if the patches were given. bilinear: a bound of how far the surface is from the bilinear patch
- * through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL.
- * capacity: how many numbers each has room for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the
- * value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then. O(cells); threads. From any
- * thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_estimates(const struct gusset_context *context,
-                                     const struct gusset_sheet *sheet,
-                                     double *errors,
-                                     double *bilinear,
-                                     double *triangles,
-                                     size_t capacity);
-
-/**
- * The largest angle between the normals on both sides of borders between cells, in radians: 0, or rounding, where the surface is smooth.
- *
- * crease: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_crease(const struct gusset_context *context,
-                                  const struct gusset_sheet *sheet,
-                                  double *crease);
 
 /**
  * Makes the bicubic Hermite surface through nodes with given tangents: C1.
@@ -8254,618 +8906,46 @@ gusset_status gusset_sheet_mesh_get_view(const struct gusset_sheet_mesh *mesh,
                                          struct gusset_sheet_mesh_view *parts);
 
 /**
- * What a status means, in a few English words. status: any number; for one that is no status, "unknown status". Never
- * NULL; static. O(1). From any thread.
- */
-GUSSET_API const char *gusset_status_text(int32_t status);
-
-/**
- * Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a strip
- * between the arcs that face each other.
+ * Tells what a sheet is.
  *
- * mesh_b: NULL if both loops are of mesh_a. loop_a, loop_b: the vertices of each loop in order, in either direction, each
- * consecutive pair (and the last with the first) an edge with exactly one face; NULL leaves the choice open, and the
- * loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
- * gusset_stitch_destroy; NULL on failure.
- *
- * The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the
- * strip. Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex
- * gets a fan, which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
- *
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT,
- * LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP,
- * MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
- *
- * O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices,
- * beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where
- * asked for (O(n log n) and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst case); plus
- * a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
- * GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
- * GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair. Source: Nesterenko,
- * algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
+ * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(cells at the
+ * sides). From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stitch_create(const struct gusset_context *context,
-                                   const struct gusset_mesh_view *mesh_a,
-                                   const struct gusset_indices *loop_a,
-                                   const struct gusset_mesh_view *mesh_b,
-                                   const struct gusset_indices *loop_b,
-                                   const struct gusset_stitch_options *options,
-                                   struct gusset_stitch **stitch);
+gusset_status gusset_sheet_get_report(const struct gusset_sheet *sheet,
+                                      struct gusset_sheet_report *parts);
 
 /**
- * Destroys a stitch; NULL is allowed.
- */
-GUSSET_API void gusset_stitch_destroy(struct gusset_stitch *stitch);
-
-/**
- * Lends the whole result, valid until the stitch is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_stitch_get_mesh(const struct gusset_stitch *stitch,
-                                     struct gusset_mesh_view *view);
-
-/**
- * Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
- * gusset_stitch_get_mesh.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_stitch_get_strip(const struct gusset_stitch *stitch,
-                                      struct gusset_mesh_view *view);
-
-/**
- * Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_get_mesh.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_stitch_get_view(const struct gusset_stitch *stitch,
-                                     struct gusset_stitch_view *parts);
-
-/**
- * Measures of the strip and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+ * Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
+ *
+ * errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal
+ * parameters: C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes
+ * in a direction; 0 if the patches were given. bilinear: a bound of how far the surface is from the bilinear patch
+ * through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL.
+ * capacity: how many numbers each has room for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the
+ * value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then. O(cells); threads. From any
  * thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_stitch_get_quality(const struct gusset_stitch *stitch,
-                                        struct gusset_quality_report *quality);
-
-/**
- * Makes a strip of triangles between two polylines that run side by side: meridians and faces, without any mesh.
- *
- * points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at
- * least 3, and the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the
- * result, for gusset_strip_destroy; NULL on failure. Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
- * UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the meridians of gusset_stitch_create, and O(N + M).
- * Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_strip_create(const struct gusset_context *context,
-                                  const double *points_a,
-                                  size_t count_a,
-                                  const double *points_b,
-                                  size_t count_b,
-                                  const struct gusset_strip_options *options,
-                                  struct gusset_strip **strip);
-
-/**
- * Destroys a strip; NULL is allowed.
- */
-GUSSET_API void gusset_strip_destroy(struct gusset_strip *strip);
-
-/**
- * Lends the meridians and triangles, valid until the strip is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_strip_get_view(const struct gusset_strip *strip,
-                                    struct gusset_strip_view *parts);
-
-/**
- * Builds the index of one sheet or several, which together are one surface.
- *
- * sheets: count handles, none NULL, the array at any alignment; they may be destroyed afterwards. The greatest absolute
- * coordinate of each is from 1e-30 to 1e37, or 0, control points included: boxes are in single precision. options: NULL for the
- * defaults. surface: receives the result, for gusset_surface_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
- * its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
- * OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
- * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 7 bytes a node, and 0.7 with cones; threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_create(const struct gusset_context *context,
-                                    const struct gusset_sheet *const *sheets,
-                                    size_t count,
-                                    const struct gusset_surface_options *options,
-                                    struct gusset_surface **surface);
-
-/**
- * Frees a surface; NULL is allowed. What was found with it stays.
- */
-GUSSET_API void gusset_surface_destroy(struct gusset_surface *surface);
-
-/**
- * The curves, lent until they are destroyed.
- *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
- * O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_paths_get_view(const struct gusset_surface_paths *paths,
-                                            struct gusset_surface_paths_view *parts);
-
-/**
- * Frees curves; NULL is allowed.
- */
-GUSSET_API void gusset_surface_paths_destroy(struct gusset_surface_paths *paths);
-
-/**
- * The nearest points of a surface to queries, one or many.
- *
- * queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit.
- * points: room for count answers, in the order of the queries; none is found on failure: no flags, and infinite distances. Each
- * answer is the same to the bit whether it is asked for alone or among others, in any order, on any number of threads; of
- * several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
- * no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
- * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
- * for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Surfaces on smooth
- * surfaces", task a, by branch and bound.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_nearest(const struct gusset_context *context,
-                                     const struct gusset_surface *surface,
-                                     const double *queries,
-                                     size_t count,
-                                     size_t stride,
-                                     const struct gusset_nearest_options *options,
-                                     struct gusset_surface_nearest_point *points);
-
-/**
- * The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
- *
- * query: x, y, z, at any alignment. options: NULL for the defaults: all. points: receives the result, the nearest first, for
- * gusset_surface_points_destroy; NULL on failure. None is missed: where it cannot be proved whether there is one (the distance
- * is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_NEAREST_PROVEN and
- * with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places count from which no way on the surface leads nearer.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
- * CANCELLED. O(cells within the limit); with most, those no farther than the last. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_minima_create(const struct gusset_context *context,
-                                           const struct gusset_surface *surface,
-                                           const double *query,
-                                           const struct gusset_nearest_options *options,
-                                           struct gusset_surface_points **points);
-
-/**
- * The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_points_get_view(const struct gusset_surface_points *points,
-                                             struct gusset_surface_points_view *parts);
-
-/**
- * Frees points; NULL is allowed.
- */
-GUSSET_API void gusset_surface_points_destroy(struct gusset_surface_points *points);
-
-/**
- * The cells that have a point within a radius of a query: the paper's region, with its logical scale.
- *
- * query: x, y, z, at any alignment; radius: at least 0; INFINITY: all cells. region: receives all cells that have such a point,
- * and no others but such as come within the tolerance of the radius or could not be decided in bounded work; for
- * gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (radius),
- * OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_region_create(const struct gusset_context *context,
-                                           const struct gusset_surface *surface,
-                                           const double *query,
-                                           double radius,
-                                           struct gusset_surface_region **region);
-
-/**
- * The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_region_get_view(const struct gusset_surface_region *region,
-                                             struct gusset_surface_region_view *parts);
-
-/**
- * Frees a region; NULL is allowed.
- */
-GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *region);
-
-/**
- * Draws a curve through points as surfaces are drawn through their nodes: a cubic from each to the next, of fourth order.
- *
- * nodes: x, y, z of count points, at any alignment, finite; at least 2, or if closed 4, of which the last is the first one
- * again: closed paths of a surface do not repeat it, and need it added. closed: 0 or 1. scheme: GUSSET_SCHEME_... curve:
- * receives the result, for gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (curve),
- * NET_TOO_SMALL with too few points, UNKNOWN_VALUE, NOT_FINITE with the node, CURVE_NOT_CLOSED, TOO_LARGE, SIZE_OVERFLOW,
- * OUT_OF_MEMORY, CANCELLED. O(count). From any thread. Source: Leus, "Carcasses on smooth surfaces": points are the surface of a
- * curve.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_through_create(const struct gusset_context *context,
-                                          const double *nodes,
-                                          size_t count,
-                                          uint32_t closed,
-                                          gusset_scheme scheme,
-                                          struct gusset_curve **curve);
-
-/**
- * A coordinate curve of a sheet, exactly: a segment for each cell.
- *
- * along: GUSSET_ALONG_ROWS: u is the parameter, which counts rows, and v runs; GUSSET_ALONG_COLUMNS: the other way round.
- * parameter: 0 to the number of cells that way; whole numbers are lines of nodes. curve: receives the result, for
- * gusset_curve_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE (parameter),
- * OUT_OF_MEMORY, CANCELLED. O(cells along the curve). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_curve_create(const struct gusset_context *context,
-                                        const struct gusset_sheet *sheet,
-                                        uint32_t along,
-                                        double parameter,
-                                        struct gusset_curve **curve);
-
-/**
- * Where two curves in space come as near to each other as `within`: each place where their distance is least, once.
- *
- * within: a length, 0 or more and finite; below 1e-12 of the curves' size that is taken. places: receives the places on the
- * first curve, those on the other, and the points of the first; overlaps are parts where the curves stay as near, or cannot be
- * told apart; undecided is 1 if something was given up that may be near enough. For gusset_places_destroy; NULL on failure.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (within), OUT_OF_MEMORY, CANCELLED. Bounded work for
- * each pair of segments whose boxes are near. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_near_misses_create(const struct gusset_context *context,
-                                              const struct gusset_curve *curve,
-                                              const struct gusset_curve *other,
-                                              double within,
-                                              struct gusset_places **places);
-
-/**
- * Where a curve in space comes as near to a line, ray or segment as `within`.
- *
- * line: one, at any alignment. The others among the places have segment 0, and the line's own parameter as t. All else as for
- * gusset_curve_near_misses_create; also OUT_OF_RANGE for a line that is not finite or has no direction. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_curve_line_near_misses_create(const struct gusset_context *context,
-                                                   const struct gusset_curve *curve,
-                                                   const struct gusset_line *line,
-                                                   double within,
-                                                   struct gusset_places **places);
-
-/**
- * Points, derivatives, normals and curvatures at places.
- *
- * places: count of them, at any alignment. results: room for count; all 0 on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE (reserved),
- * NO_SUCH_ELEMENT with the first place that the surface does not have: no such sheet or cell, parameters that are not 0 to 1; OUT_OF_MEMORY,
- * CANCELLED. O(1) a place, at a pole O(cells round it); threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_evaluate(const struct gusset_context *context,
-                                      const struct gusset_surface *surface,
-                                      const struct gusset_surface_place *places,
-                                      size_t count,
-                                      struct gusset_surface_point *results);
-
-/**
- * The places of parameters of a whole sheet: node (i, j) has u = i and v = j. Closed directions are counted round;
- * what is beyond an open side is on it. The other way the parameters of a place are row + u and column + v.
- *
- * sheet: its number, counted from 0. parameters: u, v of each, packed, at any alignment. places: room for count; all 0
- * on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, NO_SUCH_ELEMENT with the first pair that is
- * not finite, or if there is no such sheet; OUT_OF_MEMORY, CANCELLED. O(1) each. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_locate(const struct gusset_context *context,
-                                    const struct gusset_surface *surface,
-                                    uint32_t sheet,
-                                    const double *parameters,
-                                    size_t count,
-                                    struct gusset_surface_place *places);
-
-/**
- * What a surface is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * BAD_STRUCT_SIZE. O(sheets). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_get_report(const struct gusset_surface *surface,
-                                        struct gusset_surface_report *facts);
-
-/**
- * What a sheet of a surface is.
- *
- * sheet: its number, as in places. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT (sheet). O(sheets). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_get_sheet(const struct gusset_surface *surface,
-                                       size_t sheet,
-                                       struct gusset_surface_sheet_report *facts);
-
-/**
- * Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
- *
- * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
- * of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
- * room for; either may be NULL, both with capacity 0. written: receives the number of cells. greatest: receives two
- * numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
- * for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_diameters(const struct gusset_context *context,
+gusset_status gusset_sheet_estimates(const struct gusset_context *context,
                                      const struct gusset_sheet *sheet,
-                                     double *euclidean,
-                                     double *intrinsic,
-                                     size_t capacity,
-                                     size_t *written,
-                                     double *greatest);
+                                     double *errors,
+                                     double *bilinear,
+                                     double *triangles,
+                                     size_t capacity);
 
 /**
- * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
+ * The largest angle between the normals on both sides of borders between cells, in radians: 0, or rounding, where the surface is smooth.
  *
- * bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
+ * crease: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
-gusset_status gusset_sheet_curvature_bound(const struct gusset_context *context,
-                                           const struct gusset_sheet *sheet,
-                                           double *bound);
-
-/**
- * A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
- *
- * words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
- * j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
- * column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
- * from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
- * written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
- * distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
- * NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_mask_chain(const struct gusset_context *context,
-                                      const struct gusset_sheet *sheet,
-                                      const uint64_t *words,
-                                      size_t count,
-                                      const uint32_t *from,
-                                      const uint32_t *to,
-                                      uint32_t *cells,
-                                      size_t capacity,
-                                      size_t *written);
-
-/**
- * Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
- *
- * words, count: the region, as for gusset_sheet_mask_chain. report: struct_size set by the caller; all else is overwritten. Errors:
- * NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
- * for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_mask_measure(const struct gusset_context *context,
-                                        const struct gusset_sheet *sheet,
-                                        const uint64_t *words,
-                                        size_t count,
-                                        struct gusset_mask_report *report);
-
-/**
- * The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
- * the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
- * surface (gusset_surface_create) answers the same and more from its index, much faster.
- *
- * task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL with capacity 0 for the
- * size and the report alone; all words are 0 on failure. capacity: how many words it has room for. written: receives the number of
- * words. report: what was
- * done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
- * (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
- * BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
- * at for the search. From any thread. Source: Leus; its errata are listed with the Rust module surface::leus.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_reference_mask(const struct gusset_context *context,
-                                          const struct gusset_sheet *sheet,
-                                          const struct gusset_reference_task *task,
-                                          uint64_t *words,
-                                          size_t capacity,
-                                          size_t *written,
-                                          struct gusset_reference_report *report);
-
-/**
- * The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
- * cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
- * size of cells; the exact normals of the surface are had from a surface.
- *
- * places: count places of the sheet, whose own number is not read, at any alignment; u and v 0 to 1. normals: receives x, y, z of
- * each; 0 where there is none, and everywhere on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
- * (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell, parameters that are not 0 to 1;
- * OUT_OF_MEMORY, CANCELLED. Bounded work for each. From any thread. Source: Leus, fig. 1.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_sheet_normals_by_sections(const struct gusset_context *context,
-                                               const struct gusset_sheet *sheet,
-                                               const struct gusset_surface_place *places,
-                                               size_t count,
-                                               double *normals);
-
-/**
- * Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
- * normal and the surface's.
- *
- * point: x, y, z of a point of the plane of offset 0, at any alignment, as normal and offsets are. normal: x, y, z, not 0, of
- * any length. offsets: count of them, rising, distances of the planes from the point along the normal. options: NULL for the
- * defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL on failure. Every curve is found, also one within
- * a cell, and on a closed surface all are closed; a corner on a plane counts as above it. Cells where a plane touches or
- * contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
- * tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a
- * normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About O(count +
- * cells that are cut); threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task d.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_section_create(const struct gusset_context *context,
-                                            const struct gusset_surface *surface,
-                                            const double *point,
-                                            const double *normal,
-                                            const double *offsets,
-                                            size_t count,
-                                            const struct gusset_contour_options *options,
-                                            struct gusset_surface_paths **paths);
-
-/**
- * The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
- * surface is; greater values are to the left, seen from where the normals point to.
- *
- * values: value_count of them, finite, at any alignment, as levels are: of all sheets, one after the other, each row after row,
- * one more row and column than there are cells; the last line of a closed direction repeats the first and is not used. levels:
- * level_count of them, rising. Otherwise as gusset_surface_section_create. Errors: as there; SIZE_OVERFLOW if there are too few values,
- * TOO_LARGE if too many, NOT_FINITE with the number of the value. O(values + cells that are crossed); threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_contours_create(const struct gusset_context *context,
-                                             const struct gusset_surface *surface,
-                                             const double *values,
-                                             size_t value_count,
-                                             const double *levels,
-                                             size_t level_count,
-                                             const struct gusset_contour_options *options,
-                                             struct gusset_surface_paths **paths);
-
-/**
- * Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
- * and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
- *
- * direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
- * / 2 if normals are unsigned. Otherwise as gusset_surface_section_create. Where normals jump between cells (patches,
- * GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
- * Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. About
- * O(cells that are crossed), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_isophotes_create(const struct gusset_context *context,
-                                              const struct gusset_surface *surface,
-                                              const double *direction,
-                                              const double *angles,
-                                              size_t count,
-                                              const struct gusset_contour_options *options,
-                                              struct gusset_surface_paths **paths);
-
-/**
- * The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
- *
- * direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
- * for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
- * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. About
- * O(cells that come near to the angle), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_nearest_angle(const struct gusset_context *context,
-                                           const struct gusset_surface *surface,
-                                           const double *direction,
-                                           double angle,
-                                           const struct gusset_contour_options *options,
-                                           struct gusset_nearest_angle_report *nearest);
-
-/**
- * Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
- *
- * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
- * touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
- * which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
- * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
- * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
- * threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_line_hits_create(const struct gusset_context *context,
-                                              const struct gusset_surface *surface,
-                                              const struct gusset_line *lines,
-                                              size_t count,
-                                              gusset_hit_selection which,
-                                              struct gusset_surface_hits **hits);
-
-/**
- * The first hit of each of many lines, rays or segments: that of least t, which gusset_surface_line_hits_create gives first.
- *
- * lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
- * where there is none, and everywhere on failure. Errors: as for gusset_surface_line_hits_create, and MISALIGNED_ARGUMENT (hits). About
- * O(log cells) a line; threads. From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_first_hits(const struct gusset_context *context,
-                                        const struct gusset_surface *surface,
-                                        const struct gusset_line *lines,
-                                        size_t count,
-                                        struct gusset_surface_hit *hits);
-
-/**
- * Where a curve in space meets a surface, in the order of the curve.
- *
- * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
- * receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
- * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
- * comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_curve_hits_create(const struct gusset_context *context,
-                                               const struct gusset_surface *surface,
-                                               const struct gusset_curve *curve,
-                                               gusset_hit_selection which,
-                                               struct gusset_surface_hits **hits);
-
-/**
- * The hits, lent until they are destroyed.
- *
- * parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
- * any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_surface_hits_get_view(const struct gusset_surface_hits *hits,
-                                           struct gusset_surface_hits_view *parts);
-
-/**
- * Frees hits; NULL is allowed.
- */
-GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
+gusset_status gusset_sheet_crease(const struct gusset_context *context,
+                                  const struct gusset_sheet *sheet,
+                                  double *crease);
 
 /**
  * The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
@@ -8928,86 +9008,6 @@ GUSSET_API const char *gusset_version(void);
  * 1.0 that is when the minor version changes. O(1). From any thread.
  */
 GUSSET_API uint32_t gusset_abi(void);
-
-/**
- * Makes one vertex of vertices that lie together.
- *
- * By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one
- * edge, and so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would
- * collapse a face or make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie
- * together without an edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together
- * become one whatever comes of the edges.
- *
- * Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
- * within the tolerance of it, nearest first, so that nothing chains.
- *
- * The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left,
- * and its position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none
- * and is no valid input.
- *
- * options: NULL for the defaults. weld: receives the result, for gusset_weld_destroy; NULL on failure.
- * Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the tolerance), OUT_OF_MEMORY, CANCELLED. O(H log H) for H
- * half-edges, if no vertex has very many and few corners of one face lie together; linear extra memory.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_weld_create(const struct gusset_context *context,
-                                 const struct gusset_mesh_view *mesh,
-                                 const struct gusset_weld_options *options,
-                                 struct gusset_weld **weld);
-
-/**
- * Destroys a weld; NULL is allowed.
- */
-GUSSET_API void gusset_weld_destroy(struct gusset_weld *weld);
-
-/**
- * Lends the welded mesh, valid until the weld is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
- * From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_weld_get_mesh(const struct gusset_weld *weld,
-                                   struct gusset_mesh_view *view);
-
-/**
- * Lends the maps, lists and counts. Errors and validity as for gusset_weld_get_mesh.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_weld_get_view(const struct gusset_weld *weld,
-                                   struct gusset_weld_view *parts);
-
-/**
- * Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
- *
- * options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with
- * three or more faces, or with two that run it in the same direction, becomes several marked records of one face each. The
- * mesh of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled. Errors: those of
- * gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
- * linear extra memory. Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is
- * NULL", as the text has it; the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a
- * border on both sides.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_winged_create(const struct gusset_context *context,
-                                   const struct gusset_mesh_view *mesh,
-                                   const struct gusset_winged_options *options,
-                                   struct gusset_winged **winged);
-
-/**
- * Destroys tables; NULL is allowed.
- */
-GUSSET_API void gusset_winged_destroy(struct gusset_winged *winged);
-
-/**
- * Lends the tables. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
- */
-GUSSET_API
-GUSSET_MUST_USE
-gusset_status gusset_winged_get_view(const struct gusset_winged *winged,
-                                     struct gusset_winged_view *view);
 
 #ifdef __cplusplus
 }  // extern "C"

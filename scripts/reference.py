@@ -46,26 +46,29 @@ def groups():
     own = {name: re.search(r"@par Source\n \* (.*)", page) for name, page in pages.items()}
 
     def source(name):
-        return own[name].group(1) if own[name] else source(name.rpartition("_")[0])
+        return own[name].group(1) if own.get(name) else source(name.rpartition("_")[0])
 
     return {name: source(name) for name in pages}
 
 
 @functools.cache
 def origins():
-    """Where in src/ffi each name of the interface is declared: the stem of the file."""
-    found = {}
-    for path in sorted((ROOT / "src/ffi").glob("*.rs")):
+    """Where in src/ffi each name of the interface is declared: the file, without its ending."""
+    found, folder = {}, ROOT / "src/ffi"
+    for path in sorted({*folder.glob("*.rs"), *folder.glob("*/*.rs")} - {*folder.glob("plugin/*"), *folder.glob("openmfx/*")}):
         declared = r"^\s*pub (?:unsafe )?(?:extern \"C\" )?(?:const|fn|struct|type|enum) (\w+)"
-        found.update((name, path.stem) for name in re.findall(declared, path.read_text(), re.M))
+        place = path.relative_to(folder).with_suffix("")
+        place = place.parent if place.name == "mod" else place
+        found.update((name, place) for name in re.findall(declared, path.read_text(), re.M))
     return found
 
 
 def group(name):
-    """The group whose name is the beginning of the file's name, and the longest of them."""
-    stem = origins().get(name, "")
-    fitting = [one for one in groups() if stem == one or stem.startswith(one + "_")]
-    return max(fitting, key=len, default=None)
+    """The group named after the folder and the file; or else after the file, or the longest beginning of its name."""
+    place = origins().get(name, Path())
+    exact = "_".join(place.parts)
+    fitting = [one for one in groups() if place.name == one or place.name.startswith(one + "_")]
+    return exact if exact in groups() else max(fitting, key=len, default=None)
 
 
 @functools.cache

@@ -136,7 +136,7 @@ impl gusset_context {
     }
 
     /// Runs a call and records its outcome.
-    pub(super) fn run(
+    pub(crate) fn run(
         context: *const gusset_context,
         body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
     ) -> gusset_status {

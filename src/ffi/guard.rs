@@ -9,7 +9,7 @@ use std::ptr;
 
 /// Runs `body` as [`guard`] does and gives its result to the host through `out`, which is cleared before anything else:
 /// whatever becomes of the context, the host finds NULL there after a failure.
-pub(super) fn create<T>(
+pub(crate) fn create<T>(
     context: *const gusset_context,
     out: *mut *mut T,
     name: &'static str,
@@ -27,7 +27,7 @@ pub(super) fn create<T>(
 /// Runs `body` with the context's job, or with the defaults if the context is NULL; records the outcome in the context.
 ///
 /// A panic becomes `GUSSET_ERROR_PANIC`: nothing unwinds into the host.
-pub(super) fn guard(
+pub(crate) fn guard(
     context: *const gusset_context,
     body: impl FnOnce(&Job<'_>) -> Result<(), Failure>,
 ) -> gusset_status {

@@ -2,7 +2,8 @@
 
 use super::status::Failure;
 use super::status::gusset_status::{
-    GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ERROR_MISALIGNED_ARGUMENT, GUSSET_ERROR_SIZE_OVERFLOW,
+    GUSSET_ERROR_BAD_STRUCT_SIZE, GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_MISALIGNED_ARGUMENT,
+    GUSSET_ERROR_SIZE_OVERFLOW,
 };
 use std::mem::MaybeUninit;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,21 +20,21 @@ fn aligned<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
 }
 
 /// A handle, or another object that lives while the call runs.
-pub(super) fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
+pub(crate) fn reference<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
     aligned(pointer, name)?;
     // SAFETY: not NULL and aligned; that it points to a live T is the caller's promise.
     Ok(unsafe { &*pointer })
 }
 
 /// A handle that the call changes.
-pub(super) fn exclusive<'a, T>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
+pub(crate) fn exclusive<'a, T>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Failure> {
     aligned(pointer, name)?;
     // SAFETY: not NULL and aligned; that it points to a live T that nobody else uses now is the caller's promise.
     Ok(unsafe { &mut *pointer })
 }
 
 /// Where a result goes; `cleared` is written at once, so that a failure leaves nothing old behind.
-pub(super) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> Result<&'a mut T, Failure> {
+pub(crate) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> Result<&'a mut T, Failure> {
     aligned(pointer, name)?;
     // SAFETY: not NULL and aligned; that it points to writable memory for a T is the caller's promise.
     unsafe {
@@ -43,7 +44,7 @@ pub(super) fn output<'a, T>(pointer: *mut T, cleared: T, name: &'static str) -> 
 }
 
 /// As [`output`], for what need not be asked for.
-pub(super) fn optional_output<'a, T>(
+pub(crate) fn optional_output<'a, T>(
     pointer: *mut T,
     cleared: T,
     name: &'static str,
@@ -52,20 +53,20 @@ pub(super) fn optional_output<'a, T>(
 }
 
 /// Three coordinates of the caller's, at any alignment.
-pub(super) fn vector(pointer: *const f64, name: &'static str) -> Result<glam::DVec3, Failure> {
+pub(crate) fn vector(pointer: *const f64, name: &'static str) -> Result<glam::DVec3, Failure> {
     let bytes = bytes(pointer.cast(), 3, 8, name)?;
     Ok(glam::DVec3::from_array(bytemuck::pod_read_unaligned(bytes)))
 }
 
 /// A buffer of the caller's for `count` numbers.
-pub(super) fn slice<'a>(pointer: *mut u32, count: usize, name: &'static str) -> Result<&'a mut [u32], Failure> {
+pub(crate) fn slice<'a>(pointer: *mut u32, count: usize, name: &'static str) -> Result<&'a mut [u32], Failure> {
     aligned(pointer, name)?;
     // SAFETY: not NULL and aligned; that it has room for so many is the caller's promise. Plain numbers may hold anything.
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
 /// A buffer of the caller's for `count` results of plain numbers; anything will do for none.
-pub(super) fn results<'a, T: bytemuck::Pod>(
+pub(crate) fn results<'a, T: bytemuck::Pod>(
     pointer: *mut T,
     count: usize,
     name: &'static str,
@@ -81,7 +82,7 @@ pub(super) fn results<'a, T: bytemuck::Pod>(
 }
 
 /// As [`results`], with every byte 0 at once, so that a failure leaves nothing old behind.
-pub(super) fn cleared<'a, T: bytemuck::Pod>(
+pub(crate) fn cleared<'a, T: bytemuck::Pod>(
     pointer: *mut T,
     count: usize,
     name: &'static str,
@@ -92,7 +93,7 @@ pub(super) fn cleared<'a, T: bytemuck::Pod>(
 }
 
 /// A buffer of the caller's for `count` handles.
-pub(super) fn handles<'a, T>(
+pub(crate) fn handles<'a, T>(
     pointer: *mut *mut T,
     count: usize,
     name: &'static str,
@@ -111,7 +112,7 @@ pub(super) fn handles<'a, T>(
 }
 
 /// Frees what a `_create` function gave out; NULL is allowed.
-pub(super) fn destroy<T>(handle: *mut T) {
+pub(crate) fn destroy<T>(handle: *mut T) {
     // A destructor cannot fail; should one panic, the host must not see it.
     let dropped = catch_unwind(AssertUnwindSafe(|| {
         if !handle.is_null() {
@@ -125,7 +126,7 @@ pub(super) fn destroy<T>(handle: *mut T) {
 }
 
 /// `count` elements of the caller's, read as bytes: any alignment will do.
-pub(super) fn bytes<'a>(
+pub(crate) fn bytes<'a>(
     pointer: *const libc::c_void,
     count: usize,
     size: usize,
@@ -149,17 +150,45 @@ pub(super) fn bytes<'a>(
     Ok(unsafe { std::slice::from_raw_parts(pointer.cast(), length) })
 }
 
+/// A flag of the caller's.
+pub(crate) fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
+    match value {
+        0 | 1 => Ok(value == 1),
+        other => Err(Failure::unknown(name, other.into())),
+    }
+}
+
+/// Fills the caller's buffer of `capacity` numbers with `needed` ones, or only tells their number if there is no buffer.
+pub(crate) fn fill<T: bytemuck::Pod>(
+    buffer: *mut T,
+    capacity: usize,
+    needed: usize,
+    written: &mut usize,
+    name: &'static str,
+    write: impl FnOnce(&mut [T]) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    *written = needed;
+    if buffer.is_null() && capacity == 0 {
+        return Ok(());
+    }
+    if capacity < needed {
+        let message = format!("{name} has room for {capacity} and {needed} are needed");
+        return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
+    }
+    write(results(buffer, needed, name)?)
+}
+
 /// A struct of plain numbers and pointers that begins with `size_t struct_size`.
 ///
 /// # Safety
 /// `repr(C)`, its first field is the size, and all bytes zero are a valid value.
-pub(super) unsafe trait Versioned: Copy {
+pub(crate) unsafe trait Versioned: Copy {
     /// The size of the first version that was published.
     const LEAST_SIZE: usize;
 }
 
 /// Reads the struct, as long as the caller's version of it is; fields that it lacks are 0. NULL gives all zeros if `optional`.
-pub(super) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'static str) -> Result<T, Failure> {
+pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'static str) -> Result<T, Failure> {
     // SAFETY: zeros are valid, by the trait.
     let mut value: T = unsafe { MaybeUninit::zeroed().assume_init() };
     if optional && pointer.is_null() {
@@ -178,7 +207,7 @@ pub(super) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
 }
 
 /// Clears a struct that the caller wants filled, all but its size, and returns the writer.
-pub(super) fn output_struct<T: Versioned>(pointer: *mut T, name: &'static str) -> Result<Output<T>, Failure> {
+pub(crate) fn output_struct<T: Versioned>(pointer: *mut T, name: &'static str) -> Result<Output<T>, Failure> {
     let size = struct_size(pointer, name)?;
     let field = size_of::<usize>();
     // SAFETY: aligned and not NULL; the caller promises `size` writable bytes.
@@ -187,14 +216,14 @@ pub(super) fn output_struct<T: Versioned>(pointer: *mut T, name: &'static str) -
 }
 
 /// A struct of the caller's to be filled.
-pub(super) struct Output<T> {
+pub(crate) struct Output<T> {
     pointer: *mut T,
     size: usize,
 }
 
 impl<T: Versioned> Output<T> {
     /// Writes the fields that the caller's version has; its struct_size stays.
-    pub(super) fn write(self, value: T) {
+    pub(crate) fn write(self, value: T) {
         let (field, end) = (size_of::<usize>(), self.size.min(size_of::<T>()));
         // SAFETY: as in output_struct; `value` is at least `end` bytes long.
         unsafe {

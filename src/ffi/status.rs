@@ -159,39 +159,39 @@ pub const GUSSET_ELEMENT_ROW: gusset_element = 31;
 
 /// A failure on its way to the host.
 #[derive(Debug)]
-pub(super) struct Failure {
-    pub(super) status: gusset_status,
-    pub(super) message: Cow<'static, str>,
-    pub(super) element: gusset_element,
-    pub(super) index: u64,
-    pub(super) value: f64,
+pub(crate) struct Failure {
+    pub(crate) status: gusset_status,
+    pub(crate) message: Cow<'static, str>,
+    pub(crate) element: gusset_element,
+    pub(crate) index: u64,
+    pub(crate) value: f64,
     /// Which mesh: 0 the first, 1 the second.
-    pub(super) input: u32,
+    pub(crate) input: u32,
 }
 
 impl Failure {
-    pub(super) fn new(status: gusset_status, message: impl Into<Cow<'static, str>>) -> Self {
+    pub(crate) fn new(status: gusset_status, message: impl Into<Cow<'static, str>>) -> Self {
         Failure { status, message: message.into(), element: GUSSET_ELEMENT_NONE, index: 0, value: 0.0, input: 0 }
     }
 
-    pub(super) fn null(argument: &'static str) -> Self {
+    pub(crate) fn null(argument: &'static str) -> Self {
         Failure::new(GUSSET_ERROR_NULL_ARGUMENT, format!("{argument} is NULL"))
     }
 
-    pub(super) fn unknown(what: &'static str, value: u64) -> Self {
+    pub(crate) fn unknown(what: &'static str, value: u64) -> Self {
         Failure {
             value: value as f64,
             ..Failure::new(GUSSET_ERROR_UNKNOWN_VALUE, format!("{what} has the unknown value {value}"))
         }
     }
 
-    pub(super) fn no_such(what: &'static str, index: usize) -> Self {
+    pub(crate) fn no_such(what: &'static str, index: usize) -> Self {
         let message = format!("there is no {what} {index}");
         Failure { index: index as u64, ..Failure::new(GUSSET_ERROR_NO_SUCH_ELEMENT, message) }
     }
 
     /// The same failure, of item `index` of an array of the caller's, unless it is about an element already.
-    pub(super) fn of_item(self, index: usize) -> Self {
+    pub(crate) fn of_item(self, index: usize) -> Self {
         match self.element {
             GUSSET_ELEMENT_NONE => Failure { element: GUSSET_ELEMENT_ITEM, index: index as u64, ..self },
             _ => self,
@@ -199,7 +199,7 @@ impl Failure {
     }
 
     /// The same failure, of input mesh `input`.
-    pub(super) fn of_input(self, input: u32) -> Self {
+    pub(crate) fn of_input(self, input: u32) -> Self {
         Failure { input, ..self }
     }
 }

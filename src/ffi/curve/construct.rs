@@ -1,0 +1,194 @@
+//! Curves made of curves, as C sees them.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::curve::{gusset_curve, gusset_place, view};
+use crate::ffi::guard::create;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::outline::ops::{Offset, OffsetOptions};
+
+/// How an offset is fitted.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_offset_options {
+    /// sizeof(gusset_offset_options), set by the caller.
+    pub struct_size: usize,
+    /// The deviation aimed at, above 0, in the unit of the points.
+    pub tolerance: f64,
+    /// No segment is halved once there are so many; 0 for 65536.
+    pub max_segments: usize,
+    /// The degree of the segments, 2 or 3; 0 for 3.
+    pub degree: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What is said about an offset.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_offset_report {
+    /// sizeof(gusset_offset_report), set by the caller.
+    pub struct_size: usize,
+    /// How far the curve is from the true offset, as measured at 16 places inside each segment.
+    pub deviation: f64,
+    /// The number of corners of the original, bridged by straight segments.
+    pub corners: usize,
+    /// 1 if the deviation is within the tolerance.
+    pub reached: u32,
+    /// 1 if somewhere the radius of curvature is at most the distance: the offset has cusps or runs backwards there.
+    pub tight: u32,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_offset_options {
+    const LEAST_SIZE: usize = 32;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_offset_report {
+    const LEAST_SIZE: usize = 32;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8 || (size_of::<gusset_offset_options>() == 32 && size_of::<gusset_offset_report>() == 32)
+);
+
+impl gusset_offset_options {
+    fn checked(self) -> Result<OffsetOptions, Failure> {
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
+        let degree = if self.degree == 0 { 3 } else { self.degree as usize };
+        let max_segments = if self.max_segments == 0 { 1 << 16 } else { self.max_segments };
+        Ok(OffsetOptions { degree, tolerance: self.tolerance, max_segments })
+    }
+}
+
+impl From<&Offset> for gusset_offset_report {
+    fn from(offset: &Offset) -> Self {
+        gusset_offset_report {
+            struct_size: size_of::<Self>(),
+            deviation: offset.deviation,
+            corners: offset.corners,
+            reached: offset.reached.into(),
+            tight: offset.tight.into(),
+        }
+    }
+}
+
+/// The part of a curve from one place to another, open. from: where it begins. to: where it ends. On a closed curve it
+/// may run over the start, and from a place to itself it goes round once. part: receives the result, for
+/// gusset_curve_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (place 0 is from, 1 is to), OUT_OF_RANGE (an open curve, and to before from),
+/// UNKNOWN_VALUE, TOO_LARGE, OUT_OF_MEMORY. O(points).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_part_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    from: gusset_place,
+    to: gusset_place,
+    part: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, part, "part", |_| {
+        Ok(gusset_curve(view(curve, "curve")?.sub_curve(from.checked()?, to.checked()?)?))
+    })
+}
+
+/// The part of a curve before a place, or the part after it; both are open. at: the place. after: 0 for the part before
+/// it, 1 for the part after it. Otherwise as gusset_curve_part_create.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_split_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    at: gusset_place,
+    after: u32,
+    part: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, part, "part", |_| {
+        let [first, second] = view(curve, "curve")?.split(at.checked()?)?;
+        match after {
+            0 => Ok(gusset_curve(first)),
+            1 => Ok(gusset_curve(second)),
+            other => Err(Failure::unknown("after", other.into())),
+        }
+    })
+}
+
+/// The same curve run through from its end to its start. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_reverse_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    reversed: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, reversed, "reversed", |_| Ok(gusset_curve(view(curve, "curve")?.reversed()?)))
+}
+
+/// The same curve with higher degrees: every segment's raised by `by`, or if `by` is 0 those below `to` raised to it. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (a degree above 64, or to is 0), TOO_LARGE, OUT_OF_MEMORY. O(degree) for
+/// each new control point.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_elevate_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    by: u32,
+    to: u32,
+    elevated: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, elevated, "elevated", |_| {
+        let view = view(curve, "curve")?;
+        Ok(gusset_curve(if by > 0 { view.elevated_by(by as usize)? } else { view.elevated_to(to as usize)? }))
+    })
+}
+
+/// The curve with segments of a lower degree, by least squares with fixed ends. degree: of each at most, 1 to 64.
+/// tolerance: segments that would deviate by more are kept; at least 0, in the unit of the points; infinity is allowed.
+/// deviations: receives a bound on the deviation of each segment from the original, of a kept one what it would have
+/// been; NULL if it is not wanted. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (degree, tolerance),
+/// OUT_OF_MEMORY. O(degree^3) a segment.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_reduce_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    degree: u32,
+    tolerance: f64,
+    deviations: *mut f64,
+    reduced: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, reduced, "reduced", |_| {
+        let done = view(curve, "curve")?.reduced(degree as usize, tolerance)?;
+        if !deviations.is_null() {
+            input::results(deviations, done.deviations.len(), "deviations")?.copy_from_slice(&done.deviations);
+        }
+        Ok(gusset_curve(done.curve))
+    })
+}
+
+/// The curve beside a plane curve, re-fitted by segments with common tangents. Places where it crosses itself are not
+/// removed. distance: how far to the left of it, to the right if negative; in the unit of the points, finite. options:
+/// its tolerance must be given. report: what became of it; NULL if it is not wanted. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, CURVE_NOT_PLANE, EMPTY_CURVE, OUT_OF_RANGE (distance,
+/// tolerance, degree), TOO_LARGE, OUT_OF_MEMORY. O(degree) for each of the places measured.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_offset_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    distance: f64,
+    options: *const gusset_offset_options,
+    report: *mut gusset_offset_report,
+    offset: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, offset, "offset", |_| {
+        let options = input::read(options, false, "options")?.checked()?;
+        let out = (!report.is_null()).then(|| input::output_struct(report, "report")).transpose()?;
+        let done = view(curve, "curve")?.offset(distance, &options)?;
+        if let Some(out) = out {
+            out.write((&done).into());
+        }
+        Ok(gusset_curve(done.curve))
+    })
+}

@@ -1,0 +1,136 @@
+//! Curves as others write them, as C sees them.
+
+use crate::alloc;
+use crate::ffi::context::gusset_context;
+use crate::ffi::curve::{gusset_curve, view};
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::gusset_status;
+use glam::DVec3;
+use libc::c_char;
+use std::ptr;
+
+/// A curve in another form. Opaque and immutable; it keeps nothing of the curve.
+#[derive(Default)]
+pub struct gusset_curve_form {
+    /// With a 0 at the end.
+    text: Vec<u8>,
+    points: Vec<DVec3>,
+    on_curve: Vec<u8>,
+    knots: Vec<f64>,
+    degree: usize,
+}
+
+/// The parts of a form; those that it does not have are empty. Pointers are valid until it is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_curve_form_view {
+    /// sizeof(gusset_curve_form_view), set by the caller.
+    pub struct_size: usize,
+    /// The text of an SVG path, ended by a 0; empty for other forms.
+    pub text: *const c_char,
+    /// Its length without the 0.
+    pub text_length: usize,
+    /// The points of a contour or the control points of a spline: x, y, z of each.
+    pub points: *const f64,
+    /// How many.
+    pub point_count: usize,
+    /// Of a contour, for each point: 1 on the curve, 0 off it.
+    pub on_curve: *const u8,
+    /// Of a spline: the knots, point_count + degree + 1 of them.
+    pub knots: *const f64,
+    /// How many.
+    pub knot_count: usize,
+    /// Of a spline: its degree.
+    pub degree: usize,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_curve_form_view {
+    const LEAST_SIZE: usize = 72;
+}
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_curve_form_view>() == 72);
+
+/// The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
+/// the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_RANGE (a degree above 3: see gusset_curve_reduce_create), OUT_OF_MEMORY. O(points).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_svg_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    form: *mut *mut gusset_curve_form,
+) -> gusset_status {
+    create(context, form, "form", |_| {
+        let mut text = view(curve, "curve")?.svg_path()?.into_bytes();
+        alloc::push(&mut text, 0)?;
+        Ok(gusset_curve_form { text, ..gusset_curve_form::default() })
+    })
+}
+
+/// The contour of a TrueType font: control points, and those joints that are not in the middle between two of them.
+/// tolerance: how far from the middle still counts as there, at least 0, in the unit of the points; rounding always
+/// does. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, CURVE_NOT_CLOSED, EMPTY_CURVE, OUT_OF_RANGE (a
+/// degree above 2, tolerance), OUT_OF_MEMORY. O(points).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_contour_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    tolerance: f64,
+    form: *mut *mut gusset_curve_form,
+) -> gusset_status {
+    create(context, form, "form", |_| {
+        let contour = view(curve, "curve")?.contour(tolerance)?;
+        let (points, on_curve) = (contour.points, contour.on_curve);
+        Ok(gusset_curve_form { points, on_curve, ..gusset_curve_form::default() })
+    })
+}
+
+/// The curve as a clamped B-spline, if all segments have one degree n. Joints with one tangent become knots of multiplicity
+/// n - 1 and are no control points. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (other degrees),
+/// OUT_OF_MEMORY. O(points).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_spline_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    form: *mut *mut gusset_curve_form,
+) -> gusset_status {
+    create(context, form, "form", |_| {
+        let spline = view(curve, "curve")?.spline()?;
+        let (points, knots, degree) = (spline.controls, spline.knots, spline.degree);
+        Ok(gusset_curve_form { points, knots, degree, ..gusset_curve_form::default() })
+    })
+}
+
+/// Destroys a form; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_curve_form_destroy(form: *mut gusset_curve_form) {
+    input::destroy(form);
+}
+
+/// Lends the parts. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_form_get_view(
+    form: *const gusset_curve_form,
+    parts: *mut gusset_curve_form_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let form = input::reference(form, "form")?;
+        out.write(gusset_curve_form_view {
+            struct_size: size_of::<gusset_curve_form_view>(),
+            text: if form.text.is_empty() { c"".as_ptr() } else { form.text.as_ptr().cast() },
+            text_length: form.text.len().saturating_sub(1),
+            points: form.points.as_ptr().cast(),
+            point_count: form.points.len(),
+            on_curve: form.on_curve.as_ptr(),
+            knots: form.knots.as_ptr(),
+            knot_count: form.knots.len(),
+            degree: form.degree,
+        });
+        Ok(())
+    })
+}

@@ -1,0 +1,275 @@
+//! The frame of outlines as C sees it.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::curve::outline::{Given, gusset_outline, gusset_outlines};
+use crate::ffi::curve::outline_options::gusset_outline_options;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::{self, gusset_indices};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::outline::Options;
+use crate::outline::frame::{Correspondence, Frame, FrameOptions, Measure, NodeGrid, frame, slice};
+use glam::DVec3;
+use std::ptr;
+
+/// The points of the sections by their places: all sections have equally many.
+pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;
+/// Equal parts of the arc length of each section from its first point on; a closed section that runs the other way round than
+/// the first one is taken backwards.
+pub const GUSSET_CORRESPONDENCE_ARC_LENGTH: u32 = 1;
+/// Where half-planes at equal angles round the axis meet each section; the farthest place where there are several.
+pub const GUSSET_CORRESPONDENCE_ANGLE: u32 = 2;
+/// Landmarks of each section, and equal parts of the arc length between them.
+pub const GUSSET_CORRESPONDENCE_LANDMARKS: u32 = 3;
+
+/// Nodes, and curves across and along a body through them. Opaque and immutable; it keeps nothing of the points.
+pub struct gusset_frame {
+    pub(crate) grid: NodeGrid,
+    pub(crate) across: gusset_outline,
+    pub(crate) along: gusset_outline,
+    options: Options,
+    /// Whether the sections are closed, and whether the last one is followed by the first.
+    pub(crate) closed: bool,
+    pub(crate) ring: bool,
+}
+
+/// How a frame is made; all zero is the default: the points themselves are the nodes.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_frame_options {
+    /// sizeof(gusset_frame_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_CORRESPONDENCE_...
+    pub correspondence: u32,
+    /// The number of nodes in a section, for ARC_LENGTH and ANGLE; for LANDMARKS the number of parts from each landmark to the
+    /// next.
+    pub columns: u32,
+    /// 1: the last section is followed by the first one. 0 or 1.
+    pub ring: u32,
+    /// 0.
+    pub reserved: u32,
+    /// For ANGLE: a point of the axis.
+    pub axis_point: [f64; 3],
+    /// For ANGLE: its direction; seen against it angles grow counter-clockwise.
+    pub axis_direction: [f64; 3],
+    /// For ANGLE: towards the nodes of column 0; any vector not along the axis.
+    pub reference: [f64; 3],
+    /// For LANDMARKS: for each section its landmarks in order, places among its own points; as many for each.
+    pub landmarks: gusset_indices,
+    /// How the curves across are made; NULL for the defaults.
+    pub across: *const gusset_outline_options,
+    /// How the curves along are made; NULL for the defaults.
+    pub along: *const gusset_outline_options,
+}
+
+/// The nodes of a frame, row by row. Pointers are valid until the frame is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_frame_view {
+    /// sizeof(gusset_frame_view), set by the caller.
+    pub struct_size: usize,
+    /// The number of sections.
+    pub rows: usize,
+    /// The number of nodes in a section.
+    pub columns: usize,
+    /// x, y, z of each node.
+    pub nodes: *const f64,
+    /// The direction of the curve across at each node: x, y, z, of length 1, or 0 where there is none.
+    pub across: *const f64,
+    /// The direction of the curve along.
+    pub along: *const f64,
+    /// For each section 1 if it was taken backwards.
+    pub turned: *const u8,
+    /// Nodes that could have been elsewhere, as a half-plane meets their section more than once.
+    pub ambiguous: gusset_indices,
+    /// The largest distance between the two curves at a node, relative to the size of the nodes' box.
+    pub max_gap: f64,
+    /// The smallest sine of the angle at which two curves cross at a node.
+    pub min_sine: f64,
+}
+
+/// What a section measures.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_section_report {
+    /// Its length: of a closed section all round.
+    pub girth: f64,
+    /// The area within, never negative; that of an open section is closed by its chord.
+    pub area: f64,
+    /// The mean of its points by arc length.
+    pub centre: [f64; 3],
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_frame_options {
+    const LEAST_SIZE: usize = 128;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_frame_view {
+    const LEAST_SIZE: usize = 88;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_frame_options>() == 128
+            && size_of::<gusset_frame_view>() == 88
+            && size_of::<gusset_section_report>() == 40)
+);
+
+impl gusset_frame_options {
+    fn checked<'a>(&self, landmarks: &'a [u32]) -> Result<FrameOptions<'a>, Failure> {
+        let ring = match self.ring {
+            0 => false,
+            1 => true,
+            other => return Err(Failure::unknown("ring", other.into())),
+        };
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
+        let columns = self.columns as usize;
+        let correspondence = match self.correspondence {
+            GUSSET_CORRESPONDENCE_GIVEN => Correspondence::Given,
+            GUSSET_CORRESPONDENCE_ARC_LENGTH => Correspondence::ArcLength { columns },
+            GUSSET_CORRESPONDENCE_ANGLE => Correspondence::Angle {
+                columns,
+                point: DVec3::from_array(self.axis_point),
+                direction: DVec3::from_array(self.axis_direction),
+                reference: DVec3::from_array(self.reference),
+            },
+            GUSSET_CORRESPONDENCE_LANDMARKS => Correspondence::Landmarks { points: landmarks, parts: columns },
+            other => return Err(Failure::unknown("correspondence", other.into())),
+        };
+        let across = input::read(self.across, true, "across")?.checked()?;
+        let along = input::read(self.along, true, "along")?.checked()?;
+        Ok(FrameOptions { correspondence, across, along, ring })
+    }
+}
+
+/// Makes the frame of some sections, closed or open, one behind another: a grid of nodes, a curve across through each row of
+/// it, and a curve along through each column.
+///
+/// sections: at least 2, 3 of a ring. options: NULL for the defaults. frame: receives the result, for gusset_frame_destroy;
+/// NULL on failure. Errors: those of gusset_outline_create, OUT_OF_RANGE (too few sections or columns; landmarks that are not
+/// as many for each section, or not in order; an axis without direction), SECTIONS_DIFFER, NO_NODE (a section that a
+/// half-plane does not meet, or that is no curve). O(points), with ANGLE O(columns x points). Source: Nadopta, introduction;
+/// the correspondences are ours.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_frame_create(
+    context: *const gusset_context,
+    sections: *const gusset_outlines,
+    options: *const gusset_frame_options,
+    frame: *mut *mut gusset_frame,
+) -> gusset_status {
+    create(context, frame, "frame", |job| {
+        let options = input::read(options, true, "options")?;
+        let landmarks = mesh::indices(&raw const options.landmarks, "landmarks")?.unwrap_or_default();
+        let options = options.checked(&landmarks)?;
+        let given = Given::read(sections)?;
+        let Frame { grid, across, along } = self::frame(&given.outlines(), &options, job)?;
+        let closed = given.outlines().closed;
+        let (across, along) = (gusset_outline(across), gusset_outline(along));
+        Ok(gusset_frame { grid, across, along, options: options.across, closed, ring: options.ring })
+    })
+}
+
+/// Destroys what gusset_frame_create made; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_frame_destroy(frame: *mut gusset_frame) {
+    input::destroy(frame);
+}
+
+/// Lends the nodes, valid until the frame is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_frame_get_view(
+    frame: *const gusset_frame,
+    parts: *mut gusset_frame_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let grid = &input::reference(frame, "frame")?.grid;
+        out.write(gusset_frame_view {
+            struct_size: size_of::<gusset_frame_view>(),
+            rows: grid.rows,
+            columns: grid.columns,
+            nodes: grid.nodes.as_ptr().cast(),
+            across: grid.across.as_ptr().cast(),
+            along: grid.along.as_ptr().cast(),
+            turned: grid.turned.as_ptr(),
+            ambiguous: gusset_indices::lend(&grid.ambiguous),
+            max_gap: grid.max_gap,
+            min_sine: grid.min_sine,
+        });
+        Ok(())
+    })
+}
+
+/// Lends the curves: across (one for each section; node i of row k is point k W + i) and along (one for each column; node i
+/// of row k is point i H + k), for H rows of W columns. Not to be destroyed: valid until the frame is. Either may be NULL.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_frame_curves_create(
+    frame: *const gusset_frame,
+    across: *mut *const gusset_outline,
+    along: *mut *const gusset_outline,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let across = input::optional_output(across, ptr::null(), "across")?;
+        let along = input::optional_output(along, ptr::null(), "along")?;
+        let frame = input::reference(frame, "frame")?;
+        if let Some(across) = across {
+            *across = &raw const frame.across;
+        }
+        if let Some(along) = along {
+            *along = &raw const frame.along;
+        }
+        Ok(())
+    })
+}
+
+/// Cuts the curves along by the plane through a point across a normal, and draws a curve through the crossings as the curves
+/// across were made: a new section.
+///
+/// point, normal: x, y, z; the normal of any length but 0. section: receives one outline, for gusset_outline_destroy; NULL on
+/// failure; point i of it is on the curve along column i, at its first crossing. Errors: those of gusset_outline_create,
+/// OUT_OF_RANGE (the normal), NOT_FINITE, NO_NODE (the value in the report is the column that the plane does not cross).
+/// O(segments).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_frame_slice_create(
+    context: *const gusset_context,
+    frame: *const gusset_frame,
+    point: *const f64,
+    normal: *const f64,
+    section: *mut *mut gusset_outline,
+) -> gusset_status {
+    create(context, section, "section", |job| {
+        let frame = input::reference(frame, "frame")?;
+        let (point, normal) = (input::vector(point, "point")?, input::vector(normal, "normal")?);
+        let cut = slice(&frame.along.0, point, normal, frame.closed, &frame.options, job)?;
+        Ok(gusset_outline(cut.curve))
+    })
+}
+
+/// Measures curve `index` of an outline: girth, area and centre. measure: receives them. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY. O(segments). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_outline_get_section(
+    outline: *const gusset_outline,
+    index: usize,
+    measure: *mut gusset_section_report,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output(measure, gusset_section_report { girth: 0.0, area: 0.0, centre: [0.0; 3] }, "measure")?;
+        let fit = &input::reference(outline, "outline")?.0;
+        if index >= fit.len() {
+            return Err(Failure::no_such("outline", index));
+        }
+        let Measure { girth, area, centre } = Measure::of(fit.curve(index))?;
+        *out = gusset_section_report { girth, area, centre: centre.to_array() };
+        Ok(())
+    })
+}

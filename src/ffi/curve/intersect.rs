@@ -1,0 +1,227 @@
+//! Places found on curves, however many there are, as C sees them.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::curve::{gusset_curve, gusset_place, points, view};
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::gusset_indices;
+use crate::ffi::status::{Failure, gusset_status};
+use crate::outline::ops::{Approaches, Crossings, Meetings, Samples};
+use crate::outline::{CurveView, Place};
+use glam::DVec3;
+use std::ptr;
+
+/// Crossings, intersections or samples. Opaque and immutable; it keeps nothing of the curves.
+#[derive(Default)]
+pub struct gusset_places {
+    places: Vec<gusset_place>,
+    others: Vec<gusset_place>,
+    points: Vec<DVec3>,
+    overlaps: Vec<gusset_place>,
+    inside: Vec<u32>,
+    undecided: bool,
+}
+
+/// What was found. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_places_view {
+    /// sizeof(gusset_places_view), set by the caller.
+    pub struct_size: usize,
+    /// The places, in the order of the (first) curve.
+    pub places: *const gusset_place,
+    /// How many.
+    pub count: usize,
+    /// The points there: x, y, z of each.
+    pub points: *const f64,
+    /// Of intersections: the places on the second curve, or the later ones on the same; else NULL.
+    pub others: *const gusset_place,
+    /// Parts that two segments have in common: start and end on the first, the same start and end on the second; four places
+    /// each.
+    pub overlaps: *const gusset_place,
+    /// How many, each of four places.
+    pub overlap_count: usize,
+    /// Of crossings: the segments that lie in the line or plane altogether.
+    pub inside: gusset_indices,
+    /// 1 if some pair of segments was given up: they run beside each other within rounding for a long way.
+    pub undecided: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_places_view {
+    const LEAST_SIZE: usize = 80;
+}
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_places_view>() == 80);
+
+/// gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
+pub const GUSSET_SAMPLE_COUNT: u32 = 0;
+/// gusset_curve_sample_create: a point every `amount` of arc length; an open curve's end is always the last.
+pub const GUSSET_SAMPLE_STEP: u32 = 1;
+/// gusset_curve_sample_create: the curve is nowhere farther than `amount` from the chords between the points; each segment is halved at most
+/// 20 times, which leaves 1e-12 of its size.
+pub const GUSSET_SAMPLE_CHORD: u32 = 2;
+
+fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place>, Error> {
+    alloc::collect(places.map(gusset_place::from))
+}
+
+impl gusset_places {
+    fn of_crossings(found: Crossings, curve: &CurveView<'_>) -> Result<Self, Failure> {
+        let points = curve.points_at(&found.places)?;
+        let places = list(found.places.into_iter())?;
+        Ok(gusset_places { places, points, inside: found.inside, ..Self::default() })
+    }
+
+    fn of_samples(found: Samples) -> Result<Self, Failure> {
+        let places = list(found.places.into_iter())?;
+        Ok(gusset_places { places, points: found.points, ..Self::default() })
+    }
+
+    pub(crate) fn of_approaches(found: &Approaches, curve: &CurveView<'_>) -> Result<Self, Failure> {
+        let at = alloc::collect(found.places.iter().map(|found| found.a))?;
+        let mut overlaps = alloc::with_capacity(4 * found.overlaps.len())?;
+        for o in &found.overlaps {
+            overlaps.extend([o.a[0], o.a[1], o.b[0], o.b[1]].map(gusset_place::from));
+        }
+        Ok(gusset_places {
+            places: list(at.iter().copied())?,
+            others: list(found.places.iter().map(|found| found.b))?,
+            points: curve.points_at(&at)?,
+            overlaps,
+            inside: Vec::new(),
+            undecided: found.undecided,
+        })
+    }
+
+    fn of_meetings(found: &Meetings, curve: &CurveView<'_>) -> Result<Self, Failure> {
+        let at = alloc::collect(found.points.iter().map(|m| m.a))?;
+        let mut overlaps = alloc::with_capacity(4 * found.overlaps.len())?;
+        for o in &found.overlaps {
+            overlaps.extend([o.a[0], o.a[1], o.b[0], o.b[1]].map(gusset_place::from));
+        }
+        Ok(gusset_places {
+            places: list(at.iter().copied())?,
+            others: list(found.points.iter().map(|m| m.b))?,
+            points: curve.points_at(&at)?,
+            overlaps,
+            inside: Vec::new(),
+            undecided: found.undecided,
+        })
+    }
+}
+
+/// Where a curve crosses or touches a plane. point: x, y, z of a point of the plane; normal: x, y, z across it, of any length
+/// but 0. places: receives the result, for gusset_places_destroy, as for all functions of this group; NULL on failure.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (normal), NOT_FINITE, OUT_OF_MEMORY. O(points), and O(degree^2) a
+/// crossing.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    point: *const f64,
+    normal: *const f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |_| {
+        let (view, point, normal) = (view(curve, "curve")?, points(point, 1, 3)?[0], points(normal, 1, 3)?[0]);
+        gusset_places::of_crossings(view.crossings_with_plane(point, normal)?, &view)
+    })
+}
+
+/// Where a plane curve crosses or touches a line. point: x, y of a point of the line; direction: x, y along it, not 0. Errors:
+/// CURVE_NOT_PLANE, and those of gusset_curve_intersect_plane_create.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_intersect_line_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    point: *const f64,
+    direction: *const f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |_| {
+        let (view, point, along) = (view(curve, "curve")?, points(point, 1, 2)?[0], points(direction, 1, 2)?[0]);
+        gusset_places::of_crossings(view.crossings_with_line(point, along)?, &view)
+    })
+}
+
+/// The common points and parts of two plane curves, or, if other is NULL, of one with itself: then joints of neighbours do
+/// not count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, CURVE_NOT_PLANE, OUT_OF_MEMORY, CANCELLED. Bounded work for each
+/// pair of segments whose boxes meet.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_intersect_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    other: *const gusset_curve,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |job| {
+        let one = view(curve, "curve")?;
+        if other.is_null() {
+            return gusset_places::of_meetings(&one.self_intersections(job)?, &one);
+        }
+        gusset_places::of_meetings(&one.intersections(&view(other, "other")?, job)?, &one)
+    })
+}
+
+/// Points along a curve, in its order; of a closed curve the start is not repeated at the end. rule: GUSSET_SAMPLE_...;
+/// amount: a whole number (at least 1, for an open curve 2), or a length above 0. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (amount), TOO_LARGE, OUT_OF_MEMORY. O(points, and samples).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_sample_create(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    rule: u32,
+    amount: f64,
+    places: *mut *mut gusset_places,
+) -> gusset_status {
+    create(context, places, "places", |_| {
+        let view = view(curve, "curve")?;
+        gusset_places::of_samples(match rule {
+            GUSSET_SAMPLE_COUNT if amount.fract() == 0.0 && amount >= 0.0 => view.sampled_by_count(amount as usize)?,
+            GUSSET_SAMPLE_COUNT => return Err(Error::OptionOutOfRange { option: "amount", value: amount }.into()),
+            GUSSET_SAMPLE_STEP => view.sampled_by_step(amount)?,
+            GUSSET_SAMPLE_CHORD => view.sampled_by_chord(amount)?,
+            other => return Err(Failure::unknown("rule", other.into())),
+        })
+    })
+}
+
+/// Destroys what was found; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_places_destroy(places: *mut gusset_places) {
+    input::destroy(places);
+}
+
+/// Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_places_get_view(
+    places: *const gusset_places,
+    view: *mut gusset_places_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        let found = input::reference(places, "places")?;
+        out.write(gusset_places_view {
+            struct_size: size_of::<gusset_places_view>(),
+            places: found.places.as_ptr(),
+            count: found.places.len(),
+            points: found.points.as_ptr().cast(),
+            others: if found.others.is_empty() { ptr::null() } else { found.others.as_ptr() },
+            overlaps: found.overlaps.as_ptr(),
+            overlap_count: found.overlaps.len() / 4,
+            inside: gusset_indices::lend(&found.inside),
+            undecided: found.undecided.into(),
+            reserved: 0,
+        });
+        Ok(())
+    })
+}

@@ -1,0 +1,242 @@
+//! What is asked of a curve and answered with as many numbers as were asked for, as C sees it.
+
+use crate::alloc;
+use crate::ffi::context::gusset_context;
+use crate::ffi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
+use crate::ffi::guard::guard;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::gusset_status;
+use libc::c_void;
+
+/// The nearest point of a curve.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_curve_nearest_point {
+    /// Where on the curve.
+    pub place: gusset_place,
+    /// x, y, z.
+    pub point: [f64; 3],
+    /// The distance.
+    pub distance: f64,
+}
+
+/// The moments of the region that a plane curve encloses; an open curve is closed by its chord. Regions that it runs round
+/// clockwise count negative.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_curve_moment_report {
+    /// sizeof(gusset_curve_moment_report), set by the caller.
+    pub struct_size: usize,
+    /// The signed area.
+    pub area: f64,
+    /// The centre of gravity; the curve's start if the area is 0.
+    pub centroid: [f64; 2],
+    /// The integrals of x x, x y and y y about the centroid, with the sign of the area.
+    pub second: [f64; 3],
+}
+
+// SAFETY: plain numbers without gaps.
+unsafe impl bytemuck::Zeroable for gusset_curve_nearest_point {}
+// SAFETY: as above; any bits will do.
+unsafe impl bytemuck::Pod for gusset_curve_nearest_point {}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_curve_moment_report {
+    const LEAST_SIZE: usize = 56;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_curve_nearest_point>() == 48 && size_of::<gusset_curve_moment_report>() == 56)
+);
+
+/// Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
+/// out: receives 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t,
+/// and so on; 0 beyond the degree. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (a place), OUT_OF_RANGE
+/// (order), UNKNOWN_VALUE, SIZE_OVERFLOW, OUT_OF_MEMORY. O(degree^2) a place.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_derivatives(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    places: *const gusset_place,
+    count: usize,
+    order: u32,
+    out: *mut f64,
+) -> gusset_status {
+    guard(context, |_| {
+        let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
+        let found = view.derivatives_at(&places, order as usize)?;
+        write(&found, input::results(out, times(found.len(), 3, "results")?, "out")?);
+        Ok(())
+    })
+}
+
+/// The directions at many places, of length 1; 0 on a segment without extent. out: receives 3 count numbers. Otherwise as
+/// gusset_curve_derivatives.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_tangents(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    places: *const gusset_place,
+    count: usize,
+    out: *mut f64,
+) -> gusset_status {
+    guard(context, |_| {
+        let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
+        write(&view.tangents_at(&places)?, input::results(out, times(count, 3, "results")?, "out")?);
+        Ok(())
+    })
+}
+
+/// The curvatures at many places, 1 over the radius: on a plane segment positive where it turns from x to y; infinite where
+/// the first derivative is 0. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_curvatures(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    places: *const gusset_place,
+    count: usize,
+    out: *mut f64,
+) -> gusset_status {
+    guard(context, |_| {
+        let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
+        input::results(out, count, "out")?.copy_from_slice(&view.curvatures_at(&places)?);
+        Ok(())
+    })
+}
+
+/// The nearest points of a curve to many points. points: x, y, z of each, packed, count of them. out: receives count results.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, NOT_FINITE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED.
+/// About O(log segments + degree^2) a point, on the context's threads.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_nearest(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    points: *const f64,
+    count: usize,
+    out: *mut gusset_curve_nearest_point,
+) -> gusset_status {
+    guard(context, |job| {
+        let (view, points) = (view(curve, "curve")?, self::points(points, count, 3)?);
+        let out = input::results(out, count, "out")?;
+        for (to, n) in out.iter_mut().zip(view.nearest(&points, job)?) {
+            *to = gusset_curve_nearest_point { place: n.place.into(), point: n.point.to_array(), distance: n.distance };
+        }
+        Ok(())
+    })
+}
+
+/// The arc length of a curve. length: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(points); to
+/// 1e-13, in closed form up to degree 2.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_length(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    length: *mut f64,
+) -> gusset_status {
+    guard(context, |_| {
+        let out = input::output(length, 0.0, "length")?;
+        *out = view(curve, "curve")?.length()?;
+        Ok(())
+    })
+}
+
+/// The arc lengths from the start to many places. out: receives count numbers. Otherwise as gusset_curve_derivatives.
+/// O(points) in all.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_lengths_at(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    places: *const gusset_place,
+    count: usize,
+    out: *mut f64,
+) -> gusset_status {
+    guard(context, |_| {
+        let (view, places) = (view(curve, "curve")?, self::places(places, count, "places")?);
+        let out = input::results(out, count, "out")?;
+        let lengths = view.lengths()?;
+        for (to, place) in out.iter_mut().zip(places) {
+            *to = lengths.up_to(place)?;
+        }
+        Ok(())
+    })
+}
+
+/// The places at many arc lengths from the start; beyond the ends, the ends. lengths: count numbers. out: receives
+/// count places. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE, OUT_OF_RANGE (NaN), SIZE_OVERFLOW,
+/// OUT_OF_MEMORY. O(points + count log segments).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_places_at(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    lengths: *const f64,
+    count: usize,
+    out: *mut gusset_place,
+) -> gusset_status {
+    guard(context, |_| {
+        let measured = view(curve, "curve")?.lengths()?;
+        let bytes = input::bytes(lengths.cast::<c_void>(), count, 8, "lengths")?;
+        let lengths: Vec<f64> = alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned))?;
+        for (to, length) in input::results(out, count, "out")?.iter_mut().zip(lengths) {
+            *to = measured.place(length)?.into();
+        }
+        Ok(())
+    })
+}
+
+/// The smallest box with sides along the axes. bounds: receives the least x, y, z and the greatest x, y, z. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_CURVE. O(points); exact but for rounding.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_bounds(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    bounds: *mut f64,
+) -> gusset_status {
+    guard(context, |_| {
+        let out = input::results(bounds, 6, "bounds")?;
+        let found = view(curve, "curve")?.bounding_box()?;
+        write(&[found.low, found.high], out);
+        Ok(())
+    })
+}
+
+/// The area vector, half the integral of r x dr: for a plane curve (0, 0, signed area). area: receives x, y, z. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(sum of degree^2); exact but for rounding.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_area_vector(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    area: *mut f64,
+) -> gusset_status {
+    guard(context, |_| {
+        let out = input::results(area, 3, "area")?;
+        write(&[view(curve, "curve")?.area_vector()], out);
+        Ok(())
+    })
+}
+
+/// Area, centroid and second moments of what a plane curve encloses. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE, CURVE_NOT_PLANE, EMPTY_CURVE. O(sum of degree^2); exact but for rounding.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_moments(
+    context: *const gusset_context,
+    curve: *const gusset_curve,
+    moments: *mut gusset_curve_moment_report,
+) -> gusset_status {
+    guard(context, |_| {
+        let out = input::output_struct(moments, "moments")?;
+        let found = view(curve, "curve")?.moments()?;
+        let struct_size = size_of::<gusset_curve_moment_report>();
+        let centroid = [found.centroid.x, found.centroid.y];
+        out.write(gusset_curve_moment_report { struct_size, area: found.area, centroid, second: found.second });
+        Ok(())
+    })
+}

@@ -1,0 +1,176 @@
+//! A curve and places on it, as C sees them.
+
+pub mod construct;
+pub mod export;
+pub mod frame;
+pub mod intersect;
+pub mod measure;
+pub mod outline;
+pub mod outline_options;
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::gusset_indices;
+use crate::ffi::status::{Failure, gusset_status};
+use crate::outline::{Curve, CurveView, Place, Points};
+use glam::DVec3;
+use libc::c_void;
+use std::ptr;
+
+/// A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used from many threads.
+pub struct gusset_curve(pub(crate) Curve);
+
+/// A place on a curve.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_place {
+    /// Counted from 0.
+    pub segment: u32,
+    /// 0.
+    pub reserved: u32,
+    /// The parameter: 0 at the segment's first control point, 1 at its last.
+    pub t: f64,
+}
+
+/// The parts of a curve. Pointers are valid until it is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_curve_view {
+    /// sizeof(gusset_curve_view), set by the caller.
+    pub struct_size: usize,
+    /// The control points: x, y, z of each; z is 0 for a plane curve.
+    pub points: *const f64,
+    /// How many.
+    pub point_count: usize,
+    /// 0, then the place of the last control point of each segment among the points: segment k has the points ends[k] to
+    /// ends[k + 1].
+    pub ends: gusset_indices,
+    /// 1: the curve ends where it begins and goes on there.
+    pub closed: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: plain numbers without gaps.
+unsafe impl bytemuck::Zeroable for gusset_place {}
+// SAFETY: as above; any bits will do.
+unsafe impl bytemuck::Pod for gusset_place {}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_curve_view {
+    const LEAST_SIZE: usize = 48;
+}
+const _: () =
+    assert!(size_of::<usize>() != 8 || (size_of::<gusset_place>() == 16 && size_of::<gusset_curve_view>() == 48));
+// Points are lent as x, y, z.
+const _: () = assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == align_of::<f64>());
+
+impl From<Place> for gusset_place {
+    fn from(place: Place) -> Self {
+        gusset_place { segment: place.segment, reserved: 0, t: place.t }
+    }
+}
+
+impl gusset_place {
+    pub(crate) fn checked(self) -> Result<Place, Failure> {
+        match self.reserved {
+            0 => Ok(Place { segment: self.segment, t: self.t }),
+            other => Err(Failure::unknown("reserved", other.into())),
+        }
+    }
+}
+
+/// The caller's places, at any alignment.
+pub(crate) fn places(data: *const gusset_place, count: usize, name: &'static str) -> Result<Vec<Place>, Failure> {
+    let bytes = input::bytes(data.cast::<c_void>(), count, size_of::<gusset_place>(), name)?;
+    let mut places = alloc::with_capacity(count)?;
+    for bytes in bytes.chunks_exact(size_of::<gusset_place>()) {
+        places.push(bytemuck::pod_read_unaligned::<gusset_place>(bytes).checked()?);
+    }
+    Ok(places)
+}
+
+/// The caller's points: x, y, z of each, packed.
+pub(crate) fn points(data: *const f64, count: usize, dimension: usize) -> Result<Vec<DVec3>, Failure> {
+    let needed = Points::bytes_needed(0, count, dimension)?;
+    let bytes = input::bytes(data.cast::<c_void>(), needed, 1, "points")?;
+    let points = Points::strided(bytes, 0, count, dimension)?;
+    Ok(alloc::collect((0..count).map(|i| points.get(i)))?)
+}
+
+/// The view of a curve of the caller's.
+pub(crate) fn view<'a>(curve: *const gusset_curve, name: &'static str) -> Result<CurveView<'a>, Failure> {
+    Ok(input::reference(curve, name)?.0.view())
+}
+
+/// Writes points as x, y, z.
+pub(crate) fn write(points: &[DVec3], out: &mut [f64]) {
+    out.chunks_exact_mut(3).zip(points).for_each(|(to, p)| to.copy_from_slice(&p.to_array()));
+}
+
+/// Makes a curve from its control points.
+///
+/// points: x, y of each control point, or x, y, z, packed; point_count: at least 1; dimension: 2 or 3. ends: 0, then the
+/// place of the last control point of each segment, rising; the last is point_count - 1; end_count: the number of segments
+/// and 1. Degrees are 1 to 64. closed: 1 if the last control point is the first one again, else 0. curve: receives the copy,
+/// for gusset_curve_destroy; NULL on failure. Errors: BAD_OFFSETS, OUT_OF_RANGE (dimension, degree), NOT_FINITE,
+/// CURVE_NOT_CLOSED, UNKNOWN_VALUE, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(points).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_create(
+    context: *const gusset_context,
+    points: *const f64,
+    point_count: usize,
+    dimension: u32,
+    ends: *const u32,
+    end_count: usize,
+    closed: u32,
+    curve: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, curve, "curve", |_| {
+        let points = self::points(points, point_count, dimension as usize)?;
+        let bytes = input::bytes(ends.cast::<c_void>(), end_count, 4, "ends")?;
+        let ends = alloc::collect(bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned))?;
+        match closed {
+            0 | 1 => Ok(gusset_curve(CurveView::new(&points, &ends, closed == 1)?.to_owned()?)),
+            other => Err(Failure::unknown("closed", other.into())),
+        }
+    })
+}
+
+/// Destroys a curve; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_curve_destroy(curve: *mut gusset_curve) {
+    input::destroy(curve);
+}
+
+/// Lends the control points, valid until the curve is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_curve_get_view(
+    curve: *const gusset_curve,
+    parts: *mut gusset_curve_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let view = view(curve, "curve")?;
+        out.write(gusset_curve_view {
+            struct_size: size_of::<gusset_curve_view>(),
+            points: view.points().as_ptr().cast(),
+            point_count: view.points().len(),
+            ends: gusset_indices::lend(view.ends()),
+            closed: view.is_closed().into(),
+            reserved: 0,
+        });
+        Ok(())
+    })
+}
+
+/// The product of counts, for buffers of `what`.
+pub(crate) fn times(count: usize, each: usize, what: &'static str) -> Result<usize, Failure> {
+    let product = count.checked_mul(each);
+    product.ok_or(Failure::from(Error::SizeOverflow { what, count: (count as u64).saturating_mul(each as u64) }))
+}

@@ -1,0 +1,382 @@
+//! Outlines as C sees them: what goes in, and the curves that come out.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::curve::gusset_curve;
+use crate::ffi::curve::outline_options::{gusset_outline_options, method};
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::gusset_indices;
+use crate::ffi::status::{Failure, gusset_status};
+use crate::outline::{Constraint, Demand, Fit, MAX_POINTS, Outlines, Points, Sections, fit, sections};
+use glam::DVec3;
+use libc::c_void;
+use std::ptr;
+
+/// The curve passes the point in the direction of the tangent, of any length but 0.
+pub const GUSSET_CONSTRAINT_TANGENT: u32 = 0;
+/// The curve may turn sharply at the point.
+pub const GUSSET_CONSTRAINT_CORNER: u32 = 1;
+
+/// What is demanded of a curve at a point.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_constraint {
+    /// The point, counted over all outlines.
+    pub point: u32,
+    /// GUSSET_DEMAND_...
+    pub demand: u32,
+    /// x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines.
+    pub tangent: [f64; 3],
+}
+
+/// Outlines in the caller's memory: all points one after another. Nothing is copied on the way in. The arrays may have any
+/// alignment, must be as long as the counts say, and must not change during a call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_outlines {
+    /// sizeof(gusset_outlines), set by the caller.
+    pub struct_size: usize,
+    /// The coordinates, doubles: x, y or x, y, z at the start of every point_stride bytes; finite.
+    pub points: *const c_void,
+    /// In bytes; 0 for points without gaps.
+    pub point_stride: usize,
+    /// The number of points of all outlines, at most 2^30.
+    pub point_count: usize,
+    /// Where each outline begins, and where the last one ends: outline_count + 1 places, 0 first, never decreasing. NULL with
+    /// outline_count 0 for a single outline of all points.
+    pub offsets: *const u32,
+    /// The number of outlines, or 0.
+    pub outline_count: usize,
+    /// In ascending order of their points, at most one for each; or NULL. Of points that are merged the first one's holds.
+    pub constraints: *const gusset_constraint,
+    /// How many.
+    pub constraint_count: usize,
+    /// 2 or 3.
+    pub dimension: u32,
+    /// 1: from the last point of each outline back to its first one; a last point that repeats the first does no harm. 0: open.
+    pub closed: u32,
+}
+
+/// The curves of outlines. Opaque and immutable; it keeps nothing of the points.
+pub struct gusset_outline(pub(crate) Fit);
+
+/// All curves in one. Pointers are valid until the outline is destroyed.
+///
+/// Curve k has the control points starts[2 k] to starts[2 k + 2] - 1, x, y, z each (z = 0 for plane outlines), and the ends
+/// starts[2 k + 1] to starts[2 k + 3] - 1: segment s of it is the Bezier curve of its control points ends[s] to ends[s + 1],
+/// both included, counted from the curve's first one. A closed curve repeats its first control point at its end.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_outline_view {
+    /// sizeof(gusset_outline_view), set by the caller.
+    pub struct_size: usize,
+    /// The number of outlines.
+    pub outline_count: usize,
+    /// The number of points of all outlines.
+    pub point_count: usize,
+    /// x, y, z of each control point.
+    pub controls: *const f64,
+    /// The number of control points.
+    pub control_count: usize,
+    /// The ends of the segments.
+    pub ends: gusset_indices,
+    /// Two places for each curve, and two behind the last.
+    pub starts: *const usize,
+    /// For each point the segment of its curve that it lies on.
+    pub segments: gusset_indices,
+    /// For each point its parameter there, 0 to 1.
+    pub parameters: *const f64,
+    /// For each point what became of it: GUSSET_POINT_...
+    pub statuses: *const u8,
+}
+
+/// What became of an outline. Lengths but size are relative to size.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_outline_report {
+    /// sizeof(gusset_outline_report), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_FIT_...
+    pub fit: u32,
+    /// Sweeps or iterations; 0 for what needs none.
+    pub iterations: u32,
+    /// Steps of GUSSET_SOLVER_STEP.
+    pub steps: u64,
+    /// The longest side of the outline's box, in the unit of the points.
+    pub size: f64,
+    /// The largest distance of a point from its place on the curve; merged points count as the one that they repeat.
+    pub max_residual: f64,
+    /// The largest sine of the angle by which the curve turns at a joint that is to be smooth.
+    pub max_joint_sine: f64,
+    /// The farthest move of a control point in the last iteration.
+    pub last_move: f64,
+    /// How many points have another status than GUSSET_POINT_OK.
+    pub not_ok: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// The sections of outlines. Opaque and immutable.
+pub struct gusset_sections(Sections);
+
+/// One section for each point: the quadratic from the point before over the control point to the point after. Pointers are
+/// valid until the sections are destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_sections_view {
+    /// sizeof(gusset_sections_view), set by the caller.
+    pub struct_size: usize,
+    /// The number of points.
+    pub count: usize,
+    /// x, y, z of the control points; the ends of open outlines, which have no section, have themselves.
+    pub controls: *const f64,
+    /// The parameter of each point on its section; 0 and 1 at the ends of open outlines.
+    pub parameters: *const f64,
+    /// GUSSET_POINT_...
+    pub statuses: *const u8,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_outlines {
+    const LEAST_SIZE: usize = 72;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_outline_view {
+    const LEAST_SIZE: usize = 96;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_outline_report {
+    const LEAST_SIZE: usize = 64;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_sections_view {
+    const LEAST_SIZE: usize = 40;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_outlines>() == 72
+            && size_of::<gusset_outline_view>() == 96
+            && size_of::<gusset_outline_report>() == 64
+            && size_of::<gusset_sections_view>() == 40
+            && size_of::<gusset_constraint>() == 32)
+);
+
+/// The caller's outlines: the points where they are, the rest copied.
+pub(crate) struct Given<'a> {
+    points: Points<'a>,
+    offsets: Option<Vec<u32>>,
+    constraints: Vec<Constraint>,
+    closed: bool,
+}
+
+impl Given<'_> {
+    pub(crate) fn read(outlines: *const gusset_outlines) -> Result<Self, Failure> {
+        let given = input::read(outlines, false, "outlines")?;
+        let closed = match given.closed {
+            0 => false,
+            1 => true,
+            other => return Err(Failure::unknown("closed", other.into())),
+        };
+        let dimension = given.dimension as usize;
+        let size = Points::bytes_needed(given.point_stride, given.point_count, dimension)?;
+        let points = input::bytes(given.points, size, 1, "points")?;
+        let points = Points::strided(points, given.point_stride, given.point_count, dimension)?;
+        let limit = MAX_POINTS as u64;
+        for (what, count) in [("outlines", given.outline_count), ("constraints", given.constraint_count)] {
+            if count as u64 > limit {
+                return Err(Error::TooLarge { what, count: count as u64, limit }.into());
+            }
+        }
+        let offsets = if given.offsets.is_null() && given.outline_count == 0 {
+            None
+        } else {
+            let bytes = input::bytes(given.offsets.cast(), given.outline_count + 1, 4, "offsets")?;
+            Some(alloc::collect(bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned))?)
+        };
+        let size = size_of::<gusset_constraint>();
+        let bytes = input::bytes(given.constraints.cast(), given.constraint_count, size, "constraints")?;
+        let mut constraints = alloc::with_capacity(given.constraint_count)?;
+        for bytes in bytes.chunks_exact(size) {
+            constraints.push(constraint(bytes)?);
+        }
+        Ok(Given { points, offsets, constraints, closed })
+    }
+
+    pub(crate) fn outlines(&self) -> Outlines<'_> {
+        let Given { points, offsets, constraints, closed } = self;
+        Outlines { points: *points, offsets: offsets.as_deref(), closed: *closed, constraints }
+    }
+}
+
+fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
+    let [point, demand]: [u32; 2] = bytemuck::pod_read_unaligned(&bytes[..8]);
+    let demand = match demand {
+        GUSSET_CONSTRAINT_TANGENT => Demand::Tangent(DVec3::from_array(bytemuck::pod_read_unaligned(&bytes[8..32]))),
+        GUSSET_CONSTRAINT_CORNER => Demand::Corner,
+        other => return Err(Failure::unknown("demand", other.into())),
+    };
+    Ok(Constraint { point, demand })
+}
+
+/// Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its
+/// outline.
+///
+/// outlines: any number of them. options: NULL for the defaults: smooth quadratic segments by the bisector, one control point
+/// for each point. outline: receives the result, for gusset_outline_destroy; NULL on failure. A point that cannot be treated
+/// as asked is no failure: its status says so, and the curve passes it all the same if that is possible at all.
+///
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (an option, or the dimension),
+/// BAD_STRIDE, BAD_OFFSETS, SIZE_OVERFLOW, TOO_LARGE, NOT_FINITE (the report has the point), NO_SUCH_ELEMENT (a constraint
+/// whose point does not exist or is not behind the one before; the report has the constraint), OUT_OF_MEMORY, CANCELLED.
+/// Composite, blended and cubic curves take linear time; linear memory, none for each outline but for its result. Source:
+/// Nadopta; the composite and blended readings are ours.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_outline_create(
+    context: *const gusset_context,
+    outlines: *const gusset_outlines,
+    options: *const gusset_outline_options,
+    outline: *mut *mut gusset_outline,
+) -> gusset_status {
+    create(context, outline, "outline", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        let given = Given::read(outlines)?;
+        Ok(gusset_outline(fit(&given.outlines(), &options, job)?))
+    })
+}
+
+/// Destroys what gusset_outline_create made; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_outline_destroy(outline: *mut gusset_outline) {
+    input::destroy(outline);
+}
+
+/// Lends the curves, valid until the outline is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_outline_get_view(
+    outline: *const gusset_outline,
+    parts: *mut gusset_outline_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let done = &input::reference(outline, "outline")?.0;
+        out.write(gusset_outline_view {
+            struct_size: size_of::<gusset_outline_view>(),
+            outline_count: done.len(),
+            point_count: done.parameters().len(),
+            controls: done.points().as_ptr().cast(),
+            control_count: done.points().len(),
+            ends: gusset_indices::lend(done.ends()),
+            starts: done.starts().as_ptr().cast(),
+            segments: gusset_indices::lend(done.segments()),
+            parameters: done.parameters().as_ptr(),
+            statuses: done.statuses().as_ptr().cast(),
+        });
+        Ok(())
+    })
+}
+
+/// The account of outline `index`. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From
+/// any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_outline_get_report(
+    outline: *const gusset_outline,
+    index: usize,
+    report: *mut gusset_outline_report,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(report, "report")?;
+        let done = &input::reference(outline, "outline")?.0;
+        let report = done.reports().get(index).ok_or_else(|| Failure::no_such("outline", index))?;
+        out.write(gusset_outline_report {
+            struct_size: size_of::<gusset_outline_report>(),
+            fit: report.status as u32,
+            iterations: report.iterations,
+            steps: report.steps,
+            size: report.size,
+            max_residual: report.max_residual,
+            max_joint_sine: report.max_joint_sine,
+            last_move: report.last_move,
+            not_ok: report.not_ok,
+            reserved: 0,
+        });
+        Ok(())
+    })
+}
+
+/// Copies the curve of outline `index`, for what the gusset_curve functions do. curve: receives it, for gusset_curve_destroy;
+/// NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_MEMORY, CANCELLED. O(segments).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_outline_curve_create(
+    context: *const gusset_context,
+    outline: *const gusset_outline,
+    index: usize,
+    curve: *mut *mut gusset_curve,
+) -> gusset_status {
+    create(context, curve, "curve", |_| {
+        let fit = &input::reference(outline, "outline")?.0;
+        if index >= fit.len() {
+            return Err(Failure::no_such("outline", index));
+        }
+        Ok(gusset_curve(fit.curve(index).to_owned()?))
+    })
+}
+
+/// Finds the section of each point with its two neighbours: the quadratic through the three whose control point lies on the
+/// guide of the method. A tangent demanded at a point makes its section pass in that direction; one at the first or last
+/// point of an open outline is that of the neighbour's section there. Where it cannot be had, or the normal, the method (the
+/// bisector) takes its place, and the status says so.
+///
+/// options: NULL for the defaults; method and alpha are read, all must be valid. sections: receives the result, for
+/// gusset_sections_destroy; NULL on failure. Errors: those of gusset_outline_create. O(n). Source: Nadopta, the methods of
+/// the normal, tangent, bisector and median; closed forms: B = P + (P - S) / (2 sqrt(s (1 - s))) for the foot S = A + s (C -
+/// A) of the guide.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sections_create(
+    context: *const gusset_context,
+    outlines: *const gusset_outlines,
+    options: *const gusset_outline_options,
+    sections: *mut *mut gusset_sections,
+) -> gusset_status {
+    create(context, sections, "sections", |job| {
+        let options = input::read(options, true, "options")?;
+        options.checked()?;
+        let given = Given::read(outlines)?;
+        Ok(gusset_sections(self::sections(&given.outlines(), method(&options)?, job)?))
+    })
+}
+
+/// Destroys what gusset_sections_create made; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_sections_destroy(sections: *mut gusset_sections) {
+    input::destroy(sections);
+}
+
+/// Lends the sections, valid until they are destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sections_get_view(
+    sections: *const gusset_sections,
+    parts: *mut gusset_sections_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let found = &input::reference(sections, "sections")?.0;
+        out.write(gusset_sections_view {
+            struct_size: size_of::<gusset_sections_view>(),
+            count: found.controls.len(),
+            controls: found.controls.as_ptr().cast(),
+            parameters: found.parameters.as_ptr(),
+            statuses: found.statuses.as_ptr().cast(),
+        });
+        Ok(())
+    })
+}

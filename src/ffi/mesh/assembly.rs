@@ -1,0 +1,415 @@
+//! Assembly of many pieces as C sees it.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::fill::{gusset_fill_options, gusset_hole};
+use crate::ffi::mesh::stitch_options::{GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_stitch_options};
+use crate::ffi::mesh::weld::gusset_weld_options;
+use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::mesh::MAX_ELEMENTS;
+use crate::repair::weld;
+use crate::stitch::assemble::{Assembly, Joint, MaxGap, Options, Outcome, Reason, Selector, assemble};
+use std::ptr;
+
+/// Coincident borders are sewn, by default where positions are equal; see gusset_weld_options.
+pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
+/// Nothing is welded.
+pub const GUSSET_ASSEMBLY_NO_WELD: u32 = 1;
+
+/// Whole loops are joined if the mean width of the gap is at most the mean radius of the smaller loop, which is the mean
+/// distance of its vertices from their centre; runs of loops where the gap is at most half that wide, and four edges of the
+/// loop with the longer ones. The width is the mean distance from the vertices of each loop to the nearest of the other, the
+/// larger of the two.
+pub const GUSSET_GAP_AUTO: u32 = 0;
+/// Gaps are closed up to max_gap.
+pub const GUSSET_GAP_GIVEN: u32 = 1;
+
+/// A strip joins them.
+pub const GUSSET_JOINT_JOINED: u32 = 0;
+/// Left: joining them would make a one-sided surface with what is joined already.
+pub const GUSSET_JOINT_ORIENTATION_CONFLICT: u32 = 1;
+/// Left: they pass the same vertex.
+pub const GUSSET_JOINT_SHARE_VERTEX: u32 = 2;
+/// Left: every strip would repeat an edge that the mesh already has.
+pub const GUSSET_JOINT_NO_STRIP: u32 = 3;
+
+/// No other loop that it may be joined to (one of another component, not excluded) is near enough, or not along enough of both.
+pub const GUSSET_LEFT_FACES_NOTHING: u32 = 0;
+/// It is open, or the faces along it disagree in orientation or are not manifold there.
+pub const GUSSET_LEFT_NOT_SIMPLE: u32 = 1;
+/// It has fewer than three vertices.
+pub const GUSSET_LEFT_TOO_SHORT: u32 = 2;
+/// It faces another loop, but no strip could be made: see the joints.
+pub const GUSSET_LEFT_NOT_JOINED: u32 = 3;
+
+/// Two loops of the input.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_loop_pair {
+    /// The piece of each.
+    pub piece: [u32; 2],
+    /// A vertex of each piece that the loop passes; UINT32_MAX for all loops of the piece, in exclusions only.
+    pub vertex: [u32; 2],
+}
+
+/// How pieces are assembled; all zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_assembly_options {
+    /// sizeof(gusset_assembly_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_ASSEMBLY_WELD or GUSSET_ASSEMBLY_NO_WELD.
+    pub weld: u32,
+    /// GUSSET_ORIENTATION_FIX: within each component the minority of faces is turned over, and components that face each
+    /// other are made to agree. GUSSET_ORIENTATION_KEEP: nothing is turned.
+    pub orientation: u32,
+    /// GUSSET_GAP_...
+    pub gap: u32,
+    /// 1: only whole loops are joined, no parts of them. 0 or 1.
+    pub whole_loops_only: u32,
+    /// 1: loops of one component may be joined without being asked for. 0 or 1.
+    pub within_components: u32,
+    /// 1: holes that are left in the end are filled. 0 or 1.
+    pub fill: u32,
+    /// Read for GUSSET_GAP_GIVEN: the widest gap that is closed, in the unit of the positions, finite and at least 0; 0
+    /// leaves all open.
+    pub max_gap: f64,
+    /// Pairs of loops to be joined however wide the gap is, as wholes, or NULL. Each names two different loops, and none is
+    /// named twice. Errors name a pair by its number from 0.
+    pub pairs: *const gusset_loop_pair,
+    /// How many.
+    pub pair_count: usize,
+    /// Pairs that are not to be joined, or NULL. A pair that is given above is joined all the same, and a vertex that no loop
+    /// passes, as it was welded, excludes nothing.
+    pub excluded: *const gusset_loop_pair,
+    /// How many.
+    pub excluded_count: usize,
+    /// How to weld; NULL for the defaults.
+    pub weld_options: *const gusset_weld_options,
+    /// The strips, NULL for the defaults: meridians, search, start, rows, row_count, cells, fairing and intersections are
+    /// read; the other fields must be valid too.
+    pub strip_options: *const gusset_stitch_options,
+    /// How to fill, NULL for the defaults.
+    pub fill_options: *const gusset_fill_options,
+}
+
+/// Where a piece went.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_piece_map {
+    /// Per vertex of the piece, its index in the result; several may have the same. UINT32_MAX if it was left out.
+    pub vertices: gusset_indices,
+    /// Per face, its index in the result, or UINT32_MAX.
+    pub faces: gusset_indices,
+}
+
+/// Two loops, or runs of loops, that face each other across a gap.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_joint {
+    /// The vertices of each side in the result, in order; if joined, side by side from the first meridian on.
+    pub side: [gusset_indices; 2],
+    /// The mean width of the gap.
+    pub gap: f64,
+    /// The strip's first new vertex in the result.
+    pub vertex_first: usize,
+    /// How many new vertices it has.
+    pub vertex_count: usize,
+    /// The strip's first face in the result.
+    pub face_first: usize,
+    /// How many faces it has.
+    pub face_count: usize,
+    /// Pairs of faces that cut each other, as in gusset_stitch_view.
+    pub intersections: gusset_indices,
+    /// 1 if they were looked for.
+    pub intersections_known: u32,
+    /// GUSSET_JOINT_...
+    pub outcome: u32,
+    /// 1 if both sides are whole loops.
+    pub whole: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// A boundary loop of the pieces that no strip hangs on.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_left_loop {
+    /// Its vertices in the result, in order.
+    pub vertices: gusset_indices,
+    /// GUSSET_LEFT_...
+    pub reason: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// The account of an assembly. Pointers are valid until it is destroyed; they are NULL where the count is 0.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_assembly_view {
+    /// sizeof(gusset_assembly_view), set by the caller.
+    pub struct_size: usize,
+    /// One for each piece.
+    pub pieces: *const gusset_piece_map,
+    /// How many.
+    pub piece_count: usize,
+    /// The pairs that face each other: those that were given, in their order, then the others, nearest first.
+    pub joints: *const gusset_joint,
+    /// How many.
+    pub joint_count: usize,
+    /// The loops that no strip hangs on.
+    pub left: *const gusset_left_loop,
+    /// How many.
+    pub left_count: usize,
+    /// The holes that were looked at in the end.
+    pub holes: *const gusset_hole,
+    /// How many.
+    pub hole_count: usize,
+    /// The vertices of their rims.
+    pub hole_rims: gusset_indices,
+    /// Faces of the pieces that were turned over, by their indices in the result.
+    pub turned: gusset_indices,
+    /// A face of each component that cannot be oriented.
+    pub one_sided: gusset_indices,
+    /// Vertices that became one with another.
+    pub welded_vertices: u32,
+    /// Edges that were two free edges.
+    pub sewn_edges: u32,
+    /// Boundary loops of the result.
+    pub loops_left: u32,
+    /// Edges of the result with three or more faces.
+    pub non_manifold_edges: u32,
+}
+
+/// An assembled mesh and its account. Opaque and immutable; it keeps nothing of the pieces.
+pub struct gusset_assembly {
+    done: Assembly,
+    pieces: Vec<gusset_piece_map>,
+    joints: Vec<gusset_joint>,
+    left: Vec<gusset_left_loop>,
+    holes: Vec<gusset_hole>,
+    turned: Vec<u32>,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_assembly_options {
+    const LEAST_SIZE: usize = 96;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_assembly_view {
+    const LEAST_SIZE: usize = 136;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_assembly_options>() == 96
+            && size_of::<gusset_assembly_view>() == 136
+            && size_of::<gusset_joint>() == 104
+            && size_of::<gusset_left_loop>() == 24
+            && size_of::<gusset_loop_pair>() == 16)
+);
+
+fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
+    if value > 1 { Err(Failure::unknown(name, value.into())) } else { Ok(value == 1) }
+}
+
+/// The caller's pairs.
+fn pairs(data: *const gusset_loop_pair, count: usize, name: &'static str) -> Result<Vec<[Selector; 2]>, Failure> {
+    if count as u64 > MAX_ELEMENTS {
+        return Err(Error::TooLarge { what: name, count: count as u64, limit: MAX_ELEMENTS }.into());
+    }
+    let bytes = input::bytes(data.cast(), count, size_of::<gusset_loop_pair>(), name)?;
+    let pair = |bytes: &[u8]| {
+        let [p, q, v, w]: [u32; 4] = bytemuck::pod_read_unaligned(bytes);
+        [Selector { piece: p, vertex: v }, Selector { piece: q, vertex: w }]
+    };
+    Ok(alloc::collect(bytes.chunks_exact(size_of::<gusset_loop_pair>()).map(pair))?)
+}
+
+impl gusset_assembly_options {
+    fn checked<'a>(&self, pairs: &'a [[Selector; 2]], excluded: &'a [[Selector; 2]]) -> Result<Options<'a>, Failure> {
+        let weld = match self.weld {
+            GUSSET_ASSEMBLY_WELD if self.weld_options.is_null() => Some(weld::Options::default()),
+            GUSSET_ASSEMBLY_WELD => Some(input::read(self.weld_options, true, "weld_options")?.checked()?),
+            GUSSET_ASSEMBLY_NO_WELD => None,
+            other => return Err(Failure::unknown("weld", other.into())),
+        };
+        let keep_orientation = match self.orientation {
+            GUSSET_ORIENTATION_FIX => false,
+            GUSSET_ORIENTATION_KEEP => true,
+            other => return Err(Failure::unknown("orientation", other.into())),
+        };
+        let max_gap = match self.gap {
+            GUSSET_GAP_AUTO => MaxGap::Auto,
+            GUSSET_GAP_GIVEN => MaxGap::Given(self.max_gap),
+            other => return Err(Failure::unknown("gap", other.into())),
+        };
+        let fill = input::read(self.fill_options, true, "fill_options")?.checked()?;
+        Ok(Options {
+            weld,
+            keep_orientation,
+            max_gap,
+            whole_loops_only: flag(self.whole_loops_only, "whole_loops_only")?,
+            within_components: flag(self.within_components, "within_components")?,
+            pairs,
+            excluded,
+            strip: input::read(self.strip_options, true, "strip_options")?.checked()?,
+            fill: flag(self.fill, "fill")?.then_some(fill),
+        })
+    }
+}
+
+impl gusset_joint {
+    fn of(joint: &Joint) -> Self {
+        gusset_joint {
+            side: joint.sides.each_ref().map(|side| gusset_indices::lend(side)),
+            gap: joint.gap,
+            vertex_first: joint.vertices.start as usize,
+            vertex_count: joint.vertices.len(),
+            face_first: joint.faces.start as usize,
+            face_count: joint.faces.len(),
+            intersections: gusset_indices::lend(joint.intersections.as_deref().unwrap_or_default().as_flattened()),
+            intersections_known: joint.intersections.is_some().into(),
+            outcome: match joint.outcome {
+                Outcome::Joined => GUSSET_JOINT_JOINED,
+                Outcome::OrientationConflict => GUSSET_JOINT_ORIENTATION_CONFLICT,
+                Outcome::ShareVertex => GUSSET_JOINT_SHARE_VERTEX,
+                Outcome::NoStrip => GUSSET_JOINT_NO_STRIP,
+            },
+            whole: joint.whole.into(),
+            reserved: 0,
+        }
+    }
+}
+
+impl gusset_assembly {
+    fn new(done: Assembly) -> Result<Self, Error> {
+        let (vertices, faces) = (gusset_indices::lend, gusset_indices::lend);
+        let reason = |reason| match reason {
+            Reason::FacesNothing => GUSSET_LEFT_FACES_NOTHING,
+            Reason::NotSimple => GUSSET_LEFT_NOT_SIMPLE,
+            Reason::TooShort => GUSSET_LEFT_TOO_SHORT,
+            Reason::NotJoined => GUSSET_LEFT_NOT_JOINED,
+        };
+        let map = |map: &crate::stitch::IndexMap| gusset_piece_map {
+            vertices: vertices(&map.vertices),
+            faces: faces(&map.faces),
+        };
+        let left = |left: &crate::stitch::assemble::LeftLoop| gusset_left_loop {
+            vertices: vertices(&left.vertices),
+            reason: reason(left.reason),
+            reserved: 0,
+        };
+        let mut turned = alloc::with_capacity(done.turned.iter().filter(|&&turned| turned).count())?;
+        turned.extend((0u32..).zip(&done.turned).filter(|&(_, &turned)| turned).map(|(f, _)| f));
+        // The lists that these point to lie on the heap and stay where they are.
+        Ok(gusset_assembly {
+            pieces: alloc::collect(done.maps.iter().map(map))?,
+            joints: alloc::collect(done.joints.iter().map(gusset_joint::of))?,
+            left: alloc::collect(done.left.iter().map(left))?,
+            holes: alloc::collect(done.holes.iter().map(gusset_hole::of))?,
+            turned,
+            done,
+        })
+    }
+}
+
+fn lent<T>(list: &[T]) -> *const T {
+    if list.is_empty() { ptr::null() } else { list.as_ptr() }
+}
+
+/// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
+/// across a gap stitched, and holes filled, as the options say.
+///
+/// pieces: piece_count mesh views one after another, each as large as the first one's struct_size says, at least one; each may
+/// have several components. options: NULL for the defaults. assembly: receives the result, for gusset_assembly_destroy; NULL on
+/// failure. That two loops cannot be joined is no failure: each joint has its outcome.
+///
+/// Loops of different components face each other as wholes if nearly all vertices of each (9/10) are nearest to the other loop,
+/// and from similar distances (the ninth decile is at most four times the first, or the spacing of the vertices) or so that the
+/// nearest vertices go round the other loop once; else runs of
+/// neighbouring vertices that are nearest to each other face each other, and are joined by open strips. What faces nothing is
+/// left alone. Pieces that overlap are not cut: where two lie on each other, their borders face each other and enclose what is
+/// between. Vertices of the result: those of the pieces in order, then those of the strips, then those of the patches; faces in
+/// the same way. Positions are of the scalar type of the first piece, and old ones keep their bits.
+///
+/// Errors: those of gusset_mesh_view (the report's input is the piece), EMPTY_MESH without pieces, MIXED_SCALARS (a piece has
+/// f64 positions and the first one f32), UNKNOWN_VALUE, OUT_OF_RANGE (a tolerance, max_gap, or a pair that names no loops that
+/// can be joined: the value is its number), TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d
+/// edges at a vertex, O(V log V) for V vertices on loops, the time of each strip as for gusset_stitch_create, and of each hole
+/// as for gusset_fill_create; a pass over all faces for each strip that is faired or tested for intersections. Extra memory is
+/// linear in the pieces and the result. Source: Nesterenko for a single gap; the rest is our own.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_assembly_create(
+    context: *const gusset_context,
+    pieces: *const gusset_mesh_view,
+    piece_count: usize,
+    options: *const gusset_assembly_options,
+    assembly: *mut *mut gusset_assembly,
+) -> gusset_status {
+    create(context, assembly, "assembly", |job| {
+        let options = input::read(options, true, "options")?;
+        let given = pairs(options.pairs, options.pair_count, "pairs")?;
+        let excluded = pairs(options.excluded, options.excluded_count, "excluded")?;
+        let options = options.checked(&given, &excluded)?;
+        let views = mesh::meshes(pieces, piece_count, &job.part(0.0, 0.1))?;
+        Ok(gusset_assembly::new(assemble(&views, &options, &job.part(0.1, 1.0))?)?)
+    })
+}
+
+/// Destroys an assembly; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_assembly_destroy(assembly: *mut gusset_assembly) {
+    input::destroy(assembly);
+}
+
+/// Lends the whole result, valid until the assembly is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_assembly_get_mesh(
+    assembly: *const gusset_assembly,
+    view: *mut gusset_mesh_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        out.write(mesh::lend(&input::reference(assembly, "assembly")?.done.mesh));
+        Ok(())
+    })
+}
+
+/// Lends the account. Errors and validity as for gusset_assembly_get_mesh.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_assembly_get_view(
+    assembly: *const gusset_assembly,
+    parts: *mut gusset_assembly_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let all = input::reference(assembly, "assembly")?;
+        out.write(gusset_assembly_view {
+            struct_size: size_of::<gusset_assembly_view>(),
+            pieces: lent(&all.pieces),
+            piece_count: all.pieces.len(),
+            joints: lent(&all.joints),
+            joint_count: all.joints.len(),
+            left: lent(&all.left),
+            left_count: all.left.len(),
+            holes: lent(&all.holes),
+            hole_count: all.holes.len(),
+            hole_rims: gusset_indices::lend(&all.done.hole_rims),
+            turned: gusset_indices::lend(&all.turned),
+            one_sided: gusset_indices::lend(&all.done.one_sided),
+            welded_vertices: all.done.welded_vertices,
+            sewn_edges: all.done.sewn_edges,
+            loops_left: all.done.loops_left,
+            non_manifold_edges: all.done.non_manifold_edges,
+        });
+        Ok(())
+    })
+}

@@ -1,0 +1,262 @@
+//! Boundary loops as C sees them.
+
+use crate::alloc;
+use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey, boundary_loops};
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::mesh::{Defect, NONE};
+use std::ptr;
+
+/// At an edge with three or more faces each face has a border of its own; loops run along it and are always closed.
+pub const GUSSET_NON_MANIFOLD_CUT: u32 = 0;
+/// Only edges with exactly one face belong to loops; one that meets an edge with more ends there, as an open chain.
+pub const GUSSET_NON_MANIFOLD_STOP: u32 = 1;
+
+/// Every edge is looked at: all that is wrong or unusual in the mesh is reported, and flagged on the loops.
+pub const GUSSET_SURVEY_WHOLE_MESH: u32 = 0;
+/// As little is looked at as will give the loops, which is many times faster. Where the boundary itself is odd (open,
+/// touching itself, badly oriented, with three faces on an edge) the whole mesh is looked at after all. But what is away from
+/// the boundary is not reported, nor an edge with as many faces one way as the other, two or more each; loops are not cut
+/// there. The answer rests on sums of hashes: an ordinary mesh errs with a chance of less than 2^-64, but one that was made
+/// to deceive may hide a boundary. For meshes from hostile hands take GUSSET_SURVEY_WHOLE_MESH.
+pub const GUSSET_SURVEY_BOUNDARY_ONLY: u32 = 1;
+
+/// The chain does not close: it has one vertex more than it has edges.
+pub const GUSSET_LOOP_OPEN: u32 = 1;
+/// The loop passes a vertex where the surface touches itself.
+pub const GUSSET_LOOP_BOW_TIE: u32 = 2;
+/// It was cut from a longer walk at a vertex that the walk passed twice.
+pub const GUSSET_LOOP_SPLIT: u32 = 4;
+/// It runs along, or ends at, an edge with three or more faces.
+pub const GUSSET_LOOP_NON_MANIFOLD: u32 = 8;
+/// The faces along it disagree in orientation.
+pub const GUSSET_LOOP_NOT_ORIENTED: u32 = 16;
+/// It has an edge of length 0.
+pub const GUSSET_LOOP_ZERO_LENGTH: u32 = 32;
+
+/// The loop runs this edge against its face.
+pub const GUSSET_EDGE_REVERSED: u8 = 1;
+/// The edge has three or more faces.
+pub const GUSSET_EDGE_NON_MANIFOLD: u8 = 2;
+/// The edge has length 0.
+pub const GUSSET_EDGE_ZERO_LENGTH: u8 = 4;
+
+const _: () = assert!(
+    GUSSET_LOOP_OPEN == LoopFlags::OPEN
+        && GUSSET_LOOP_BOW_TIE == LoopFlags::BOW_TIE
+        && GUSSET_LOOP_SPLIT == LoopFlags::SPLIT
+        && GUSSET_LOOP_NON_MANIFOLD == LoopFlags::NON_MANIFOLD
+        && GUSSET_LOOP_NOT_ORIENTED == LoopFlags::NOT_ORIENTED
+        && GUSSET_LOOP_ZERO_LENGTH == LoopFlags::ZERO_LENGTH
+        && GUSSET_EDGE_REVERSED == EdgeFlags::REVERSED
+        && GUSSET_EDGE_NON_MANIFOLD == EdgeFlags::NON_MANIFOLD
+        && GUSSET_EDGE_ZERO_LENGTH == EdgeFlags::ZERO_LENGTH
+);
+
+/// A face (index) that repeats a vertex (other).
+pub const GUSSET_DEFECT_DEGENERATE_FACE: u32 = 1;
+/// An edge whose two faces run it in the same direction: half-edges index and other.
+pub const GUSSET_DEFECT_ORIENTATION_CONFLICT: u32 = 2;
+/// An edge with three or more half-edges (count; a face that runs it twice counts twice): its first half-edge is index.
+pub const GUSSET_DEFECT_NON_MANIFOLD_EDGE: u32 = 3;
+/// A vertex (index) where the surface touches itself: its faces form more than one fan.
+pub const GUSSET_DEFECT_BOW_TIE: u32 = 4;
+
+/// The free boundary loops of a mesh. Opaque and immutable; it keeps nothing of the mesh.
+pub struct gusset_boundary {
+    boundary: Boundary,
+    defects: Vec<gusset_defect>,
+}
+
+/// How loops are found; all zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_boundary_options {
+    /// sizeof(gusset_boundary_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_NON_MANIFOLD_...
+    pub non_manifold: u32,
+    /// GUSSET_SURVEY_...
+    pub survey: u32,
+}
+
+/// One loop or open chain. Edge i runs from vertices[i] to vertices[i + 1], the last one of a closed loop back to
+/// vertices[0]. Pointers are valid until the boundary is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_loop_view {
+    /// sizeof(gusset_loop_view), set by the caller.
+    pub struct_size: usize,
+    /// The vertices in order, each once; a closed loop starts at its smallest half-edge.
+    pub vertices: gusset_indices,
+    /// The half-edge (position in face_corners) that each edge is.
+    pub half_edges: gusset_indices,
+    /// The face that each edge borders.
+    pub faces: gusset_indices,
+    /// GUSSET_EDGE_... of each edge: as many as half_edges.
+    pub edge_flags: *const u8,
+    /// The sum of the edges' lengths, in the unit of the positions.
+    pub length: f64,
+    /// GUSSET_LOOP_... bits; 0 for an ordinary closed loop.
+    pub flags: u32,
+    /// The number of the walk that the loop was cut from.
+    pub walk: u32,
+}
+
+/// Something wrong or unusual in a mesh.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_defect {
+    /// GUSSET_DEFECT_...
+    pub kind: u32,
+    /// The face, half-edge or vertex.
+    pub index: u32,
+    /// The second element of the kinds that have one, else UINT32_MAX.
+    pub other: u32,
+    /// How many half-edges meet there, for GUSSET_DEFECT_NON_MANIFOLD_EDGE, else 0.
+    pub count: u32,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_boundary_options {
+    const LEAST_SIZE: usize = 16;
+}
+// SAFETY: as above.
+unsafe impl Versioned for gusset_loop_view {
+    const LEAST_SIZE: usize = 80;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_boundary_options>() == 16
+            && size_of::<gusset_loop_view>() == 80
+            && size_of::<gusset_defect>() == 16)
+);
+
+impl gusset_boundary_options {
+    fn checked(self) -> Result<boundary::Options, Failure> {
+        let non_manifold = match self.non_manifold {
+            GUSSET_NON_MANIFOLD_CUT => NonManifold::Cut,
+            GUSSET_NON_MANIFOLD_STOP => NonManifold::Stop,
+            other => return Err(Failure::unknown("non_manifold", other.into())),
+        };
+        let survey = match self.survey {
+            GUSSET_SURVEY_WHOLE_MESH => Survey::WholeMesh,
+            GUSSET_SURVEY_BOUNDARY_ONLY => Survey::BoundaryOnly,
+            other => return Err(Failure::unknown("survey", other.into())),
+        };
+        Ok(boundary::Options { non_manifold, survey })
+    }
+}
+
+impl From<&Defect> for gusset_defect {
+    fn from(defect: &Defect) -> Self {
+        let (kind, index, other, count) = match *defect {
+            Defect::DegenerateFace { face, vertex } => (GUSSET_DEFECT_DEGENERATE_FACE, face, vertex, 0),
+            Defect::OrientationConflict { half_edges: [h, g] } => (GUSSET_DEFECT_ORIENTATION_CONFLICT, h, g, 0),
+            Defect::NonManifoldEdge { half_edge, faces } => (GUSSET_DEFECT_NON_MANIFOLD_EDGE, half_edge, NONE, faces),
+            Defect::BowTie { vertex } => (GUSSET_DEFECT_BOW_TIE, vertex, NONE, 0),
+        };
+        gusset_defect { kind, index, other, count }
+    }
+}
+
+/// Finds every free boundary loop of a mesh: the chains of edges that have a face on one side only.
+///
+/// Direction: a loop runs as the faces along it run their own edges. With faces counter-clockwise from outside, the surface
+/// is on the left and the hole on the right of someone who walks along the loop on the outside. Every loop passes each of
+/// its vertices once: where the boundary touches itself it is cut into several loops. Loops come in the order of their
+/// smallest half-edges. A loop has at least one edge with exactly one face: walks along edges with three or more faces alone
+/// are left out. A face of fewer than three sides of different ends has no border; its neighbours are taken to touch each
+/// other. A loop may have two vertices. Odd places are no errors: see the flags of each loop, and gusset_boundary_get_defects.
+///
+/// options: NULL for the defaults. boundary: receives the result, for gusset_boundary_destroy; NULL on failure. Errors: those
+/// of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex,
+/// or O(H + B log B) for GUSSET_SURVEY_BOUNDARY_ONLY and B boundary edges; linear extra memory. Source: Nesterenko, algorithm
+/// 1, as corrected: every loop, a stated direction, fan by fan round each vertex.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_boundary_create(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    options: *const gusset_boundary_options,
+    boundary: *mut *mut gusset_boundary,
+) -> gusset_status {
+    create(context, boundary, "boundary", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let boundary = boundary_loops(&mesh, &options, &job.part(0.2, 1.0))?;
+        let defects = alloc::collect(boundary.defects().iter().map(gusset_defect::from))?;
+        Ok(gusset_boundary { boundary, defects })
+    })
+}
+
+/// Destroys a boundary; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_boundary_destroy(boundary: *mut gusset_boundary) {
+    input::destroy(boundary);
+}
+
+/// The number of loops and open chains: 0 if the mesh is closed, or for NULL. O(1). From any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_boundary_loop_count(boundary: *const gusset_boundary) -> usize {
+    input::reference(boundary, "boundary").map_or(0, |b| b.boundary.len())
+}
+
+/// The number of walks that the loops were cut from: loops that touch at vertices, counted as one where the walk round
+/// the boundary passes from one to the next. 0 for NULL. O(1). From any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_boundary_walk_count(boundary: *const gusset_boundary) -> usize {
+    input::reference(boundary, "boundary").map_or(0, |b| b.boundary.walk_count() as usize)
+}
+
+/// Lends loop number `index`, below gusset_boundary_loop_count. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_boundary_get_loop(
+    boundary: *const gusset_boundary,
+    index: usize,
+    view: *mut gusset_loop_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        let boundary = &input::reference(boundary, "boundary")?.boundary;
+        let found = boundary.get(index).ok_or(Failure::no_such("loop", index))?;
+        out.write(gusset_loop_view {
+            struct_size: size_of::<gusset_loop_view>(),
+            vertices: gusset_indices::lend(found.vertices),
+            half_edges: gusset_indices::lend(found.half_edges),
+            faces: gusset_indices::lend(found.faces),
+            edge_flags: found.edge_flags.as_ptr(),
+            length: found.length,
+            flags: found.flags.0,
+            walk: found.walk,
+        });
+        Ok(())
+    })
+}
+
+/// Lends what is wrong or unusual: degenerate faces, orientation conflicts and non-manifold edges of the whole mesh,
+/// and the bow-tie vertices on its boundary. They are valid until the boundary is destroyed; NULL and 0 if there is
+/// nothing. defects: receives the first one. count: receives how many. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT.
+/// O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_boundary_get_defects(
+    boundary: *const gusset_boundary,
+    defects: *mut *const gusset_defect,
+    count: *mut usize,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let count = input::output(count, 0, "count")?;
+        let defects = input::output(defects, ptr::null(), "defects")?;
+        let found = &input::reference(boundary, "boundary")?.defects;
+        if !found.is_empty() {
+            (*defects, *count) = (found.as_ptr(), found.len());
+        }
+        Ok(())
+    })
+}

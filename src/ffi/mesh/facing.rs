@@ -1,0 +1,194 @@
+//! The steps of stitching that can be called by themselves: facing arcs, and the rule for meridians.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::gusset_indices;
+use crate::ffi::mesh::stitch_options::{GUSSET_RUN_CLOSEST, GUSSET_RUN_LONGEST, centres, tolerance};
+use crate::ffi::status::gusset_status::{self, GUSSET_ERROR_BUFFER_TOO_SMALL};
+use crate::ffi::status::{Failure, GUSSET_ELEMENT_COUNT};
+use crate::mesh::MAX_ELEMENTS;
+use crate::stitch::facing::{Arc, Facing, Options, Run, facing};
+use crate::stitch::meridian::index_rule::index_rule;
+use glam::DVec3;
+use libc::c_void;
+use std::ptr;
+
+/// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
+pub struct gusset_facing {
+    found: Facing,
+    runs: [Vec<u32>; 2],
+}
+
+/// How facing vertices are found; all zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_facing_options {
+    /// sizeof(gusset_facing_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_RUN_...
+    pub run: u32,
+    /// GUSSET_TOLERANCE_...
+    pub tolerance_mode: u32,
+    /// How far a vertex must be from its loop's plane, in the unit of the points, at least 0; read for
+    /// GUSSET_TOLERANCE_GIVEN.
+    pub tolerance: f64,
+    /// GUSSET_CENTRES_...
+    pub centres: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What algorithm 2 found. Index 0 is loop A, 1 is loop B. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_facing_view {
+    /// sizeof(gusset_facing_view), set by the caller.
+    pub struct_size: usize,
+    /// The centres C_1 and C_2 (5): x, y, z of each.
+    pub centre: [[f64; 3]; 2],
+    /// The vectors C_2 - C_1 and C_1 - C_2 (6), the normals of the planes (7).
+    pub normal: [[f64; 3]; 2],
+    /// The distance of each vertex from its loop's plane, positive on the side of the other loop; as many as the loop has.
+    pub distances: [*const f64; 2],
+    /// All runs of facing vertices: first place and number of vertices, by turns; a run may pass the loop's end.
+    pub runs: [gusset_indices; 2],
+    /// The run taken: first place and number of vertices, as gusset_stitch_options takes them in arc_a and arc_b.
+    pub taken: [[u32; 2]; 2],
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_facing_options {
+    const LEAST_SIZE: usize = 24;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_facing_view {
+    const LEAST_SIZE: usize = 168;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8 || (size_of::<gusset_facing_options>() == 32 && size_of::<gusset_facing_view>() == 168)
+);
+
+impl gusset_facing_options {
+    fn checked(self) -> Result<Options, Failure> {
+        let run = match self.run {
+            GUSSET_RUN_CLOSEST => Run::Closest,
+            GUSSET_RUN_LONGEST => Run::Longest,
+            other => return Err(Failure::unknown("run", other.into())),
+        };
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
+        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
+        Ok(Options { run, tolerance, centres: centres(self.centres)? })
+    }
+}
+
+/// Packed points of the caller's.
+pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Result<Vec<DVec3>, Failure> {
+    if count as u64 > MAX_ELEMENTS {
+        return Err(Error::TooLarge { what: name, count: count as u64, limit: MAX_ELEMENTS }.into());
+    }
+    let bytes = input::bytes(data.cast::<c_void>(), count, 24, name)?;
+    let point = |bytes| DVec3::from_array(bytemuck::pod_read_unaligned(bytes));
+    Ok(alloc::collect(bytes.chunks_exact(24).map(point))?)
+}
+
+/// Finds which vertices of two loops face each other.
+///
+/// points_a, points_b: x, y, z of the vertices of each loop in order, packed, count_a and count_b of them, at least 1 each.
+/// options: NULL for the defaults. facing: receives the result, for gusset_facing_destroy; NULL on failure. Errors:
+/// LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED (no vertex of a loop is
+/// beyond the tolerance, as with coaxial rims, or the centres coincide), OUT_OF_MEMORY, CANCELLED. O((N + M) log M); linear
+/// extra memory. Source: Nesterenko, algorithm 2, equations 5-7, with a tolerance, and runs instead of subsets.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_facing_create(
+    context: *const gusset_context,
+    points_a: *const f64,
+    count_a: usize,
+    points_b: *const f64,
+    count_b: usize,
+    options: *const gusset_facing_options,
+    facing: *mut *mut gusset_facing,
+) -> gusset_status {
+    create(context, facing, "facing", |_| {
+        let options = input::read(options, true, "options")?.checked()?;
+        let a = points(points_a, count_a, "points_a")?;
+        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
+        let found = self::facing(&a, &b, &options)?;
+        let pairs = |arcs: &[Arc]| {
+            let mut list = alloc::with_capacity(2 * arcs.len())?;
+            list.extend(arcs.iter().flat_map(|arc| [arc.first as u32, arc.count as u32]));
+            Ok::<_, Error>(list)
+        };
+        let runs = [pairs(&found.runs[0])?, pairs(&found.runs[1])?];
+        Ok(gusset_facing { found, runs })
+    })
+}
+
+/// Destroys what gusset_facing_create made; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_facing_destroy(facing: *mut gusset_facing) {
+    input::destroy(facing);
+}
+
+/// Lends what was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_facing_get_view(
+    facing: *const gusset_facing,
+    view: *mut gusset_facing_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        let gusset_facing { found, runs } = input::reference(facing, "facing")?;
+        out.write(gusset_facing_view {
+            struct_size: size_of::<gusset_facing_view>(),
+            centre: found.planes.centres.map(|c| c.to_array()),
+            normal: found.planes.normals.map(|n| n.to_array()),
+            distances: found.distances.each_ref().map(Vec::as_ptr),
+            runs: runs.each_ref().map(|list| gusset_indices::lend(list)),
+            taken: found.taken.map(|arc| [arc.first as u32, arc.count as u32]),
+        });
+        Ok(())
+    })
+}
+
+/// The paper's rule for meridians: for each i = 0 .. n the j = 0 .. m that makes |m i - n j| least, of two equal ones the
+/// later.
+///
+/// n, m: segments of the longer and of the other polyline, m <= n (OUT_OF_RANGE): an open one of N vertices has N - 1, a
+/// closed one N. j: receives n + 1 numbers; NULL with capacity 0 asks for how many. capacity: of j. written: receives their
+/// number; may not be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE, BUFFER_TOO_SMALL (nothing but the
+/// number is written). O(n). Source: Nesterenko, the intermediate mesh: j = floor((2 m i + n) / (2 n)), without the products.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_meridians_index(
+    n: u32,
+    m: u32,
+    j: *mut u32,
+    capacity: usize,
+    written: *mut usize,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let written = input::output(written, 0, "written")?;
+        if m > n {
+            return Err(Error::OptionOutOfRange { option: "m", value: m.into() }.into());
+        }
+        *written = n as usize + 1;
+        if j.is_null() && capacity == 0 {
+            return Ok(());
+        }
+        if capacity < *written {
+            let message = format!("{} numbers, and room for {capacity}", *written);
+            let failure = Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message);
+            return Err(Failure { element: GUSSET_ELEMENT_COUNT, index: *written as u64, ..failure });
+        }
+        let out = input::slice(j, *written, "j")?;
+        out.iter_mut().zip(index_rule(n, m)).for_each(|(slot, j)| *slot = j);
+        Ok(())
+    })
+}

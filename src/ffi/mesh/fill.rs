@@ -1,0 +1,293 @@
+//! Hole filling as C sees it.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::stitch::gusset_quality_report;
+use crate::ffi::mesh::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};
+use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::fill::{Fairing, Filled, Hole, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
+use crate::mesh::MAX_ELEMENTS;
+use std::ptr;
+
+/// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its
+/// faces. By area alone if the rim is planar.
+pub const GUSSET_WEIGHT_AREA_AND_BEND: u32 = 0;
+/// The least largest angle between neighbouring faces, those beyond the rim included, and then the least area, as Liepa has it.
+pub const GUSSET_WEIGHT_BEND_THEN_AREA: u32 = 1;
+/// The least area, exactly.
+pub const GUSSET_WEIGHT_AREA: u32 = 2;
+
+/// No new vertices.
+pub const GUSSET_REFINE_NONE: u32 = 0;
+/// New vertices as dense as those round the hole.
+pub const GUSSET_REFINE_RIM_DENSITY: u32 = 1;
+
+/// Filled.
+pub const GUSSET_HOLE_FILLED: u32 = 0;
+/// Left: it is the longest loop, and keep_longest says so.
+pub const GUSSET_HOLE_LONGEST: u32 = 1;
+/// Left: it exceeds max_edges, max_length or max_diameter.
+pub const GUSSET_HOLE_TOO_LARGE: u32 = 2;
+/// Left: an open chain.
+pub const GUSSET_HOLE_OPEN: u32 = 3;
+/// Left: it runs along an edge with three or more faces.
+pub const GUSSET_HOLE_NON_MANIFOLD: u32 = 4;
+/// Left: the faces along it disagree in orientation.
+pub const GUSSET_HOLE_NOT_ORIENTED: u32 = 5;
+/// Left: a given loop of fewer than three vertices, or one that passes a vertex twice.
+pub const GUSSET_HOLE_NOT_SIMPLE: u32 = 6;
+/// Left: an edge of a given loop does not have exactly one face, or is one of a loop before it.
+pub const GUSSET_HOLE_NOT_FREE: u32 = 7;
+/// Left: every triangulation would repeat an edge that the mesh already has.
+pub const GUSSET_HOLE_NO_TRIANGULATION: u32 = 8;
+
+/// A mesh with holes filled. Opaque and immutable; it keeps nothing of the mesh it was made from.
+pub struct gusset_fill {
+    filled: Filled,
+    holes: Vec<gusset_hole>,
+}
+
+/// How holes are filled; all zero is the default: triangles without new vertices, in every hole.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_fill_options {
+    /// sizeof(gusset_fill_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_WEIGHT_...
+    pub weight: u32,
+    /// GUSSET_REFINE_...
+    pub refine: u32,
+    /// GUSSET_FAIRING_..., read if new vertices are asked for.
+    pub fairing: u32,
+    /// 1: the longest loop is left alone, as the outline of an open sheet is no hole; read if all loops are asked for. 0 or 1.
+    pub keep_longest: u32,
+    /// About how many new vertices a hole gets at the most; where more would be needed the triangles are larger. 0 is 50,000.
+    pub max_new_vertices: u32,
+    /// Loops of more edges are left alone. 0 is no limit.
+    pub max_edges: u32,
+    /// Longer loops are left alone, in the unit of the positions, at least 0. 0 is no limit.
+    pub max_length: f64,
+    /// Loops in a box along the axes with a longer diagonal are left alone. 0 is no limit.
+    pub max_diameter: f64,
+}
+
+/// The account of one loop.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_hole {
+    /// Its vertices are rims.data[rim_first] and on: with the surface on the left, or, of a given loop that is not simple,
+    /// free or oriented, as given.
+    pub rim_first: usize,
+    /// How many they are.
+    pub rim_count: usize,
+    /// Its first face in the result.
+    pub face_first: usize,
+    /// How many faces it has.
+    pub face_count: usize,
+    /// Its first new vertex in the result.
+    pub vertex_first: usize,
+    /// How many new vertices it has.
+    pub vertex_count: usize,
+    /// GUSSET_HOLE_...
+    pub status: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// The accounts of all loops. Pointers are valid until the fill is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_fill_view {
+    /// sizeof(gusset_fill_view), set by the caller.
+    pub struct_size: usize,
+    /// One for each loop: those given, in their order, or all that the mesh has, as gusset_boundary_get_loop numbers them. NULL if
+    /// there are none.
+    pub holes: *const gusset_hole,
+    /// How many.
+    pub hole_count: usize,
+    /// The vertices of all rims.
+    pub rims: gusset_indices,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_fill_options {
+    const LEAST_SIZE: usize = 48;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_fill_view {
+    const LEAST_SIZE: usize = 40;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_fill_options>() == 48
+            && size_of::<gusset_fill_view>() == 40
+            && size_of::<gusset_hole>() == 56)
+);
+
+impl gusset_fill_options {
+    pub(crate) fn checked(self) -> Result<Options, Failure> {
+        let weight = match self.weight {
+            GUSSET_WEIGHT_AREA_AND_BEND => Weight::AreaAndBend,
+            GUSSET_WEIGHT_BEND_THEN_AREA => Weight::BendThenArea,
+            GUSSET_WEIGHT_AREA => Weight::Area,
+            other => return Err(Failure::unknown("weight", other.into())),
+        };
+        let refinement = match self.refine {
+            GUSSET_REFINE_NONE => Refinement::None,
+            GUSSET_REFINE_RIM_DENSITY => Refinement::RimDensity(self.max_new_vertices),
+            other => return Err(Failure::unknown("refine", other.into())),
+        };
+        let fairing = match self.fairing {
+            GUSSET_FAIRING_NONE => Fairing::None,
+            GUSSET_FAIRING_THIN_PLATE => Fairing::ThinPlate,
+            other => return Err(Failure::unknown("fairing", other.into())),
+        };
+        if self.keep_longest > 1 {
+            return Err(Failure::unknown("keep_longest", self.keep_longest.into()));
+        }
+        let limits = Limits {
+            edges: (self.max_edges != 0).then_some(self.max_edges),
+            length: (self.max_length != 0.0).then_some(self.max_length),
+            diameter: (self.max_diameter != 0.0).then_some(self.max_diameter),
+        };
+        Ok(Options { weight, refinement, fairing, limits, keep_longest: self.keep_longest == 1 })
+    }
+}
+
+impl gusset_hole {
+    pub(crate) fn of(hole: &Hole) -> Self {
+        gusset_hole {
+            rim_first: hole.rim.start,
+            rim_count: hole.rim.len(),
+            face_first: hole.faces.start as usize,
+            face_count: hole.faces.len(),
+            vertex_first: hole.vertices.start as usize,
+            vertex_count: hole.vertices.len(),
+            status: status_number(hole.status),
+            reserved: 0,
+        }
+    }
+}
+
+fn status_number(status: HoleStatus) -> u32 {
+    match status {
+        HoleStatus::Filled => GUSSET_HOLE_FILLED,
+        HoleStatus::Longest => GUSSET_HOLE_LONGEST,
+        HoleStatus::TooLarge => GUSSET_HOLE_TOO_LARGE,
+        HoleStatus::Open => GUSSET_HOLE_OPEN,
+        HoleStatus::NonManifold => GUSSET_HOLE_NON_MANIFOLD,
+        HoleStatus::NotOriented => GUSSET_HOLE_NOT_ORIENTED,
+        HoleStatus::NotSimple => GUSSET_HOLE_NOT_SIMPLE,
+        HoleStatus::NotFree => GUSSET_HOLE_NOT_FREE,
+        HoleStatus::NoTriangulation => GUSSET_HOLE_NO_TRIANGULATION,
+    }
+}
+
+/// The caller's loops, copied; `None` for all.
+fn given(loops: *const gusset_indices, count: usize) -> Result<Option<Vec<Vec<u32>>>, Failure> {
+    if count as u64 > MAX_ELEMENTS {
+        return Err(Error::TooLarge { what: "loops", count: count as u64, limit: MAX_ELEMENTS }.into());
+    }
+    if loops.is_null() {
+        return if count == 0 { Ok(None) } else { Err(Failure::null("loops")) };
+    }
+    let mut list = alloc::with_capacity(count)?;
+    for i in 0..count {
+        list.push(mesh::indices(loops.wrapping_add(i), "loops")?.unwrap_or_default());
+    }
+    Ok(Some(list))
+}
+
+/// Fills holes of a mesh: closes boundary loops by new triangles, oriented as the surface round them.
+///
+/// loops: the vertices of each loop in order, in either direction, each consecutive pair (and the last with the first) an edge
+/// with exactly one face; loop_count of them. NULL with 0: all loops that the mesh has. options: NULL for the defaults. fill:
+/// receives the result, for gusset_fill_destroy; NULL on failure. Loops that cannot be filled are left, which is no error: the
+/// account of each says why.
+///
+/// The result has the old vertices with their bits and indices, then the new ones; the old faces, then the new triangles,
+/// hole by hole. No new edge repeats an old one. A planar hole gets no overlaps, however concave it is, if its rim does not
+/// cross itself; whether a patch meets other parts of the surface is not looked at.
+///
+/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. Loops of n <= 500
+/// vertices: O(n^3) time and 40 n^2 bytes, the best triangulation (of least area: exactly); longer ones: ear by ear, O(n log
+/// n) and linear memory. Besides O(H log d) for H half-edges and at most d edges at a vertex, and O(m^1.5) for m new vertices
+/// of a hole; loops that touch at one vertex look at each other's edges there. Source: Barequet and Sharir 1995; Liepa,
+/// Filling holes in meshes, 2003.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_fill_create(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    loops: *const gusset_indices,
+    loop_count: usize,
+    options: *const gusset_fill_options,
+    fill: *mut *mut gusset_fill,
+) -> gusset_status {
+    create(context, fill, "fill", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let given = given(loops, loop_count)?;
+        let slices = match &given {
+            Some(loops) => Some(alloc::collect(loops.iter().map(Vec::as_slice))?),
+            None => None,
+        };
+        let filled = fill_holes(&mesh, slices.as_deref(), &options, &job.part(0.1, 1.0))?;
+        let holes = alloc::collect(filled.holes.iter().map(gusset_hole::of))?;
+        Ok(gusset_fill { filled, holes })
+    })
+}
+
+/// Destroys a fill; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_fill_destroy(fill: *mut gusset_fill) {
+    input::destroy(fill);
+}
+
+/// Lends the result, valid until the fill is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+/// any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_fill_get_mesh(fill: *const gusset_fill, view: *mut gusset_mesh_view) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        out.write(mesh::lend(&input::reference(fill, "fill")?.filled.mesh));
+        Ok(())
+    })
+}
+
+/// Lends the accounts of the loops. Errors and validity as for gusset_fill_get_mesh.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *mut gusset_fill_view) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let gusset_fill { filled, holes } = input::reference(fill, "fill")?;
+        out.write(gusset_fill_view {
+            struct_size: size_of::<gusset_fill_view>(),
+            holes: if holes.is_empty() { ptr::null() } else { holes.as_ptr() },
+            hole_count: holes.len(),
+            rims: gusset_indices::lend(&filled.rims),
+        });
+        Ok(())
+    })
+}
+
+/// Measures of the new faces and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+/// thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_fill_get_quality(
+    fill: *const gusset_fill,
+    quality: *mut gusset_quality_report,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(quality, "quality")?;
+        out.write(gusset_quality_report::of(&input::reference(fill, "fill")?.filled.quality));
+        Ok(())
+    })
+}

@@ -1,0 +1,203 @@
+//! Meshes as C sees them: arrays of the host's, or arrays of a result.
+
+pub mod assembly;
+pub mod boundary;
+pub mod check;
+pub mod facing;
+pub mod fill;
+pub mod orient;
+pub mod stitch;
+pub mod stitch_options;
+pub mod strip;
+pub mod weld;
+pub mod winged;
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::Failure;
+use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_FACE_LAYOUT;
+use crate::job::Job;
+use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions, Scalar};
+use libc::c_void;
+use std::ptr;
+
+/// Coordinates are 32-bit floats.
+pub const GUSSET_F32: u32 = 1;
+/// Coordinates are 64-bit floats.
+pub const GUSSET_F64: u32 = 2;
+/// Indices and face offsets are 32-bit unsigned integers.
+pub const GUSSET_U32: u32 = 0;
+/// Reserved: this version refuses it (GUSSET_ERROR_UNKNOWN_VALUE).
+pub const GUSSET_U64: u32 = 1;
+
+/// Indices that a result lends, or that the caller gives.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_indices {
+    /// The first one; may be NULL if count is 0.
+    pub data: *const u32,
+    /// How many.
+    pub count: usize,
+}
+
+/// A polygon mesh in memory: the caller's own arrays as input, or the arrays of a result. Nothing is copied on the way in.
+///
+/// As input: at least one vertex and one face (EMPTY_MESH); at most 2^32 - 2 vertices and as many corners (TOO_LARGE); at
+/// least three corners a face (FACE_TOO_SMALL); indices below vertex_count (INDEX_OUT_OF_RANGE); finite coordinates at all
+/// vertices that faces use (NOT_FINITE), while unused ones may hold anything. The arrays may have any alignment. They must
+/// be as long as the counts say, which the library cannot see, and must not change during a call. Also NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, BAD_STRIDE, BAD_FACE_LAYOUT, BAD_OFFSETS and SIZE_OVERFLOW; counts are
+/// held against the limits before any element is read.
+///
+/// As output: packed positions, face_offsets given, face_size 0.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_mesh_view {
+    /// sizeof(gusset_mesh_view), set by the caller.
+    pub struct_size: usize,
+    /// x, y, z at the start of every stride, of the type that scalar names.
+    pub positions: *const c_void,
+    /// Bytes from one position to the next; 0 if they are packed.
+    pub position_stride: usize,
+    /// The number of vertices.
+    pub vertex_count: usize,
+    /// face_count + 1 entries: face f has the corners face_offsets[f] to face_offsets[f + 1] - 1. NULL if face_size is given.
+    pub face_offsets: *const c_void,
+    /// The vertex at each corner, face after face. Corner h is also the name of the half-edge that starts there.
+    pub face_corners: *const c_void,
+    /// The number of faces.
+    pub face_count: usize,
+    /// GUSSET_F32 or GUSSET_F64. Zero is no valid value: it must be said.
+    pub scalar: u32,
+    /// GUSSET_U32.
+    pub index: u32,
+    /// The number of corners of every face, or 0 if face_offsets is given.
+    pub face_size: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_mesh_view {
+    const LEAST_SIZE: usize = 72;
+}
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_mesh_view>() == 72);
+
+/// The caller's mesh number `number`, held to the rules.
+pub(crate) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
+    checked(view, job).map_err(|failure| failure.of_input(number))
+}
+
+/// An array of the caller's meshes, whose structs are as large as the first one says.
+pub(crate) fn meshes<'a>(
+    views: *const gusset_mesh_view,
+    count: usize,
+    job: &Job<'_>,
+) -> Result<Vec<MeshView<'a>>, Failure> {
+    if count == 0 {
+        return Err(Error::EmptyMesh { what: "faces" }.into());
+    }
+    let size = input::read(views, false, "pieces")?.struct_size;
+    input::bytes(views.cast(), count, size, "pieces")?;
+    let mut meshes = alloc::with_capacity(count)?;
+    for k in 0..count {
+        let part = job.share(k, count);
+        meshes.push(mesh(views.wrapping_byte_add(k * size), k as u32, &part)?);
+    }
+    Ok(meshes)
+}
+
+fn checked<'a>(view: *const gusset_mesh_view, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
+    let view = input::read(view, false, "mesh")?;
+    let scalar = match view.scalar {
+        GUSSET_F32 => Scalar::F32,
+        GUSSET_F64 => Scalar::F64,
+        other => return Err(Failure::unknown("scalar", other.into())),
+    };
+    if view.index != GUSSET_U32 {
+        return Err(Failure::unknown("index", view.index.into()));
+    }
+    if view.reserved != 0 {
+        return Err(Failure::unknown("reserved", view.reserved.into()));
+    }
+    // Before the layout: the arrays of an empty mesh may well be NULL.
+    for (what, count) in [("vertices", view.vertex_count), ("faces", view.face_count)] {
+        if count == 0 {
+            return Err(Error::EmptyMesh { what }.into());
+        }
+    }
+    if view.face_offsets.is_null() == (view.face_size == 0) {
+        let message = "exactly one of face_offsets and face_size must be given";
+        return Err(Failure::new(GUSSET_ERROR_BAD_FACE_LAYOUT, message));
+    }
+    // All counts before any element.
+    let position_bytes = Positions::bytes_needed(view.position_stride, view.vertex_count, scalar)?;
+    let offset_count = Faces::offset_count(view.face_count)?;
+    let positions = input::bytes(view.positions, position_bytes, 1, "positions")?;
+    let positions = Positions::strided(positions, view.position_stride, view.vertex_count, scalar)?;
+    let faces = if view.face_offsets.is_null() {
+        let corners = Faces::corner_count(view.face_size, view.face_count)?;
+        let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
+        Faces::uniform(corners, view.face_size, view.face_count)?
+    } else {
+        let offsets = input::bytes(view.face_offsets, offset_count, 4, "face_offsets")?;
+        // The offsets first: a wrong last entry would say that the corners reach further than they do.
+        let corners = Faces::check_offsets(offsets, view.face_count, job)?;
+        let corners = input::bytes(view.face_corners, corners, 4, "face_corners")?;
+        Faces::with_offsets(offsets, corners, view.face_count)?
+    };
+    Ok(MeshView::new(positions, faces, job)?)
+}
+
+/// The arrays of `mesh`.
+pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
+    let (positions, scalar): (*const c_void, _) = match &mesh.positions {
+        PositionBuffer::F32(points) => (points.as_ptr().cast(), GUSSET_F32),
+        PositionBuffer::F64(points) => (points.as_ptr().cast(), GUSSET_F64),
+    };
+    gusset_mesh_view {
+        struct_size: size_of::<gusset_mesh_view>(),
+        positions,
+        position_stride: mesh.positions.view().scalar().position_size(),
+        vertex_count: mesh.positions.len(),
+        face_offsets: mesh.face_offsets.as_ptr().cast(),
+        face_corners: mesh.face_corners.as_ptr().cast(),
+        face_count: mesh.face_count(),
+        scalar,
+        index: GUSSET_U32,
+        face_size: 0,
+        reserved: 0,
+    }
+}
+
+impl gusset_indices {
+    /// Lends a slice; NULL for an empty one.
+    pub(crate) fn lend(indices: &[u32]) -> Self {
+        let data = if indices.is_empty() { ptr::null() } else { indices.as_ptr() };
+        gusset_indices { data, count: indices.len() }
+    }
+}
+
+/// The caller's indices, copied as they may have any alignment; `None` for a NULL struct.
+pub(crate) fn indices(given: *const gusset_indices, name: &'static str) -> Result<Option<Vec<u32>>, Failure> {
+    if given.is_null() {
+        return Ok(None);
+    }
+    let given = *input::reference(given, name)?;
+    if given.count as u64 > MAX_ELEMENTS {
+        return Err(Error::TooLarge { what: name, count: given.count as u64, limit: MAX_ELEMENTS }.into());
+    }
+    let bytes = input::bytes(given.data.cast(), given.count, 4, name)?;
+    let indices = alloc::collect(bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned::<u32>))?;
+    Ok(Some(indices))
+}
+
+/// A scalar type of the caller's.
+pub(crate) fn scalar(value: u32) -> Result<Scalar, Failure> {
+    match value {
+        GUSSET_F32 => Ok(Scalar::F32),
+        GUSSET_F64 => Ok(Scalar::F64),
+        other => Err(Failure::unknown("scalar", other.into())),
+    }
+}

@@ -1,0 +1,247 @@
+//! Stitching as C sees it.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::stitch_options::gusset_stitch_options;
+use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::ffi::status::gusset_status;
+use crate::stitch::{Quality, Request, Stitch, stitch};
+use std::ptr;
+
+/// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
+pub struct gusset_stitch(Stitch);
+
+/// The parts of a stitch. Pointers are valid until it is destroyed. Index 0 is the first mesh, 1 the second.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_stitch_view {
+    /// sizeof(gusset_stitch_view), set by the caller.
+    pub struct_size: usize,
+    /// Per old vertex of each mesh, its index in the result; empty for the second if there was only one mesh.
+    pub vertex_map: [gusset_indices; 2],
+    /// Per old face, its index in the result.
+    pub face_map: [gusset_indices; 2],
+    /// The vertices of each rim, by their indices in the result, from the first meridian on, side by side: rim 0 has its
+    /// surface on the left, rim 1 on the right. They are also the strip's own first vertices in order: rim 0, then rim 1.
+    pub rim: [gusset_indices; 2],
+    /// The meridians as places on the rims, i and j by turns, the paper's matrix H: meridian k is (data[2 k], data[2 k + 1]).
+    /// They go from (0, 0) to (N, M) for whole rims of N and M vertices, where place N is place 0 again, and to
+    /// (N - 1, M - 1) for arcs; count is twice the number of meridians. From one to the next i advances by 1, or j, or, by
+    /// the rule by index, both.
+    pub meridians: gusset_indices,
+    /// The paper's matrix P, row by row from rim 0 to rim 1, one column for each meridian: vertices of the result.
+    pub matrix: gusset_indices,
+    /// Of each new vertex (they are the last ones of the result), the two vertices that it lies between, on rim 0 and on
+    /// rim 1, by turns.
+    pub parents: gusset_indices,
+    /// Of each new vertex, the weight of its second parent, 0 to 1; that of the first is 1 less this.
+    pub weights: *const f64,
+    /// The first of the strip's faces in the result; they are the last ones.
+    pub strip_face_first: usize,
+    /// How many there are; N + M triangles for whole rims without interior rows.
+    pub strip_face_count: usize,
+    /// Interior rows; the matrix has two rows more.
+    pub row_count: u32,
+    /// 1 if the strip is a closed band between whole loops, 0 if it joins arcs.
+    pub closed: u32,
+    /// 1 if the component that rim 1 is on was turned over, else 0: its faces run the other way, each from its own first
+    /// corner. Other components stay as they are.
+    pub turned: u32,
+    /// 1 if faces that cut each other were looked for, else 0.
+    pub intersections_known: u32,
+    /// Pairs of faces of the result that cut each other, by turns: first one of the strip, the larger one if both are. What
+    /// they share by number, a vertex or an edge, is no cut; touching is. Exact. Polygons are taken as triangles: quads split
+    /// by their shorter diagonals, others as fans from their first corners; a polygon that cuts itself is paired with itself.
+    pub intersections: gusset_indices,
+    /// How often the fairing had to be taken back in places.
+    pub back_off_count: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// Measures of a strip, or of filled holes, and of the whole result's connectivity.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_quality_report {
+    /// sizeof(gusset_quality_report), set by the caller.
+    pub struct_size: usize,
+    /// The smallest angle of the new triangles, in radians; 0 if one is degenerate.
+    pub min_angle: f64,
+    /// The largest aspect ratio of the new triangles: longest side / (2 sqrt(3) inscribed radius), 1 for an equilateral
+    /// triangle, infinite for a degenerate one.
+    pub max_aspect: f64,
+    /// The longest edge of the new faces, in the unit of the positions.
+    pub max_edge: f64,
+    /// Their area, in the square of that unit.
+    pub area: f64,
+    /// New triangles without area.
+    pub degenerate_faces: u32,
+    /// Boundary loops of the result; 0 if no edge has exactly one face.
+    pub loops_left: u32,
+    /// Edges of the result with three or more faces.
+    pub non_manifold_edges: u32,
+    /// Edges of the result whose two faces disagree in orientation.
+    pub orientation_conflicts: u32,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_stitch_view {
+    const LEAST_SIZE: usize = 192;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_quality_report {
+    const LEAST_SIZE: usize = 56;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8 || (size_of::<gusset_stitch_view>() == 216 && size_of::<gusset_quality_report>() == 56)
+);
+
+impl gusset_quality_report {
+    pub(crate) fn of(q: &Quality) -> Self {
+        gusset_quality_report {
+            struct_size: size_of::<gusset_quality_report>(),
+            min_angle: q.min_angle,
+            max_aspect: q.max_aspect,
+            max_edge: q.max_edge,
+            area: q.area,
+            degenerate_faces: q.degenerate_faces,
+            loops_left: q.loops_left,
+            non_manifold_edges: q.non_manifold_edges,
+            orientation_conflicts: q.orientation_conflicts,
+        }
+    }
+}
+
+/// Joins two boundary loops, of two meshes or of one, by a strip of new faces: a closed band between whole loops, or a strip
+/// between the arcs that face each other.
+///
+/// mesh_b: NULL if both loops are of mesh_a. loop_a, loop_b: the vertices of each loop in order, in either direction, each
+/// consecutive pair (and the last with the first) an edge with exactly one face; NULL leaves the choice open, and the
+/// loops that lie nearest to each other are taken. options: NULL for the defaults. stitch: receives the result, for
+/// gusset_stitch_destroy; NULL on failure.
+///
+/// The result has the vertices of A, then of B, then new ones in the interior rows; the faces of A, then of B, then the
+/// strip. Positions are of the scalar type of A, old ones keep their bits, and every old face is kept. An arc of one vertex
+/// gets a fan, which touches its piece at that vertex only; two arcs of one vertex each get one meridian and no face.
+///
+/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE, PLANES_UNDECIDED, NO_LOOP, LOOP_TOO_SHORT,
+/// LOOP_REPEATS_VERTEX, LOOP_EDGE_NOT_FREE, LOOP_NOT_ORIENTED, LOOPS_SHARE_VERTEX, ORIENTATION_CONFLICT, NO_STRIP,
+/// MIXED_SCALARS (A has f32 and B f64 positions), TOO_LARGE, OUT_OF_MEMORY, CANCELLED.
+///
+/// O(H log d) for H half-edges and at most d edges at a vertex; plus for the meridians O(N M) up to 2^21 pairs of vertices,
+/// beyond that and for the simple rules O((N + M) log M); plus the size of the strip, and fairing and intersection tests where
+/// asked for (O(n log n) and a test for each pair of triangles whose boxes overlap, which is all pairs in the worst case); plus
+/// a box test for each pair of loops where the choice is left open. Extra memory is linear in the meshes and the strip;
+/// GUSSET_SEARCH_EXACT takes one byte for each of up to 2^26 pairs of vertices and 8 M bytes for each 2^26 pairs begun, with
+/// GUSSET_MERIDIANS_SMOOTH, or where the best strip would use an edge twice, 8 bytes for each pair. Source: Nesterenko,
+/// algorithm 2 and the intermediate mesh (H, P). Whole loops repeat their start: N + 1 and M + 1 points.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stitch_create(
+    context: *const gusset_context,
+    mesh_a: *const gusset_mesh_view,
+    loop_a: *const gusset_indices,
+    mesh_b: *const gusset_mesh_view,
+    loop_b: *const gusset_indices,
+    options: *const gusset_stitch_options,
+    stitch: *mut *mut gusset_stitch,
+) -> gusset_status {
+    create(context, stitch, "stitch", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        let a = mesh::mesh(mesh_a, 0, &job.part(0.0, 0.1))?;
+        let b = match mesh_b.is_null() {
+            true => None,
+            false => Some(mesh::mesh(mesh_b, 1, &job.part(0.1, 0.2))?),
+        };
+        let loop_a = mesh::indices(loop_a, "loop_a")?;
+        let loop_b = mesh::indices(loop_b, "loop_b").map_err(|failure| failure.of_input(1))?;
+        let request = Request { a: &a, loop_a: loop_a.as_deref(), b: b.as_ref(), loop_b: loop_b.as_deref() };
+        let done = self::stitch(&request, &options, &job.part(0.2, 1.0))?;
+        Ok(gusset_stitch(done))
+    })
+}
+
+/// Destroys a stitch; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_stitch_destroy(stitch: *mut gusset_stitch) {
+    input::destroy(stitch);
+}
+
+/// Lends the whole result, valid until the stitch is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stitch_get_mesh(
+    stitch: *const gusset_stitch,
+    view: *mut gusset_mesh_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        out.write(mesh::lend(&input::reference(stitch, "stitch")?.0.mesh));
+        Ok(())
+    })
+}
+
+/// Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
+/// gusset_stitch_get_mesh.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stitch_get_strip(
+    stitch: *const gusset_stitch,
+    view: *mut gusset_mesh_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        out.write(mesh::lend(&input::reference(stitch, "stitch")?.0.strip));
+        Ok(())
+    })
+}
+
+/// Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_get_mesh.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stitch_get_view(
+    stitch: *const gusset_stitch,
+    parts: *mut gusset_stitch_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let done = &input::reference(stitch, "stitch")?.0;
+        out.write(gusset_stitch_view {
+            struct_size: size_of::<gusset_stitch_view>(),
+            vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.vertices)),
+            face_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.faces)),
+            rim: done.rims.each_ref().map(|rim| gusset_indices::lend(rim)),
+            meridians: gusset_indices::lend(done.meridians.as_flattened()),
+            matrix: gusset_indices::lend(&done.matrix),
+            parents: gusset_indices::lend(done.parents.as_flattened()),
+            weights: if done.weights.is_empty() { ptr::null() } else { done.weights.as_ptr() },
+            strip_face_first: done.strip_faces.start as usize,
+            strip_face_count: done.strip_faces.len(),
+            row_count: done.rows,
+            closed: done.closed.into(),
+            turned: done.turned.into(),
+            intersections_known: done.intersections.is_some().into(),
+            intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
+            back_off_count: done.back_offs,
+            reserved: 0,
+        });
+        Ok(())
+    })
+}
+
+/// Measures of the strip and of the result. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+/// thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stitch_get_quality(
+    stitch: *const gusset_stitch,
+    quality: *mut gusset_quality_report,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(quality, "quality")?;
+        out.write(gusset_quality_report::of(&input::reference(stitch, "stitch")?.0.quality));
+        Ok(())
+    })
+}

@@ -1,0 +1,267 @@
+//! How to stitch, as C says it.
+
+use crate::ffi::input::Versioned;
+use crate::ffi::status::Failure;
+use crate::stitch::facing::{Arc, Centres, Run};
+use crate::stitch::{Cells, Extent, Fairing, Intersections, Meridians, Options, Orientation, Rows, Search, Start};
+
+/// The strip of triangles of least area through the first meridian.
+pub const GUSSET_MERIDIANS_MIN_AREA: u32 = 0;
+/// The paper's rule by index, O(N + M): good for evenly spaced rims.
+pub const GUSSET_MERIDIANS_INDEX: u32 = 1;
+/// Both rims walked at the same pace, by arc length, O(N + M).
+pub const GUSSET_MERIDIANS_ARC_LENGTH: u32 = 2;
+/// Always on to the shorter of the two next meridians, O(N + M).
+pub const GUSSET_MERIDIANS_GREEDY: u32 = 3;
+/// The strip of triangles whose meridians have the least total length.
+pub const GUSSET_MERIDIANS_MIN_DIAGONAL: u32 = 4;
+/// The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the angle
+/// between the normals).
+pub const GUSSET_MERIDIANS_SMOOTH: u32 = 5;
+/// The least sum of the meridians' squared lengths where steps on both rims at once are allowed (dynamic time warping): quads
+/// where both sides advance, triangles elsewhere. Meant for strips with interior rows.
+pub const GUSSET_MERIDIANS_QUAD: u32 = 6;
+
+/// The best meridians are found exactly for up to 2^21 pairs of vertices, beyond that coarse to fine: nearly linear time,
+/// linear memory, and a result within a few hundredths of a per cent of the best on all rims that were measured.
+pub const GUSSET_SEARCH_AUTO: u32 = 0;
+/// Exactly: O(N M) time, and memory for each pair of vertices; see gusset_stitch_create.
+pub const GUSSET_SEARCH_EXACT: u32 = 1;
+
+/// The first meridian of a closed band joins the closest pair of vertices, or the closest pair after rim B has been turned
+/// along rim A to where it fits best; the better strip of the two is kept.
+pub const GUSSET_START_AUTO: u32 = 0;
+/// The closest pair.
+pub const GUSSET_START_CLOSEST: u32 = 1;
+
+/// gusset_strip_create only: the first points.
+pub const GUSSET_START_GIVEN: u32 = 2;
+
+/// New vertices stay where they were first put: those of a strip divide their meridians evenly, as the paper has it, those of a
+/// patch lie on the triangles of its first triangulation.
+pub const GUSSET_FAIRING_NONE: u32 = 0;
+/// New vertices are moved so that the new surface bends as a thin plate does and meets the old one smoothly: the sum of the
+/// squared Laplacians over them and the rims is least. The rims, and the ends of an open strip, stay where they are.
+pub const GUSSET_FAIRING_THIN_PLATE: u32 = 1;
+
+/// Faces of the strip that cut others are looked for where rows are faired; there the fairing is taken back in places until
+/// nothing cuts, or nothing is left to take back.
+pub const GUSSET_INTERSECTIONS_AUTO: u32 = 0;
+/// They are not looked for.
+pub const GUSSET_INTERSECTIONS_IGNORE: u32 = 1;
+/// They are always looked for; where rows are faired, with the same consequences.
+pub const GUSSET_INTERSECTIONS_REPORT: u32 = 2;
+
+/// A second piece that is oriented against the first is turned over: the component that rim B is on. Two loops of one connected
+/// piece are taken as they are. Whole rims are compared as curves, and by where their surfaces lie if both lead off them to the
+/// same side, as at the ends of a U-bend; where nothing is clear, nothing is turned.
+pub const GUSSET_ORIENTATION_FIX: u32 = 0;
+/// Such a piece is GUSSET_ERROR_ORIENTATION_CONFLICT.
+pub const GUSSET_ORIENTATION_REFUSE: u32 = 1;
+/// The rims are not compared: the faces are taken to be right as they are.
+pub const GUSSET_ORIENTATION_KEEP: u32 = 2;
+
+/// All of both loops, by a closed band.
+pub const GUSSET_EXTENT_WHOLE_LOOPS: u32 = 0;
+/// The runs of vertices that face the other loop, as the paper has it: GUSSET_ERROR_PLANES_UNDECIDED where it cannot tell.
+pub const GUSSET_EXTENT_OPEN_ARCS: u32 = 1;
+/// Whole loops if their normals make less than 60 degrees, in the mean of cosines, with the line of their centres, or if the
+/// planes cannot tell; else open arcs.
+pub const GUSSET_EXTENT_AUTO: u32 = 2;
+/// The arcs given in arc_a and arc_b.
+pub const GUSSET_EXTENT_ARCS: u32 = 3;
+
+/// Of several runs of facing vertices, on each loop the one with the closest pair.
+pub const GUSSET_RUN_CLOSEST: u32 = 0;
+/// On each loop the one of the most vertices.
+pub const GUSSET_RUN_LONGEST: u32 = 1;
+
+/// The centre of a loop is the mean of its vertices, as the paper has it.
+pub const GUSSET_CENTRES_VERTICES: u32 = 0;
+/// The mean of its points: vertices that lie close together do not draw it to them.
+pub const GUSSET_CENTRES_LENGTH: u32 = 1;
+
+/// No interior rows: every meridian is one edge.
+pub const GUSSET_ROWS_NONE: u32 = 0;
+/// max(0, round(mean meridian / mean side of the faces of both meshes) - 1), as the paper suggests.
+pub const GUSSET_ROWS_MEAN_EDGE: u32 = 1;
+/// As many as row_count says.
+pub const GUSSET_ROWS_COUNT: u32 = 2;
+
+/// Triangles throughout; quads are split by their shorter diagonals.
+pub const GUSSET_CELLS_TRIANGLES: u32 = 0;
+/// Quads where four different neighbours meet, and triangles where a rim repeats a vertex.
+pub const GUSSET_CELLS_QUADS: u32 = 1;
+
+/// No tolerance is given: facing vertices are found with what round-off of the coordinates can do; vertices are welded if their
+/// positions are equal.
+pub const GUSSET_TOLERANCE_AUTO: u32 = 0;
+/// The tolerance is the one given.
+pub const GUSSET_TOLERANCE_GIVEN: u32 = 1;
+
+/// How to stitch; all zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_stitch_options {
+    /// sizeof(gusset_stitch_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_MERIDIANS_...
+    pub meridians: u32,
+    /// GUSSET_ORIENTATION_...
+    pub orientation: u32,
+    /// The first meridian joins the closest pair that is not joined by an edge already; with a twist, the vertex of rim B so
+    /// many places later, counted in the direction in which rim A runs (negative: earlier), and no other start is tried. Any
+    /// value; taken modulo the length of rim B. Must be 0 if arcs are joined (OUT_OF_RANGE).
+    pub twist: i64,
+    /// GUSSET_EXTENT_...
+    pub extent: u32,
+    /// GUSSET_RUN_...
+    pub run: u32,
+    /// GUSSET_ROWS_...
+    pub rows: u32,
+    /// Interior rows, read for GUSSET_ROWS_COUNT.
+    pub row_count: u32,
+    /// GUSSET_CELLS_...
+    pub cells: u32,
+    /// GUSSET_TOLERANCE_...
+    pub tolerance_mode: u32,
+    /// How far a vertex must be from its loop's plane to face the other loop, in the unit of the positions, at least 0; read
+    /// for GUSSET_TOLERANCE_GIVEN.
+    pub tolerance: f64,
+    /// Read for GUSSET_EXTENT_ARCS: the first place on loop A, below its length, and the number of vertices, 1 to its length.
+    /// The arc runs along the loop as it was given, and may pass its end.
+    pub arc_a: [u32; 2],
+    /// The same on loop B.
+    pub arc_b: [u32; 2],
+    /// GUSSET_SEARCH_...
+    pub search: u32,
+    /// GUSSET_START_...
+    pub start: u32,
+    /// GUSSET_FAIRING_...
+    pub fairing: u32,
+    /// GUSSET_INTERSECTIONS_...
+    pub intersections: u32,
+    /// GUSSET_CENTRES_...
+    pub centres: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_stitch_options {
+    const LEAST_SIZE: usize = 72;
+}
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_stitch_options>() == 96);
+
+impl gusset_stitch_options {
+    pub(crate) fn checked(self) -> Result<Options, Failure> {
+        let (meridians, search) = (meridians(self.meridians)?, search(self.search)?);
+        let orientation = match self.orientation {
+            GUSSET_ORIENTATION_FIX => Orientation::Fix,
+            GUSSET_ORIENTATION_REFUSE => Orientation::Refuse,
+            GUSSET_ORIENTATION_KEEP => Orientation::Keep,
+            other => return Err(Failure::unknown("orientation", other.into())),
+        };
+        let extent = match self.extent {
+            GUSSET_EXTENT_WHOLE_LOOPS => Extent::WholeLoops,
+            GUSSET_EXTENT_OPEN_ARCS => Extent::OpenArcs,
+            GUSSET_EXTENT_AUTO => Extent::Auto,
+            GUSSET_EXTENT_ARCS => Extent::Arcs(
+                [self.arc_a, self.arc_b].map(|[first, count]| Arc { first: first as usize, count: count as usize }),
+            ),
+            other => return Err(Failure::unknown("extent", other.into())),
+        };
+        let run = match self.run {
+            GUSSET_RUN_CLOSEST => Run::Closest,
+            GUSSET_RUN_LONGEST => Run::Longest,
+            other => return Err(Failure::unknown("run", other.into())),
+        };
+        let rows = match self.rows {
+            GUSSET_ROWS_NONE => Rows::None,
+            GUSSET_ROWS_MEAN_EDGE => Rows::MeanEdge,
+            GUSSET_ROWS_COUNT => Rows::Count(self.row_count),
+            other => return Err(Failure::unknown("rows", other.into())),
+        };
+        let cells = match self.cells {
+            GUSSET_CELLS_TRIANGLES => Cells::Triangles,
+            GUSSET_CELLS_QUADS => Cells::Quads,
+            other => return Err(Failure::unknown("cells", other.into())),
+        };
+        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
+        let start = match self.start {
+            GUSSET_START_AUTO => Start::Auto,
+            GUSSET_START_CLOSEST => Start::Closest,
+            other => return Err(Failure::unknown("start", other.into())),
+        };
+        let fairing = match self.fairing {
+            GUSSET_FAIRING_NONE => Fairing::None,
+            GUSSET_FAIRING_THIN_PLATE => Fairing::ThinPlate,
+            other => return Err(Failure::unknown("fairing", other.into())),
+        };
+        let intersections = match self.intersections {
+            GUSSET_INTERSECTIONS_AUTO => Intersections::Auto,
+            GUSSET_INTERSECTIONS_IGNORE => Intersections::Ignore,
+            GUSSET_INTERSECTIONS_REPORT => Intersections::Report,
+            other => return Err(Failure::unknown("intersections", other.into())),
+        };
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
+        Ok(Options {
+            meridians,
+            search,
+            start,
+            orientation,
+            twist: self.twist,
+            extent,
+            run,
+            tolerance,
+            centres: centres(self.centres)?,
+            rows,
+            cells,
+            fairing,
+            intersections,
+        })
+    }
+}
+
+/// GUSSET_MERIDIANS_...
+pub(crate) fn meridians(value: u32) -> Result<Meridians, Failure> {
+    Ok(match value {
+        GUSSET_MERIDIANS_MIN_AREA => Meridians::MinArea,
+        GUSSET_MERIDIANS_INDEX => Meridians::Index,
+        GUSSET_MERIDIANS_ARC_LENGTH => Meridians::ArcLength,
+        GUSSET_MERIDIANS_GREEDY => Meridians::Greedy,
+        GUSSET_MERIDIANS_MIN_DIAGONAL => Meridians::MinDiagonal,
+        GUSSET_MERIDIANS_SMOOTH => Meridians::Smooth,
+        GUSSET_MERIDIANS_QUAD => Meridians::Quad,
+        other => return Err(Failure::unknown("meridians", other.into())),
+    })
+}
+
+/// GUSSET_SEARCH_...
+pub(crate) fn search(value: u32) -> Result<Search, Failure> {
+    Ok(match value {
+        GUSSET_SEARCH_AUTO => Search::Auto,
+        GUSSET_SEARCH_EXACT => Search::Exact,
+        other => return Err(Failure::unknown("search", other.into())),
+    })
+}
+
+/// GUSSET_CENTRES_...
+pub(crate) fn centres(value: u32) -> Result<Centres, Failure> {
+    match value {
+        GUSSET_CENTRES_VERTICES => Ok(Centres::Vertices),
+        GUSSET_CENTRES_LENGTH => Ok(Centres::Length),
+        other => Err(Failure::unknown("centres", other.into())),
+    }
+}
+
+/// The tolerance of a mode, if one is given.
+pub(crate) fn tolerance(mode: u32, given: f64) -> Result<Option<f64>, Failure> {
+    match mode {
+        GUSSET_TOLERANCE_AUTO => Ok(None),
+        GUSSET_TOLERANCE_GIVEN => Ok(Some(given)),
+        other => Err(Failure::unknown("tolerance_mode", other.into())),
+    }
+}

@@ -1,0 +1,131 @@
+//! A strip between two polylines, as C sees it.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::facing::points;
+use crate::ffi::mesh::gusset_indices;
+use crate::ffi::mesh::stitch_options::{
+    GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, meridians, search,
+};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::stitch::{Ruled, RuledOptions, Start, ruled};
+use std::ptr;
+
+/// A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
+pub struct gusset_strip(Ruled);
+
+/// How a strip is made; all zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_strip_options {
+    /// sizeof(gusset_strip_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_MERIDIANS_...
+    pub meridians: u32,
+    /// GUSSET_SEARCH_...
+    pub search: u32,
+    /// GUSSET_START_..., for closed polylines; open ones begin at their first points.
+    pub start: u32,
+    /// 1: the polylines are closed; 0: they are open.
+    pub closed: u32,
+}
+
+/// The parts of a strip. Pointers are valid until it is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_strip_view {
+    /// sizeof(gusset_strip_view), set by the caller.
+    pub struct_size: usize,
+    /// The points of A and of B that the first meridian joins.
+    pub start: [u32; 2],
+    /// The meridians as places counted from there, i and j by turns: from (0, 0) to (N, M) for closed polylines of N and M
+    /// points, where place N is place 0 again, and to (N - 1, M - 1) for open ones; count is twice the number of meridians.
+    pub meridians: gusset_indices,
+    /// The corners of the triangles, three each: points of A are 0 to N - 1, points of B follow. They run A_i+1, A_i, B_j:
+    /// against polyline A, and along B. Where both sides advance at once a quad is split by its shorter diagonal.
+    pub triangles: gusset_indices,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_strip_options {
+    const LEAST_SIZE: usize = 24;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_strip_view {
+    const LEAST_SIZE: usize = 48;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8 || (size_of::<gusset_strip_options>() == 24 && size_of::<gusset_strip_view>() == 48)
+);
+
+impl gusset_strip_options {
+    fn checked(self) -> Result<(bool, RuledOptions), Failure> {
+        let start = match self.start {
+            GUSSET_START_AUTO => Some(Start::Auto),
+            GUSSET_START_CLOSEST => Some(Start::Closest),
+            GUSSET_START_GIVEN => None,
+            other => return Err(Failure::unknown("start", other.into())),
+        };
+        let closed = match self.closed {
+            0 => false,
+            1 => true,
+            other => return Err(Failure::unknown("closed", other.into())),
+        };
+        let (meridians, search) = (meridians(self.meridians)?, search(self.search)?);
+        Ok((closed, RuledOptions { meridians, search, start }))
+    }
+}
+
+/// Makes a strip of triangles between two polylines that run side by side: meridians and faces, without any mesh.
+///
+/// points_a, points_b: x, y, z of the points in order, packed, count_a and count_b of them: at least 1 each, closed ones at
+/// least 3, and the last point is not the first again. options: NULL for the defaults (open polylines). strip: receives the
+/// result, for gusset_strip_destroy; NULL on failure. Errors: LOOP_TOO_SHORT, TOO_LARGE, SIZE_OVERFLOW, NOT_FINITE,
+/// UNKNOWN_VALUE, NO_STRIP, OUT_OF_MEMORY, CANCELLED. Time and memory of the meridians of gusset_stitch_create, and O(N + M).
+/// Source: Fuchs, Kedem and Uselton (1977) for the best strips; Nesterenko for the rule by index.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_strip_create(
+    context: *const gusset_context,
+    points_a: *const f64,
+    count_a: usize,
+    points_b: *const f64,
+    count_b: usize,
+    options: *const gusset_strip_options,
+    strip: *mut *mut gusset_strip,
+) -> gusset_status {
+    create(context, strip, "strip", |job| {
+        let (closed, options) = input::read(options, true, "options")?.checked()?;
+        let a = points(points_a, count_a, "points_a")?;
+        let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
+        Ok(gusset_strip(ruled(&a, &b, closed, &options, job)?))
+    })
+}
+
+/// Destroys a strip; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_strip_destroy(strip: *mut gusset_strip) {
+    input::destroy(strip);
+}
+
+/// Lends the meridians and triangles, valid until the strip is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_strip_get_view(
+    strip: *const gusset_strip,
+    parts: *mut gusset_strip_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let done = &input::reference(strip, "strip")?.0;
+        out.write(gusset_strip_view {
+            struct_size: size_of::<gusset_strip_view>(),
+            start: done.start,
+            meridians: gusset_indices::lend(done.meridians.as_flattened()),
+            triangles: gusset_indices::lend(done.triangles.as_flattened()),
+        });
+        Ok(())
+    })
+}

@@ -1,0 +1,179 @@
+//! Welding as C sees it.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::stitch_options::tolerance;
+use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::repair::weld::{Options, Vertices, Weld, weld};
+use std::ptr;
+
+/// The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
+pub const GUSSET_WELD_BOUNDARY: u32 = 0;
+/// All vertices that faces use are welded, as triangle soups need it.
+pub const GUSSET_WELD_ALL: u32 = 1;
+
+/// Corners of one face stay apart.
+pub const GUSSET_COLLAPSE_NEVER: u32 = 0;
+/// Corners of one face may become one; a face that keeps fewer than three different vertices is dropped.
+pub const GUSSET_COLLAPSE_ALLOW: u32 = 1;
+
+/// Vertices that no face uses stay.
+pub const GUSSET_UNUSED_KEEP: u32 = 0;
+/// Vertices that no face of the result uses are left out.
+pub const GUSSET_UNUSED_REMOVE: u32 = 1;
+
+/// A welded mesh. Opaque and immutable; it keeps nothing of the mesh it was made from.
+pub struct gusset_weld(Weld);
+
+/// How to weld; all zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_weld_options {
+    /// sizeof(gusset_weld_options), set by the caller.
+    pub struct_size: usize,
+    /// Which vertices: GUSSET_WELD_...
+    pub vertices: u32,
+    /// GUSSET_TOLERANCE_AUTO: vertices lie together if their positions are equal, where -0 equals 0. GUSSET_TOLERANCE_GIVEN: if
+    /// they are not farther apart than the tolerance.
+    pub tolerance_mode: u32,
+    /// In the unit of the positions, finite, at least 0; read for GUSSET_TOLERANCE_GIVEN.
+    pub tolerance: f64,
+    /// GUSSET_COLLAPSE_...
+    pub collapse: u32,
+    /// GUSSET_UNUSED_...
+    pub unused: u32,
+}
+
+/// What became of the old mesh. Indices are the old mesh's; lists are ascending; pointers are valid until the weld is
+/// destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_weld_view {
+    /// sizeof(gusset_weld_view), set by the caller.
+    pub struct_size: usize,
+    /// Per old vertex, its index in the result; UINT32_MAX if it was left out as unused.
+    pub vertex_map: gusset_indices,
+    /// Per old face, its index in the result; UINT32_MAX if it was dropped.
+    pub face_map: gusset_indices,
+    /// Half-edges of free edges that lie on another edge and did not become one edge of two faces with it: three or more lie
+    /// together there, or sewing would have collapsed a face or made an edge of three or more faces.
+    pub left_edges: gusset_indices,
+    /// Vertices that lie together with another and are not one with it.
+    pub left_vertices: gusset_indices,
+    /// Vertices that became one with a smaller one.
+    pub welded_vertices: u32,
+    /// Edges of two faces that were two free edges.
+    pub sewn_edges: u32,
+    /// Faces that were dropped.
+    pub dropped_faces: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_weld_options {
+    const LEAST_SIZE: usize = 32;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_weld_view {
+    const LEAST_SIZE: usize = 88;
+}
+const _: () =
+    assert!(size_of::<usize>() != 8 || (size_of::<gusset_weld_options>() == 32 && size_of::<gusset_weld_view>() == 88));
+
+impl gusset_weld_options {
+    pub(crate) fn checked(self) -> Result<Options, Failure> {
+        let vertices = match self.vertices {
+            GUSSET_WELD_BOUNDARY => Vertices::Boundary,
+            GUSSET_WELD_ALL => Vertices::All,
+            other => return Err(Failure::unknown("vertices", other.into())),
+        };
+        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
+        let collapse = match self.collapse {
+            GUSSET_COLLAPSE_NEVER => false,
+            GUSSET_COLLAPSE_ALLOW => true,
+            other => return Err(Failure::unknown("collapse", other.into())),
+        };
+        let remove_unused = match self.unused {
+            GUSSET_UNUSED_KEEP => false,
+            GUSSET_UNUSED_REMOVE => true,
+            other => return Err(Failure::unknown("unused", other.into())),
+        };
+        Ok(Options { vertices, tolerance, collapse, remove_unused })
+    }
+}
+
+/// Makes one vertex of vertices that lie together.
+///
+/// By default borders are sewn: where exactly two free edges lie on one another, whatever their directions, they become one
+/// edge, and so do their ends. Where three or more lie together none is preferred, and a pair is left where sewing it would
+/// collapse a face or make an edge of three or more faces: a manifold stays one. What is left is listed. Vertices that lie
+/// together without an edge to sew stay apart, as where two holes touch. With GUSSET_WELD_ALL, vertices that lie together
+/// become one whatever comes of the edges.
+///
+/// Which lie together within a tolerance: in ascending order, each vertex that is still unclaimed claims the unclaimed ones
+/// within the tolerance of it, nearest first, so that nothing chains.
+///
+/// The result has the old faces in their order, each from its own first corner. Of vertices made one the smallest is left,
+/// and its position keeps its bits; the vertices left are in their old order. If every face is dropped, the result has none
+/// and is no valid input.
+///
+/// options: NULL for the defaults. weld: receives the result, for gusset_weld_destroy; NULL on failure.
+/// Errors: those of gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_RANGE (the tolerance), OUT_OF_MEMORY, CANCELLED. O(H log H) for H
+/// half-edges, if no vertex has very many and few corners of one face lie together; linear extra memory.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_weld_create(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    options: *const gusset_weld_options,
+    weld: *mut *mut gusset_weld,
+) -> gusset_status {
+    create(context, weld, "weld", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        Ok(gusset_weld(self::weld(&mesh, &options, &job.part(0.1, 1.0))?))
+    })
+}
+
+/// Destroys a weld; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_weld_destroy(weld: *mut gusset_weld) {
+    input::destroy(weld);
+}
+
+/// Lends the welded mesh, valid until the weld is destroyed. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_weld_get_mesh(weld: *const gusset_weld, view: *mut gusset_mesh_view) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        out.write(mesh::lend(&input::reference(weld, "weld")?.0.mesh));
+        Ok(())
+    })
+}
+
+/// Lends the maps, lists and counts. Errors and validity as for gusset_weld_get_mesh.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_weld_get_view(weld: *const gusset_weld, parts: *mut gusset_weld_view) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let done = &input::reference(weld, "weld")?.0;
+        out.write(gusset_weld_view {
+            struct_size: size_of::<gusset_weld_view>(),
+            vertex_map: gusset_indices::lend(&done.vertex_map),
+            face_map: gusset_indices::lend(&done.face_map),
+            left_edges: gusset_indices::lend(&done.left_edges),
+            left_vertices: gusset_indices::lend(&done.left_vertices),
+            welded_vertices: done.welded_vertices,
+            sewn_edges: done.sewn_edges,
+            dropped_faces: done.dropped_faces,
+            reserved: 0,
+        });
+        Ok(())
+    })
+}

@@ -1,0 +1,173 @@
+//! Winged-edge tables as C sees them.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, free_loops};
+use std::ptr;
+
+/// Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables take them backwards.
+pub const GUSSET_FACES_COUNTER_CLOCKWISE: u32 = 0;
+/// Faces are stored clockwise seen from outside, as Baumgart has it.
+pub const GUSSET_FACES_CLOCKWISE: u32 = 1;
+
+/// One of several records of an edge with three or more faces; each has one face.
+pub const GUSSET_WINGED_NON_MANIFOLD: u32 = 1;
+/// One of two records of an edge whose faces run it in the same direction; each has one face.
+pub const GUSSET_WINGED_NOT_ORIENTED: u32 = 2;
+/// M = N, or the edge belongs to a face of fewer than three proper edges.
+pub const GUSSET_WINGED_DEGENERATE: u32 = 4;
+
+const _: () = assert!(
+    GUSSET_WINGED_NON_MANIFOLD == EdgeMarks::NON_MANIFOLD
+        && GUSSET_WINGED_NOT_ORIENTED == EdgeMarks::NOT_ORIENTED
+        && GUSSET_WINGED_DEGENERATE == EdgeMarks::DEGENERATE
+);
+
+/// The winged-edge tables of a mesh. Opaque and immutable; it keeps nothing of the mesh.
+pub struct gusset_winged {
+    tables: WingedEdges,
+    loops: FreeLoops,
+}
+
+/// How tables are made; all zero is the default.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_winged_options {
+    /// sizeof(gusset_winged_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_FACES_...
+    pub winding: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// One edge: Baumgart's M, N, b, c, d, e, L, R, where UINT32_MAX is NULL. Faces run clockwise seen from outside.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_winged_edge {
+    /// The vertex M, where it starts.
+    pub m: u32,
+    /// The vertex N, where it ends.
+    pub n: u32,
+    /// In R, the edge after this one; it leaves N.
+    pub b: u32,
+    /// In L, the edge before this one; it arrives at N.
+    pub c: u32,
+    /// In R, the edge before this one; it arrives at M.
+    pub d: u32,
+    /// In L, the edge after this one; it leaves M.
+    pub e: u32,
+    /// The face L: it runs N to M.
+    pub left: u32,
+    /// The face R: it runs M to N.
+    pub right: u32,
+    /// GUSSET_WINGED_... bits; 0 for an ordinary edge.
+    pub marks: u32,
+}
+
+/// The tables. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_winged_view {
+    /// sizeof(gusset_winged_view), set by the caller.
+    pub struct_size: usize,
+    /// The edges in the order of their first half-edges; M is the vertex where that half-edge starts.
+    pub edges: *const gusset_winged_edge,
+    /// How many.
+    pub edge_count: usize,
+    /// Per half-edge (position in face_corners), its edge.
+    pub edge_of_half_edge: gusset_indices,
+    /// Per face, its first edge.
+    pub edge_of_face: gusset_indices,
+    /// Per vertex, an edge at it, or UINT32_MAX.
+    pub edge_of_vertex: gusset_indices,
+    /// The vertices of all loops of free edges (exactly one of L, R is NULL), loop after loop, surface on the left.
+    pub loop_vertices: gusset_indices,
+    /// The edges along them; edge i starts at vertex i.
+    pub loop_edges: gusset_indices,
+    /// Where each loop starts in both; one entry more than there are loops.
+    pub loop_offsets: gusset_indices,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_winged_options {
+    const LEAST_SIZE: usize = 16;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_winged_view {
+    const LEAST_SIZE: usize = 120;
+}
+const _: () = assert!(
+    size_of::<gusset_winged_edge>() == size_of::<WingedEdge>()
+        && (size_of::<usize>() != 8
+            || (size_of::<gusset_winged_options>() == 16 && size_of::<gusset_winged_view>() == 120))
+);
+
+/// Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
+///
+/// options: NULL for the defaults. winged: receives the result, for gusset_winged_destroy; NULL on failure. An edge with
+/// three or more faces, or with two that run it in the same direction, becomes several marked records of one face each. The
+/// mesh of a stitch keeps the edge numbers of its first mesh: only NULL sides along the rim are filled. Errors: those of
+/// gusset_mesh_view, UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and at most d edges at a vertex;
+/// linear extra memory. Source: Nesterenko, equations 1-3 and algorithm 1. Criterion 3 is taken as "exactly one of L, R is
+/// NULL", as the text has it; the loops are those of gusset_boundary_create, except that an edge whose faces disagree has a
+/// border on both sides.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_winged_create(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    options: *const gusset_winged_options,
+    winged: *mut *mut gusset_winged,
+) -> gusset_status {
+    create(context, winged, "winged", |job| {
+        let options = input::read(options, true, "options")?;
+        if options.reserved != 0 {
+            return Err(Failure::unknown("reserved", options.reserved.into()));
+        }
+        let winding = match options.winding {
+            GUSSET_FACES_COUNTER_CLOCKWISE => Winding::CounterClockwise,
+            GUSSET_FACES_CLOCKWISE => Winding::Clockwise,
+            other => return Err(Failure::unknown("winding", other.into())),
+        };
+        let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
+        let tables = WingedEdges::new(&mesh, winding, &job.part(0.2, 1.0))?;
+        let loops = free_loops(&tables)?;
+        Ok(gusset_winged { tables, loops })
+    })
+}
+
+/// Destroys tables; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_winged_destroy(winged: *mut gusset_winged) {
+    input::destroy(winged);
+}
+
+/// Lends the tables. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_winged_get_view(
+    winged: *const gusset_winged,
+    view: *mut gusset_winged_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        let gusset_winged { tables, loops } = input::reference(winged, "winged")?;
+        out.write(gusset_winged_view {
+            struct_size: size_of::<gusset_winged_view>(),
+            // The core's record has the same fields in the same order.
+            edges: tables.edges().as_ptr().cast(),
+            edge_count: tables.edges().len(),
+            edge_of_half_edge: gusset_indices::lend(tables.edge_of_half_edge()),
+            edge_of_face: gusset_indices::lend(tables.edge_of_face()),
+            edge_of_vertex: gusset_indices::lend(tables.edge_of_vertex()),
+            loop_vertices: gusset_indices::lend(&loops.vertices),
+            loop_edges: gusset_indices::lend(&loops.edges),
+            loop_offsets: gusset_indices::lend(&loops.offsets),
+        });
+        Ok(())
+    })
+}

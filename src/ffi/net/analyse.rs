@@ -1,0 +1,187 @@
+//! What deformations do to nets, as C sees it.
+
+use crate::alloc;
+use crate::error::Result;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::net::field::{Given, fields, gusset_field};
+use crate::ffi::net::{edit, gusset_net, read};
+use crate::ffi::status::gusset_status;
+use crate::net::analyse::{Analysis, absorb, analyse, analyse_field};
+use std::ptr;
+
+/// What a deformation does to a net. Immutable; may be read from many threads.
+pub struct gusset_net_analysis {
+    analysis: Analysis,
+    contracted: Vec<u32>,
+    stars: Vec<u32>,
+}
+
+impl gusset_net_analysis {
+    fn new(analysis: Analysis) -> Result<Self> {
+        let contracted = alloc::collect(analysis.contracted.iter().map(|found| found.link))?;
+        let stars = alloc::collect(analysis.contracted.iter().map(|found| found.star.number() as u32))?;
+        Ok(gusset_net_analysis { analysis, contracted, stars })
+    }
+}
+
+/// An analysis, lent: valid until gusset_net_analysis_destroy.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_analysis_view {
+    /// sizeof(gusset_net_analysis_view), set by the caller.
+    pub struct_size: usize,
+    /// Of each link (node * 2, and 1 if it is vertical; those that lead back to the first column and row included), its
+    /// new length divided by its old one; NaN if it had none, or an end is missing.
+    pub links: *const f64,
+    /// 2 * rows * columns.
+    pub link_count: usize,
+    /// Of each cell, its new area divided by its old one; negative where the surface is folded over or, after
+    /// gusset_net_analysis_of_fields_create, space is mirrored; NaN if it had none, or is not there.
+    pub cells: *const f64,
+    /// Of each cell, the determinant of the fields' Jacobian at its centre; NULL after gusset_net_analysis_create.
+    pub determinants: *const f64,
+    /// (rows - 1) * (columns - 1).
+    pub cell_count: usize,
+    /// The links that have become a point and are not glued: see gusset_net_absorb.
+    pub contracted: *const u32,
+    /// Of each of them, what the star of its first node has become with all of them contracted: the number of the local
+    /// gluing, 0 to 17.
+    pub stars: *const u32,
+    /// How many.
+    pub contracted_count: usize,
+    /// The glued links whose ends have come apart.
+    pub torn: *const u32,
+    /// How many.
+    pub torn_count: usize,
+    /// The cells that are turned the other way than most.
+    pub folded: *const u32,
+    /// How many.
+    pub folded_count: usize,
+    /// 1 if nothing is newly glued, torn or folded: the paper's soft deformation; else it is hard.
+    pub soft: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_net_analysis_view {
+    const LEAST_SIZE: usize = 112;
+}
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_analysis_view>() == 112);
+
+/// The start of a list; NULL for an empty one.
+fn start<T>(items: &[T]) -> *const T {
+    if items.is_empty() { ptr::null() } else { items.as_ptr() }
+}
+
+impl From<&gusset_net_analysis> for gusset_net_analysis_view {
+    fn from(found: &gusset_net_analysis) -> Self {
+        let Analysis { links, cells, determinants, torn, folded, .. } = &found.analysis;
+        gusset_net_analysis_view {
+            struct_size: size_of::<Self>(),
+            links: start(links),
+            link_count: links.len(),
+            cells: start(cells),
+            determinants: start(determinants),
+            cell_count: cells.len(),
+            contracted: start(&found.contracted),
+            stars: start(&found.stars),
+            contracted_count: found.contracted.len(),
+            torn: start(torn),
+            torn_count: torn.len(),
+            folded: start(folded),
+            folded_count: folded.len(),
+            soft: found.analysis.is_soft().into(),
+            reserved: 0,
+        }
+    }
+}
+
+/// Compares a net after a deformation with what it was before: what is newly glued, torn, folded over, stretched.
+///
+/// before, after: of one size; the gluing is that of `before`. tolerance: lengths up to it, at least 0 and finite, are
+/// none. analysis: receives the result, for gusset_net_analysis_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// OUT_OF_RANGE, SIDES_DIFFER (other sizes), CROSSING_CELL with the cell (what is newly glued is no surface),
+/// OUT_OF_MEMORY, CANCELLED. O(nodes), 24 bytes a node. From any thread. Source: Deryagin, soft and hard deformations;
+/// links are measured, as a zero of the Jacobian neither follows from gluing nor implies it.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_analysis_create(
+    context: *const gusset_context,
+    before: *const gusset_net,
+    after: *const gusset_net,
+    tolerance: f64,
+    analysis: *mut *mut gusset_net_analysis,
+) -> gusset_status {
+    create(context, analysis, "analysis", |job| {
+        Ok(gusset_net_analysis::new(analyse(read(before)?, read(after)?, tolerance, job)?)?)
+    })
+}
+
+/// The same of what fields would do to a net, which stays as it is, with the determinants of their Jacobian. fields,
+/// count, time: as for gusset_net_deform. tolerance: as for gusset_net_analysis_create. Errors: those of
+/// gusset_net_analysis_create and of gusset_net_deform. O(nodes x fields); 24 bytes a node, 8 bytes a cell, and a copy
+/// of the net. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_analysis_of_fields_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    fields: *const gusset_field,
+    count: usize,
+    time: f64,
+    tolerance: f64,
+    analysis: *mut *mut gusset_net_analysis,
+) -> gusset_status {
+    create(context, analysis, "analysis", |job| {
+        let given = self::fields(fields, count, time)?;
+        let steps = alloc::collect(given.iter().map(Given::step))?;
+        Ok(gusset_net_analysis::new(analyse_field(read(net)?, &steps, tolerance, job)?)?)
+    })
+}
+
+/// Lends an analysis. parts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1).
+/// From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_analysis_get_view(
+    analysis: *const gusset_net_analysis,
+    parts: *mut gusset_net_analysis_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        out.write(input::reference(analysis, "analysis")?.into());
+        Ok(())
+    })
+}
+
+/// Destroys an analysis; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_net_analysis_destroy(analysis: *mut gusset_net_analysis) {
+    input::destroy(analysis);
+}
+
+/// Contracts links of a net: the gluings that a hard deformation has brought about made part of it. Positions stay what
+/// they are: follow it with gusset_net_snap.
+///
+/// links: `count` of them, each node * 2, and 1 if it is vertical; at any alignment. Errors: NULL_ARGUMENT,
+/// SIZE_OVERFLOW, NO_SUCH_ELEMENT with the link, CROSSING_CELL with the cell, OUT_OF_MEMORY; the net is unchanged then.
+/// O(nodes).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_absorb(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    links: *const u32,
+    count: usize,
+) -> gusset_status {
+    guard(context, |_| {
+        let bytes = input::bytes(links.cast(), count, 4, "links")?;
+        let net = edit(net)?;
+        let glued = absorb(net.topology(), bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned))?;
+        net.set_topology(glued);
+        Ok(())
+    })
+}

@@ -1,0 +1,292 @@
+//! Joining nets and taking them apart, as C sees it.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::flag;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::net::arrange::{
+    GUSSET_DIRECTION_DOWN, GUSSET_DIRECTION_RIGHT, GUSSET_REPLICATE_REFUSE, direction, gusset_direction,
+    gusset_replication, replication,
+};
+use crate::ffi::net::{edit, gusset_net, read};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::net::{
+    Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, JoinOptions, MAX_NODES, Net, concatenate_all,
+};
+use std::ptr;
+
+/// What is done with the cells between two nets that were joined.
+pub type gusset_bridge_mode = u32;
+/// They are cells like others.
+pub const GUSSET_BRIDGE_KEEP: gusset_bridge_mode = 0;
+/// They are not there.
+pub const GUSSET_BRIDGE_HIDE: gusset_bridge_mode = 1;
+/// The two sides coincide, to a tolerance, and are one: the links between them are contracted. Nodes stay where they are; where they
+/// coincide not quite, gusset_net_snap makes them equal.
+pub const GUSSET_BRIDGE_WELD: gusset_bridge_mode = 2;
+
+/// What a bridge looks like.
+pub type gusset_bridge_kind = u32;
+/// A band between open sides.
+pub const GUSSET_BRIDGE_RIBBON: gusset_bridge_kind = 0;
+/// A band between closed sides, which is closed itself.
+pub const GUSSET_BRIDGE_TUBE: gusset_bridge_kind = 1;
+/// One edge between sides that are a point each.
+pub const GUSSET_BRIDGE_THREAD: gusset_bridge_kind = 2;
+
+/// The physical properties of a bridge: kept for the host, and not used.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_bridge_properties {
+    /// Tension.
+    pub tension: f64,
+    /// Elasticity.
+    pub elasticity: f64,
+    /// Stiffness.
+    pub stiffness: f64,
+    /// The host's own.
+    pub user: u64,
+}
+
+/// How nets are joined. All zeros: each right of the one before, the smaller ones enlarged uniformly, bridges kept.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_join_options {
+    /// sizeof(gusset_join_options), set by the caller.
+    pub struct_size: usize,
+    /// How far nodes that are welded may be apart, at least 0, in the unit of the coordinates.
+    pub tolerance: f64,
+    /// Given to every new bridge.
+    pub properties: gusset_bridge_properties,
+    /// GUSSET_DIRECTION_...: where each net lies from the one before.
+    pub direction: gusset_direction,
+    /// GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+    pub mode: gusset_bridge_mode,
+    /// GUSSET_REPLICATE_...: how nets with fewer nodes along the side are enlarged.
+    pub equalise: gusset_replication,
+    /// Read for GUSSET_REPLICATE_AT: the row or column.
+    pub equalise_index: u32,
+    /// Each net but the first is turned by so many places along its side, which is closed then.
+    pub twist: u32,
+    /// 1: nets whose faces are taken the other way round than those of the first are flipped along the side; 0: refused.
+    pub turn: u32,
+}
+
+/// A bridge of a net.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_bridge {
+    /// sizeof(gusset_bridge), set by the caller.
+    pub struct_size: usize,
+    /// What the host gave it.
+    pub properties: gusset_bridge_properties,
+    /// GUSSET_DIRECTION_...: where the second net lies.
+    pub direction: gusset_direction,
+    /// The first column (RIGHT) or row (DOWN) of the second net.
+    pub at: u32,
+    /// The first node along the side: a row (RIGHT) or column (DOWN).
+    pub start: u32,
+    /// One past the last one.
+    pub end: u32,
+    /// GUSSET_BRIDGE_RIBBON, GUSSET_BRIDGE_TUBE or GUSSET_BRIDGE_THREAD.
+    pub kind: gusset_bridge_kind,
+    /// GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or GUSSET_BRIDGE_WELD.
+    pub mode: gusset_bridge_mode,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_join_options {
+    const LEAST_SIZE: usize = 72;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_bridge {
+    const LEAST_SIZE: usize = 64;
+}
+const _: () =
+    assert!(size_of::<usize>() != 8 || (size_of::<gusset_join_options>() == 72 && size_of::<gusset_bridge>() == 64));
+
+impl From<gusset_bridge_properties> for BridgeProperties {
+    fn from(given: gusset_bridge_properties) -> Self {
+        let gusset_bridge_properties { tension, elasticity, stiffness, user } = given;
+        BridgeProperties { tension, elasticity, stiffness, user }
+    }
+}
+
+fn mode(value: gusset_bridge_mode) -> Result<BridgeMode, Failure> {
+    match value {
+        GUSSET_BRIDGE_KEEP => Ok(BridgeMode::Keep),
+        GUSSET_BRIDGE_HIDE => Ok(BridgeMode::Hide),
+        GUSSET_BRIDGE_WELD => Ok(BridgeMode::Weld),
+        other => Err(Failure::unknown("mode", other.into())),
+    }
+}
+
+impl gusset_join_options {
+    /// What scenes are flattened with: each net below the one before, and nothing between them.
+    pub(crate) fn of_scenes() -> JoinOptions {
+        JoinOptions { mode: BridgeMode::Hide, ..JoinOptions::new(Direction::Down) }
+    }
+
+    pub(crate) fn checked(self) -> Result<JoinOptions, Failure> {
+        let refuse = self.equalise == GUSSET_REPLICATE_REFUSE;
+        Ok(JoinOptions {
+            direction: direction(self.direction)?,
+            mode: mode(self.mode)?,
+            tolerance: self.tolerance,
+            equalise: if refuse { None } else { Some(replication(self.equalise, self.equalise_index)?) },
+            twist: self.twist,
+            turn: flag(self.turn, "turn")?,
+            properties: self.properties.into(),
+        })
+    }
+}
+
+impl From<&Bridge> for gusset_bridge {
+    fn from(bridge: &Bridge) -> Self {
+        let BridgeProperties { tension, elasticity, stiffness, user } = bridge.properties;
+        gusset_bridge {
+            struct_size: size_of::<Self>(),
+            properties: gusset_bridge_properties { tension, elasticity, stiffness, user },
+            direction: match bridge.direction {
+                Direction::Right => GUSSET_DIRECTION_RIGHT,
+                Direction::Down => GUSSET_DIRECTION_DOWN,
+            },
+            at: bridge.at,
+            start: bridge.start,
+            end: bridge.end,
+            kind: match bridge.kind {
+                BridgeKind::Ribbon => GUSSET_BRIDGE_RIBBON,
+                BridgeKind::Tube => GUSSET_BRIDGE_TUBE,
+                BridgeKind::Thread => GUSSET_BRIDGE_THREAD,
+            },
+            mode: match bridge.mode {
+                BridgeMode::Keep => GUSSET_BRIDGE_KEEP,
+                BridgeMode::Hide => GUSSET_BRIDGE_HIDE,
+                BridgeMode::Weld => GUSSET_BRIDGE_WELD,
+            },
+        }
+    }
+}
+
+/// The nets of an array of handles.
+fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a Net<'static>>, Failure> {
+    if count as u64 > MAX_NODES {
+        return Err(Error::TooLarge { what: "nets", count: count as u64, limit: MAX_NODES }.into());
+    }
+    let bytes = input::bytes(handles.cast(), count, size_of::<*const gusset_net>(), "nets")?;
+    let mut nets = alloc::with_capacity(count)?;
+    for k in 0..bytes.len() / size_of::<*const gusset_net>() {
+        // SAFETY: within the bytes that were checked; any alignment will do.
+        nets.push(read(unsafe { handles.add(k).read_unaligned() })?);
+    }
+    Ok(nets)
+}
+
+/// Joins nets side by side to one, in one pass. Each net keeps what it is glued to: links that led back across the direction become
+/// seams. Its bridges are kept; each net but the first gets a new one, between it and the one before, behind its own. All can be undone:
+/// see gusset_net_split_create.
+///
+/// nets: net_count handles, at least one, of one scalar type; the same one may come several times. options: NULL for the defaults.
+/// joined: receives the result, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, EMPTY_SCENE (no
+/// nets), BAD_STRUCT_SIZE, UNKNOWN_VALUE, MIXED_SCALARS, ORIENTATION_CONFLICT (see turn), SIDES_DIFFER (sizes that are not to be
+/// equalised; or sides to be welded that are apart: the report has the place and the distance), OUT_OF_RANGE (tolerance; a twist of an
+/// open side), CROSSING_CELL, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. O(nodes of the result); memory for it, and once more for nets that
+/// are enlarged, turned or flipped. Source: Deryagin, "Concatenation".
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_concatenate_create(
+    context: *const gusset_context,
+    nets: *const *const gusset_net,
+    net_count: usize,
+    options: *const gusset_join_options,
+    joined: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, joined, "joined", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        Ok(gusset_net::new(concatenate_all(&self::nets(nets, net_count)?, &options, job)?))
+    })
+}
+
+/// Takes a net apart at a bridge that runs from side to side: the two nets come back bit for bit as they were joined,
+/// unless they were changed since; copies that were made to equalise sizes are removed. Of a net that was joined of
+/// joined ones, the last bridge is such a one; take nets apart in the reverse order of joining. What is glued across
+/// the bridge is cut. bridge: its number, counted from 0. first, second: receive the nets, for gusset_net_destroy; NULL
+/// on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such bridge, or it is within a part of
+/// the net only), CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_split_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    bridge: usize,
+    first: *mut *mut gusset_net,
+    second: *mut *mut gusset_net,
+) -> gusset_status {
+    let slots = [input::output(first, ptr::null_mut(), "first"), input::output(second, ptr::null_mut(), "second")];
+    guard(context, |job| {
+        let [first, second] = slots;
+        let (first, second) = (first?, second?);
+        let parts = read(net)?.split(bridge, job)?;
+        [*first, *second] = parts.map(|part| Box::into_raw(Box::new(gusset_net::new(part))));
+        Ok(())
+    })
+}
+
+/// The number of bridges of a net. count: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_bridge_count(net: *const gusset_net, count: *mut usize) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let count = input::output(count, 0, "count")?;
+        *count = read(net)?.bridges().len();
+        Ok(())
+    })
+}
+
+/// A bridge of a net. index: its number, below gusset_net_bridge_count. bridge: its struct_size set. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_get_bridge(
+    net: *const gusset_net,
+    index: usize,
+    bridge: *mut gusset_bridge,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(bridge, "bridge")?;
+        let no_such = Error::NoSuchBridge { bridge: index as u64 };
+        out.write(read(net)?.bridges().get(index).ok_or(no_such)?.into());
+        Ok(())
+    })
+}
+
+/// Does something else with the cells of a bridge, and gives it other properties.
+///
+/// index: of the bridge, below gusset_net_bridge_count. mode: GUSSET_BRIDGE_KEEP, GUSSET_BRIDGE_HIDE or
+/// GUSSET_BRIDGE_WELD. tolerance: how far nodes that are welded may be apart, at least 0. properties: NULL leaves them.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE, OUT_OF_RANGE, SIDES_DIFFER with the
+/// place and the distance, CROSSING_CELL, OUT_OF_MEMORY; the net is then as it was. O(nodes) if welding begins or ends,
+/// or if the net is shared with a copy or a scene; else O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_set_bridge(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    index: usize,
+    mode: gusset_bridge_mode,
+    tolerance: f64,
+    properties: *const gusset_bridge_properties,
+) -> gusset_status {
+    guard(context, |_| {
+        let mode = self::mode(mode)?;
+        let given = (!properties.is_null()).then(|| input::reference(properties, "properties")).transpose()?;
+        let net = edit(net)?;
+        net.set_bridge_mode(index, mode, tolerance)?;
+        if let Some(&given) = given {
+            net.bridges_mut()[index].properties = given.into();
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,187 @@
+//! Areas, volumes, moments and planarity of nets, as C sees them.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::guard;
+use crate::ffi::input::fill;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::net::{gusset_net, read};
+use crate::ffi::status::gusset_status;
+use crate::net::measure::{Measures, Moments, Planarity, measure, moments, planarity};
+
+/// What gusset_net_measure finds.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_measure_report {
+    /// sizeof(gusset_net_measure_report), set by the caller.
+    pub struct_size: usize,
+    /// The area of all cells: of each, |(c - a) x (d - b)| / 2, which is exact for plane ones.
+    pub area: f64,
+    /// What the net encloses, if it is closed and has two sides; positive if the normals look outwards. For open ones: of the cone to the
+    /// first node.
+    pub volume: f64,
+    /// The sum of the cells' area vectors; 0 for closed nets.
+    pub area_vector: [f64; 3],
+    /// The smallest coordinates of the nodes that are there; infinite if there are none.
+    pub low: [f64; 3],
+    /// The largest.
+    pub high: [f64; 3],
+}
+
+/// The body, of density 1, that a closed net encloses.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_moment_report {
+    /// sizeof(gusset_net_moment_report), set by the caller.
+    pub struct_size: usize,
+    /// The volume; negative if the normals look inwards.
+    pub volume: f64,
+    /// The centre of mass; NaN if the volume is 0.
+    pub centroid: [f64; 3],
+    /// The tensor of inertia about it, row after row: on the diagonal the integrals of y^2 + z^2 and so on, beside it
+    /// those of -x y and so on.
+    pub inertia: [f64; 9],
+}
+
+/// How plane the cells of a net are.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_planarity_report {
+    /// sizeof(gusset_net_planarity_report), set by the caller.
+    pub struct_size: usize,
+    /// The largest distance of corners from the plane between them, as a part of the longer diagonal; 0 if there are no
+    /// cells.
+    pub worst: f64,
+    /// Its cell; 2^64 - 1 if there are no cells.
+    pub worst_cell: u64,
+    /// The mean; NaN if there are no cells.
+    pub mean: f64,
+    /// How many cells are above the tolerance.
+    pub above: u64,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_net_measure_report {
+    const LEAST_SIZE: usize = 96;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_net_moment_report {
+    const LEAST_SIZE: usize = 112;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_net_planarity_report {
+    const LEAST_SIZE: usize = 40;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_net_measure_report>() == 96
+            && size_of::<gusset_net_moment_report>() == 112
+            && size_of::<gusset_net_planarity_report>() == 40)
+);
+
+impl From<Measures> for gusset_net_measure_report {
+    fn from(found: Measures) -> Self {
+        gusset_net_measure_report {
+            struct_size: size_of::<Self>(),
+            area: found.area,
+            volume: found.volume,
+            area_vector: found.area_vector.to_array(),
+            low: found.low.to_array(),
+            high: found.high.to_array(),
+        }
+    }
+}
+
+impl From<Moments> for gusset_net_moment_report {
+    fn from(found: Moments) -> Self {
+        gusset_net_moment_report {
+            struct_size: size_of::<Self>(),
+            volume: found.volume,
+            centroid: found.centroid.to_array(),
+            // Symmetrical: rows are columns.
+            inertia: found.inertia.to_cols_array(),
+        }
+    }
+}
+
+impl From<&Planarity> for gusset_net_planarity_report {
+    fn from(found: &Planarity) -> Self {
+        gusset_net_planarity_report {
+            struct_size: size_of::<Self>(),
+            worst: found.worst.map_or(0.0, |(off, _)| off),
+            worst_cell: found.worst.map_or(u64::MAX, |(_, cell)| cell.into()),
+            mean: found.mean,
+            above: found.above,
+        }
+    }
+}
+
+/// Measures a net: area, volume, box. Cells that touch a missing node or belong to a hidden bridge are not there.
+/// measures: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY,
+/// CANCELLED. O(nodes), no memory. From any thread; the same bits for any number of threads. Volumes are exact for the
+/// bilinear patches of the cells (divergence theorem).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_measure(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    measures: *mut gusset_net_measure_report,
+) -> gusset_status {
+    let out = input::output_struct(measures, "measures");
+    guard(context, |job| {
+        let out = out?;
+        out.write(measure(read(net)?, job)?.into());
+        Ok(())
+    })
+}
+
+/// Computes volume, centroid and tensor of inertia of the body that a closed net encloses, exactly but for rounding for
+/// the bilinear patches of its cells. moments: its struct_size set. The rest as for gusset_net_measure, and about ten
+/// times the work.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_moments(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    moments: *mut gusset_net_moment_report,
+) -> gusset_status {
+    let out = input::output_struct(moments, "moments");
+    guard(context, |job| {
+        let out = out?;
+        out.write(self::moments(read(net)?, job)?.into());
+        Ok(())
+    })
+}
+
+/// Tells how plane the cells of a net are: whether it can be clad with plane quads.
+///
+/// tolerance: at least 0, for the count in the summary. cells: a buffer for (rows - 1) * (columns - 1) numbers: of each
+/// cell, how far its corners are from the plane that lies evenly between them, as a part of its longer diagonal; 0 for
+/// triangles and less, NaN for cells that are not there. capacity: its size; NULL and 0 if it is not wanted. written:
+/// receives the number of cells. summary: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE, BUFFER_TOO_SMALL, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), 8 bytes a cell.
+/// From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_planarity(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    tolerance: f64,
+    cells: *mut f64,
+    capacity: usize,
+    written: *mut usize,
+    summary: *mut gusset_net_planarity_report,
+) -> gusset_status {
+    let written = input::output(written, 0, "written");
+    let out = input::output_struct(summary, "summary");
+    guard(context, |job| {
+        let written = written?;
+        let out = out?;
+        let found = planarity(read(net)?, tolerance, job)?;
+        fill(cells, capacity, found.cells.len(), written, "cells", |buffer| {
+            buffer.copy_from_slice(&found.cells);
+            Ok(())
+        })?;
+        out.write((&found).into());
+        Ok(())
+    })
+}

@@ -1,0 +1,343 @@
+//! Nets to meshes and back, and nets of heights, as C sees them.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::flag;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::scalar;
+use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
+use crate::ffi::net::{gusset_net, read};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::job::Job;
+use crate::mesh::{NONE, Scalar};
+use crate::net::convert::{Diagonal, Heights, MeshOptions, NetMesh, net_of_grid, net_of_heights};
+use crate::net::{Coordinates, Net, Planes, Real, Shape};
+use libc::c_void;
+use std::ptr;
+use std::sync::Arc;
+
+/// What the faces of the mesh of a net are.
+pub type gusset_net_faces = u32;
+/// Quads, and triangles where a side of a cell is one point.
+pub const GUSSET_NET_QUADS: gusset_net_faces = 0;
+/// Triangles: quads are cut along the shorter diagonal, or where that would be an edge that there is already, the other one.
+pub const GUSSET_NET_TRIANGLES_SHORTER: gusset_net_faces = 1;
+/// Triangles: quads are cut from (i, j) to (i + 1, j + 1), with the same exception.
+pub const GUSSET_NET_TRIANGLES_FIXED: gusset_net_faces = 2;
+
+/// How a net becomes a mesh. All zeros: quads, one vertex for each class of glued nodes, only vertices that something uses.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_mesh_options {
+    /// sizeof(gusset_net_mesh_options), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_NET_QUADS, GUSSET_NET_TRIANGLES_SHORTER or GUSSET_NET_TRIANGLES_FIXED.
+    pub faces: gusset_net_faces,
+    /// 1: a vertex for each node, and nothing is glued. 0 or 1.
+    pub no_weld: u32,
+    /// 1: finite vertices that nothing uses are kept. 0 or 1.
+    pub keep_unused: u32,
+    /// 1: a cell of which just one corner is missing becomes a triangle. 0 or 1.
+    pub fill_corners: u32,
+    /// 1: texture coordinates are wanted. 0 or 1.
+    pub texture: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What became what when a net became a mesh. Pointers are valid until the mesh is destroyed; NULL where the count is 0.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_mesh_view {
+    /// sizeof(gusset_net_mesh_view), set by the caller.
+    pub struct_size: usize,
+    /// For each node its vertex, or UINT32_MAX.
+    pub vertex_of_node: gusset_indices,
+    /// For each vertex the first of its nodes.
+    pub node_of_vertex: gusset_indices,
+    /// For each face its cell: cell (i, j) is i * (columns - 1) + j.
+    pub cell_of_face: gusset_indices,
+    /// Edges without faces, two vertices each: threads, and whatever else is left of cells whose opposite sides are glued.
+    pub wires: gusset_indices,
+    /// For each corner of the mesh its pair of texture coordinates; empty unless they were asked for.
+    pub texture_corners: gusset_indices,
+    /// Pairs u, v from 0 to 1: column and row. A vertex on a seam has one on each side of it.
+    pub texture_coordinates: *const f64,
+    /// The number of pairs.
+    pub texture_count: usize,
+}
+
+/// Heights over a grid, at any alignment.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_heights {
+    /// sizeof(gusset_heights), set by the caller.
+    pub struct_size: usize,
+    /// The number of rows, at least 2.
+    pub rows: usize,
+    /// The number of columns, at least 2.
+    pub columns: usize,
+    /// Number (i, j) is at values + i * row_stride + j times the scalar's size. Any numbers: NaN and infinities are missing.
+    pub values: *const c_void,
+    /// Bytes from row to row; 0 for rows without gaps.
+    pub row_stride: usize,
+    /// x from column to column and y from row to row; finite and not 0, negative where rows run against y.
+    pub spacing: [f64; 2],
+    /// Where the first node is if its height is 0.
+    pub origin: [f64; 3],
+    /// Read if has_no_data is 1: the number that stands for a missing height.
+    pub no_data: f64,
+    /// 0 or 1.
+    pub has_no_data: u32,
+    /// GUSSET_F32 or GUSSET_F64: of the values, and of the net.
+    pub scalar: u32,
+}
+
+/// Where a net was found in a mesh. Pointers are valid until the grid is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_grid_view {
+    /// sizeof(gusset_net_grid_view), set by the caller.
+    pub struct_size: usize,
+    /// For each node its vertex.
+    pub vertex_of_node: gusset_indices,
+    /// For each cell its face.
+    pub face_of_cell: gusset_indices,
+}
+
+/// The mesh of a net. Opaque and immutable; it keeps nothing of the net.
+pub struct gusset_net_mesh(NetMesh);
+
+/// A net that was found in a mesh. Opaque and immutable; it keeps nothing of the mesh.
+pub struct gusset_net_grid {
+    net: Arc<Net<'static>>,
+    vertex_of_node: Vec<u32>,
+    face_of_cell: Vec<u32>,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_net_mesh_options {
+    const LEAST_SIZE: usize = 32;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_net_mesh_view {
+    const LEAST_SIZE: usize = 104;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_heights {
+    const LEAST_SIZE: usize = 96;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_net_grid_view {
+    const LEAST_SIZE: usize = 40;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_net_mesh_options>() == 32
+            && size_of::<gusset_net_mesh_view>() == 104
+            && size_of::<gusset_heights>() == 96
+            && size_of::<gusset_net_grid_view>() == 40)
+);
+
+impl gusset_net_mesh_options {
+    fn checked(self) -> Result<MeshOptions, Failure> {
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
+        Ok(MeshOptions {
+            triangles: match self.faces {
+                GUSSET_NET_QUADS => None,
+                GUSSET_NET_TRIANGLES_SHORTER => Some(Diagonal::Shorter),
+                GUSSET_NET_TRIANGLES_FIXED => Some(Diagonal::Fixed),
+                other => return Err(Failure::unknown("faces", other.into())),
+            },
+            weld: !flag(self.no_weld, "no_weld")?,
+            keep_unused: flag(self.keep_unused, "keep_unused")?,
+            fill_corners: flag(self.fill_corners, "fill_corners")?,
+            texture: flag(self.texture, "texture")?,
+        })
+    }
+}
+
+/// Makes the mesh of a net. Cells with a missing corner and those of hidden bridges are left out; glued corners are one, so that
+/// closed nets become closed meshes; faces are counter-clockwise as the net's are. A mesh without faces is no failure.
+///
+/// options: NULL for the defaults. mesh: receives the result, for gusset_net_mesh_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, TOO_LARGE (2^32 - 1 corners and more), OUT_OF_MEMORY, CANCELLED. O(nodes), and
+/// O(w log w) for w cells whose opposite sides are glued.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_mesh_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    options: *const gusset_net_mesh_options,
+    mesh: *mut *mut gusset_net_mesh,
+) -> gusset_status {
+    create(context, mesh, "mesh", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        Ok(gusset_net_mesh(read(net)?.to_mesh(&options, job)?))
+    })
+}
+
+/// Destroys the mesh of a net; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_net_mesh_destroy(mesh: *mut gusset_net_mesh) {
+    input::destroy(mesh);
+}
+
+/// Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_mesh_get_mesh(
+    mesh: *const gusset_net_mesh,
+    view: *mut gusset_mesh_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(view, "view")?;
+        out.write(self::mesh::lend(&input::reference(mesh, "mesh")?.0.mesh));
+        Ok(())
+    })
+}
+
+/// Lends what became what. Errors and validity as for gusset_net_mesh_get_mesh.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_mesh_get_view(
+    mesh: *const gusset_net_mesh,
+    maps: *mut gusset_net_mesh_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(maps, "maps")?;
+        let made = &input::reference(mesh, "mesh")?.0;
+        let (coordinates, corners) =
+            made.texture.as_ref().map_or((&[][..], &[][..]), |texture| (&texture.coordinates, &texture.corners));
+        out.write(gusset_net_mesh_view {
+            struct_size: size_of::<gusset_net_mesh_view>(),
+            vertex_of_node: gusset_indices::lend(&made.vertex_of_node),
+            node_of_vertex: gusset_indices::lend(&made.node_of_vertex),
+            cell_of_face: gusset_indices::lend(&made.cell_of_face),
+            wires: gusset_indices::lend(made.wires.as_flattened()),
+            texture_corners: gusset_indices::lend(corners),
+            texture_coordinates: if coordinates.is_empty() { ptr::null() } else { coordinates.as_ptr().cast() },
+            texture_count: coordinates.len(),
+        });
+        Ok(())
+    })
+}
+
+/// Numbers of the caller's, at any alignment, with the gaps between rows left out.
+fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Failure> {
+    let row = shape.columns() * size_of::<T>();
+    let stride = if heights.row_stride == 0 { row } else { heights.row_stride };
+    if stride < row {
+        return Err(Error::StrideTooSmall { stride: stride as u64, least: row as u64 }.into());
+    }
+    let span = (shape.rows() - 1).checked_mul(stride).and_then(|n| n.checked_add(row));
+    let bytes = input::bytes(heights.values, span.unwrap_or(usize::MAX), 1, "values")?;
+    let mut values = alloc::with_capacity(shape.node_count())?;
+    for bytes in bytes.chunks(stride) {
+        values.extend(bytes[..row].chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned::<T>));
+    }
+    Ok(values)
+}
+
+fn of_heights<T: Real>(heights: &gusset_heights, job: &Job<'_>) -> Result<Net<'static>, Failure>
+where
+    Coordinates<'static>: From<Planes<'static, T>>,
+{
+    let shape = Shape::new(heights.rows, heights.columns)?;
+    let has_no_data = flag(heights.has_no_data, "has_no_data")?;
+    let values = values::<T>(shape, heights)?;
+    let heights = Heights {
+        shape,
+        values: &values,
+        stride: 0,
+        spacing: heights.spacing,
+        origin: heights.origin.into(),
+        no_data: has_no_data.then_some(heights.no_data),
+    };
+    Ok(net_of_heights(&heights, job)?)
+}
+
+/// Makes the net of heights over a grid: x = origin + j spacing, y = origin + i spacing, z = origin + height. Missing heights become
+/// missing nodes; faces are counter-clockwise from above, whichever way rows and columns run.
+///
+/// net: receives it, for gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+/// NET_TOO_SMALL, TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (spacing, origin), OUT_OF_MEMORY, CANCELLED. O(nodes).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_from_heights_create(
+    context: *const gusset_context,
+    heights: *const gusset_heights,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |job| {
+        let heights = input::read(heights, false, "heights")?;
+        Ok(gusset_net::new(match scalar(heights.scalar)? {
+            Scalar::F32 => of_heights::<f32>(&heights, job)?,
+            Scalar::F64 => of_heights::<f64>(&heights, job)?,
+        }))
+    })
+}
+
+/// Finds rows and columns in a mesh: quads in a rectangle, which may be closed round, with fans of triangles round a pole at its first
+/// and last row, or either. Rows run as the first quad says, and round if only one direction is closed.
+///
+/// mesh: see gusset_mesh_view. face: a face of the component that is meant; UINT32_MAX: the mesh must be one grid. grid: receives the
+/// result, for gusset_net_grid_destroy; NULL on failure. Errors: those of the view, NO_GRID with a face that shows it,
+/// OUT_OF_MEMORY, CANCELLED. O(H log d) for H half-edges and vertices of degree d.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_grid_create(
+    context: *const gusset_context,
+    mesh: *const gusset_mesh_view,
+    face: u32,
+    grid: *mut *mut gusset_net_grid,
+) -> gusset_status {
+    create(context, grid, "grid", |job| {
+        let view = self::mesh::mesh(mesh, 0, &job.part(0.0, 0.1))?;
+        let found = net_of_grid(&view, (face != NONE).then_some(face), &job.part(0.1, 1.0))?;
+        let (vertex_of_node, face_of_cell) = (found.vertex_of_node, found.face_of_cell);
+        Ok(gusset_net_grid { net: Arc::new(found.net), vertex_of_node, face_of_cell })
+    })
+}
+
+/// Destroys a grid; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_net_grid_destroy(grid: *mut gusset_net_grid) {
+    input::destroy(grid);
+}
+
+/// The net that was found. net: receives it, for gusset_net_destroy; it outlives the grid. NULL on failure. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT. O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_grid_net_create(
+    context: *const gusset_context,
+    grid: *const gusset_net_grid,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| Ok(gusset_net::of_shared(input::reference(grid, "grid")?.net.clone())))
+}
+
+/// Lends where the net was found. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_grid_get_view(
+    grid: *const gusset_net_grid,
+    parts: *mut gusset_net_grid_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(parts, "parts")?;
+        let grid = input::reference(grid, "grid")?;
+        out.write(gusset_net_grid_view {
+            struct_size: size_of::<gusset_net_grid_view>(),
+            vertex_of_node: gusset_indices::lend(&grid.vertex_of_node),
+            face_of_cell: gusset_indices::lend(&grid.face_of_cell),
+        });
+        Ok(())
+    })
+}

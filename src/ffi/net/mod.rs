@@ -1,0 +1,389 @@
+//! The handle of a net: its coordinates, and what is glued to what.
+
+pub mod analyse;
+pub mod arrange;
+pub mod complex;
+pub mod field;
+pub mod glue;
+pub mod gluing;
+pub mod join;
+pub mod measure;
+pub mod mesh;
+pub mod normals;
+pub mod primitive;
+pub mod resample;
+pub mod scene;
+pub mod stream;
+pub mod transform;
+pub mod validate;
+
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64, scalar};
+use crate::ffi::net::gluing::{gusset_net_gluing, topology};
+use crate::ffi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::mesh::Scalar;
+use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
+use libc::c_void;
+use std::ptr;
+use std::sync::Arc;
+
+/// A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take it as const may run at the same
+/// time in many threads; those that change it need it for themselves.
+pub struct gusset_net(Arc<Net<'static>>);
+
+/// Coordinate matrices: number (i, j) of X is at x + i * row_stride + j * column_stride bytes, and so for Y and Z. Points that lie as
+/// x, y, z one after the other are matrices whose column_stride is three numbers; matrices kept by columns have a row_stride of one
+/// number and a column_stride of a column.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_view {
+    /// sizeof(gusset_net_view), set by the caller.
+    pub struct_size: usize,
+    /// The number of rows of nodes, H; at least 2.
+    pub rows: usize,
+    /// The number of columns, W; at least 2. rows * columns is at most 2^31 - 1.
+    pub columns: usize,
+    /// X.
+    pub x: *mut c_void,
+    /// Y.
+    pub y: *mut c_void,
+    /// Z.
+    pub z: *mut c_void,
+    /// Bytes from row to row; 0 for rows without gaps.
+    pub row_stride: usize,
+    /// Bytes from number to number in a row; 0 for numbers without gaps.
+    pub column_stride: usize,
+    /// GUSSET_F32 or GUSSET_F64.
+    pub scalar: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_net_view {
+    const LEAST_SIZE: usize = 72;
+}
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_view>() == 72);
+
+impl gusset_net {
+    /// A handle of a net that owns its memory, or of the host's.
+    pub(crate) fn new(net: Net<'static>) -> Self {
+        gusset_net(Arc::new(net))
+    }
+
+    /// The net.
+    pub(crate) fn net(&self) -> &Net<'static> {
+        &self.0
+    }
+
+    /// The net, to be changed: what shares it, a scene or a copy, keeps it as it is.
+    pub(crate) fn edit(&mut self) -> Result<&mut Net<'static>, Failure> {
+        if Arc::get_mut(&mut self.0).is_none() {
+            self.0 = Arc::new(self.0.copied()?);
+        }
+        Ok(Arc::get_mut(&mut self.0).expect("a new Arc has one owner"))
+    }
+
+    /// The net as it is now, for somebody else to keep; a net in the host's memory is copied.
+    pub(crate) fn share(&self) -> Result<Arc<Net<'static>>, Failure> {
+        if self.0.coordinates().is_borrowed() { Ok(Arc::new(self.0.copied()?)) } else { Ok(self.0.clone()) }
+    }
+
+    /// A handle of a net that somebody else keeps too.
+    pub(crate) fn of_shared(net: Arc<Net<'static>>) -> Self {
+        gusset_net(net)
+    }
+}
+
+/// The net of a handle.
+pub(crate) fn read<'a>(net: *const gusset_net) -> Result<&'a Net<'static>, Failure> {
+    Ok(input::reference(net, "net")?.net())
+}
+
+/// The net of a handle, to be changed.
+pub(crate) fn edit<'a>(net: *mut gusset_net) -> Result<&'a mut Net<'static>, Failure> {
+    input::exclusive(net, "net")?.edit()
+}
+
+/// How the caller's matrices lie: bytes from row to row, from number to number, and all that one matrix spans.
+struct Layout {
+    row: usize,
+    column: usize,
+    span: usize,
+}
+
+impl Layout {
+    fn of(shape: Shape, arrays: &gusset_net_view, size: usize) -> Result<Self, Failure> {
+        let overflow = || Failure::from(Error::SizeOverflow { what: "coordinates", count: shape.node_count() as u64 });
+        let extent = |count: usize, stride: usize, each: usize| {
+            (count - 1).checked_mul(stride).and_then(|n| n.checked_add(each)).ok_or_else(overflow)
+        };
+        let column = if arrays.column_stride == 0 { size } else { arrays.column_stride };
+        let row = match arrays.row_stride {
+            0 => shape.columns().checked_mul(column).ok_or_else(overflow)?,
+            given => given,
+        };
+        // Rows one after the other, or columns one after the other: numbers must not overlap.
+        let (width, height) = (extent(shape.columns(), column, size)?, extent(shape.rows(), row, size)?);
+        let (stride, least) = if column < size || row < size {
+            (column.min(row), size)
+        } else if row < width && column < height {
+            (row, width)
+        } else {
+            let span = extent(shape.rows(), row, width)?;
+            return if span <= isize::MAX as usize { Ok(Layout { row, column, span }) } else { Err(overflow()) };
+        };
+        Err(Error::StrideTooSmall { stride: stride as u64, least: least as u64 }.into())
+    }
+
+    /// Where number (i, j) begins.
+    fn at(&self, i: usize, j: usize) -> usize {
+        i * self.row + j * self.column
+    }
+}
+
+/// A copy of the caller's matrices, which may lie at any alignment.
+fn copied<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
+    let size = size_of::<T>();
+    let layout = Layout::of(shape, arrays, size)?;
+    let mut planes = Planes::zeroed(shape)?;
+    for (axis, (from, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
+        let from = input::bytes(from, layout.span, 1, name)?;
+        for i in 0..shape.rows() {
+            let to = &mut planes.row_mut(i)[axis];
+            let from = &from[layout.at(i, 0)..];
+            if layout.column == size {
+                bytemuck::cast_slice_mut::<T, u8>(to).copy_from_slice(&from[..shape.columns() * size]);
+            } else {
+                let numbers = from.chunks(layout.column).map(|bytes| bytemuck::pod_read_unaligned(&bytes[..size]));
+                to.iter_mut().zip(numbers).for_each(|(to, number)| *to = number);
+            }
+        }
+    }
+    Ok(planes)
+}
+
+/// The caller's matrices themselves.
+fn borrowed<T: Real>(shape: Shape, arrays: &gusset_net_view) -> Result<Planes<'static, T>, Failure> {
+    let size = size_of::<T>();
+    let layout = Layout::of(shape, arrays, size)?;
+    if layout.column != size || !layout.row.is_multiple_of(size) {
+        let message = "a net in the caller's memory has rows of numbers without gaps, whole numbers apart";
+        return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
+    }
+    let starts = [arrays.x, arrays.y, arrays.z].map(|matrix| matrix as usize);
+    if (0..3).any(|k| starts[k].abs_diff(starts[(k + 1) % 3]) < layout.span) && starts.iter().all(|&start| start != 0) {
+        return Err(Failure::new(GUSSET_ERROR_OVERLAP, "the matrices x, y and z overlap"));
+    }
+    let matrix = |data: *mut c_void, name| input::results::<T>(data.cast(), layout.span / size, name);
+    let matrices = [matrix(arrays.x, "x")?, matrix(arrays.y, "y")?, matrix(arrays.z, "z")?];
+    Ok(Planes::borrowed(shape, layout.row / size, matrices)?)
+}
+
+/// Copies coordinates to the caller's matrices, which may lie at any alignment.
+fn write<T: Real>(net: &Net<'_>, arrays: &gusset_net_view) -> Result<(), Failure> {
+    let (shape, size) = (net.shape(), size_of::<T>());
+    let layout = Layout::of(shape, arrays, size)?;
+    for (axis, (to, name)) in [(arrays.x, "x"), (arrays.y, "y"), (arrays.z, "z")].into_iter().enumerate() {
+        let to = input::results::<u8>(to.cast(), layout.span, name)?;
+        for i in 0..shape.rows() {
+            each!(net.coordinates(), planes => {
+                for (j, &value) in planes.row(i)[axis].iter().enumerate() {
+                    let at = layout.at(i, j);
+                    put::<T>(&mut to[at..at + size], value);
+                }
+            });
+        }
+    }
+    Ok(())
+}
+
+/// A number in another type; in its own bit for bit.
+fn put<T: Real>(to: &mut [u8], value: impl Real) {
+    if size_of_val(&value) == size_of::<T>() {
+        to.copy_from_slice(bytemuck::bytes_of(&value));
+    } else {
+        to.copy_from_slice(bytemuck::bytes_of(&T::of(value.into())));
+    }
+}
+
+/// Makes a net of a copy of the caller's coordinates.
+///
+/// arrays: the coordinates, rows x columns numbers each, at any alignment; any numbers: a node with one that is NaN or infinite is
+/// missing. gluing: NULL for a sheet. net: receives the net, for gusset_net_destroy; NULL on failure. Errors: NET_TOO_SMALL,
+/// TOO_LARGE, UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW, OUT_OF_RANGE (a byte of the matrix), BAD_SEAM with the seam, CROSSING_CELL
+/// with the cell, OUT_OF_MEMORY. O(nodes); 12 or 24 bytes a node, and 1/4 where sides do not say it all. Source: Deryagin, "Model of
+/// the tetragonal regular network".
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_create(
+    context: *const gusset_context,
+    arrays: *const gusset_net_view,
+    gluing: *const gusset_net_gluing,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| {
+        let (arrays, shape) = read_arrays(arrays)?;
+        let coordinates = match scalar(arrays.scalar)? {
+            Scalar::F32 => Coordinates::F32(copied(shape, &arrays)?),
+            Scalar::F64 => Coordinates::F64(copied(shape, &arrays)?),
+        };
+        Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing)?)))
+    })
+}
+
+/// Makes a net in the caller's own memory: operations that change coordinates change the caller's.
+///
+/// arrays: as for gusset_net_create, but aligned to their scalar type, without gaps in rows, row_stride a multiple of the scalar's
+/// size; the three must not overlap, and must stay valid and unmoved until the net is destroyed. The rest is as there; also
+/// MISALIGNED_ARGUMENT, NULL_ARGUMENT, OVERLAP. O(nodes) if there are a matrix or seams, else
+/// O(1); no memory a node, or 1/4 byte.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_borrow_create(
+    context: *const gusset_context,
+    arrays: *const gusset_net_view,
+    gluing: *const gusset_net_gluing,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| {
+        let (arrays, shape) = read_arrays(arrays)?;
+        let coordinates = match scalar(arrays.scalar)? {
+            Scalar::F32 => Coordinates::F32(borrowed(shape, &arrays)?),
+            Scalar::F64 => Coordinates::F64(borrowed(shape, &arrays)?),
+        };
+        Ok(gusset_net::new(Net::new(coordinates, topology(shape, gluing)?)))
+    })
+}
+
+fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
+    let arrays = input::read(arrays, false, "arrays")?;
+    if arrays.reserved != 0 {
+        return Err(Failure::unknown("reserved", arrays.reserved.into()));
+    }
+    Ok((arrays, Shape::new(arrays.rows, arrays.columns)?))
+}
+
+/// Makes a copy of a net, with its bridges, in memory of the library's. net: unchanged. copy: receives it. O(nodes), or O(1) where nobody
+/// can tell the difference: memory is shared until one of the two is changed. Errors: OUT_OF_MEMORY.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_clone_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    copy: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, copy, "copy", |_| Ok(gusset_net::of_shared(input::reference(net, "net")?.share()?)))
+}
+
+/// Makes a copy of a net, with its gluing and its bridges, with coordinates of another type. scalar: GUSSET_F32 or GUSSET_F64. converted:
+/// receives it, for gusset_net_destroy; NULL on failure. From double to float coordinates are rounded, and nodes whose coordinates
+/// are too large for it become missing. Errors: UNKNOWN_VALUE, OUT_OF_MEMORY. O(nodes). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_convert_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    scalar: u32,
+    converted: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, converted, "converted", |_| {
+        Ok(gusset_net::new(read(net)?.converted(crate::ffi::mesh::scalar(scalar)?)?))
+    })
+}
+
+/// Destroys a net; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_net_destroy(net: *mut gusset_net) {
+    input::destroy(net);
+}
+
+fn lend(planes: &Planes<'_, impl Real>, scalar: u32) -> gusset_net_view {
+    let [x, y, z] = planes.matrices().map(|matrix| matrix.as_ptr().cast_mut().cast());
+    let size = size_of_val(&planes.matrices()[0][0]);
+    gusset_net_view {
+        struct_size: size_of::<gusset_net_view>(),
+        rows: planes.shape().rows(),
+        columns: planes.shape().columns(),
+        x,
+        y,
+        z,
+        row_stride: planes.stride() * size,
+        column_stride: size,
+        scalar,
+        reserved: 0,
+    }
+}
+
+fn lend_all(net: &Net<'_>) -> gusset_net_view {
+    let scalar = match net.coordinates().scalar() {
+        Scalar::F32 => GUSSET_F32,
+        Scalar::F64 => GUSSET_F64,
+    };
+    each!(net.coordinates(), planes => lend(planes, scalar))
+}
+
+/// Lends size and coordinates to be read only, as copies may share them, valid until the net is changed or destroyed. arrays: its struct_size set. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, arrays: *mut gusset_net_view) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(arrays, "arrays")?;
+        out.write(lend_all(read(net)?));
+        Ok(())
+    })
+}
+
+/// Lends the coordinates to be written, valid until the next call with this net. Nodes that are glued must be kept equal: see
+/// gusset_net_snap. Memory shared with a copy or a scene is copied first: O(nodes) then, else O(1). Errors: as gusset_net_get_view,
+/// OUT_OF_MEMORY.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_edit(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    arrays: *mut gusset_net_view,
+) -> gusset_status {
+    let out = input::output_struct(arrays, "arrays");
+    guard(context, |_| {
+        let out = out?;
+        let net = edit(net)?;
+        let mut lent = lend_all(net);
+        // The pointers must come from where they may be written through.
+        let pointers: [*mut c_void; 3] = each!(net.coordinates_mut(), planes => {
+            planes.matrices_mut().map(|matrix| matrix.as_mut_ptr().cast())
+        });
+        [lent.x, lent.y, lent.z] = pointers;
+        out.write(lent);
+        Ok(())
+    })
+}
+
+/// Copies the coordinates of a net to the caller's matrices. arrays: where they go, of the net's rows and columns, in any layout and of either
+/// scalar type: double to float is rounded. Bytes between the numbers stay as they are. Errors: SIDES_DIFFER (other rows or columns),
+/// UNKNOWN_VALUE, BAD_STRIDE, SIZE_OVERFLOW. O(nodes). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_read(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    arrays: *const gusset_net_view,
+) -> gusset_status {
+    guard(context, |_| {
+        let net = read(net)?;
+        let (arrays, shape) = read_arrays(arrays)?;
+        let (given, needed) = ([shape.rows(), shape.columns()], [net.shape().rows(), net.shape().columns()]);
+        if let Some(k) = (0..2).find(|&k| given[k] != needed[k]) {
+            return Err(Error::SidesDiffer { a: needed[k] as u32, b: given[k] as u32 }.into());
+        }
+        match scalar(arrays.scalar)? {
+            Scalar::F32 => write::<f32>(net, &arrays),
+            Scalar::F64 => write::<f64>(net, &arrays),
+        }
+    })
+}

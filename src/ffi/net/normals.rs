@@ -1,0 +1,87 @@
+//! Normals of nets, as C sees them.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::guard;
+use crate::ffi::input;
+use crate::ffi::net::{gusset_net, read};
+use crate::ffi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::mesh::Scalar;
+use crate::net::normals::normals_into;
+use crate::net::{Coordinates, Net, Planes, Real, each};
+use libc::c_void;
+
+/// Where the caller wants the normals.
+#[derive(Clone, Copy)]
+struct Buffers {
+    starts: [*mut c_void; 3],
+    capacity: usize,
+}
+
+impl Buffers {
+    /// The caller's buffers as matrices of the net's size.
+    fn planes<T: Real>(self, net: &Net<'_>) -> Result<Planes<'static, T>, Failure> {
+        let count = net.shape().node_count();
+        if self.capacity < count {
+            let message = format!("x, y and z have room for {} and {count} are needed", self.capacity);
+            return Err(Failure { value: count as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
+        }
+        self.check_overlap(net, count * size_of::<T>())?;
+        let [x, y, z] = self.starts.map(<*mut c_void>::cast::<T>);
+        let matrices = [input::results(x, count, "x")?, input::results(y, count, "y")?, input::results(z, count, "z")?];
+        Ok(Planes::borrowed(net.shape(), 0, matrices)?)
+    }
+
+    /// The buffers must share memory neither with each other nor with the coordinates, which a host may have been lent.
+    fn check_overlap(self, net: &Net<'_>, bytes: usize) -> Result<(), Failure> {
+        let ranges: [(usize, usize); 3] = each!(net.coordinates(), planes => {
+            planes.matrices().map(|matrix| (matrix.as_ptr() as usize, size_of_val(matrix)))
+        });
+        let starts = self.starts.map(|start| start as usize);
+        let apart = |(a, length_a): (usize, usize), (b, length_b): (usize, usize)| {
+            a.saturating_add(length_a) <= b || b.saturating_add(length_b) <= a
+        };
+        let good = (0..3).all(|k| {
+            let own = (starts[k], bytes);
+            apart(own, (starts[(k + 1) % 3], bytes)) && ranges.iter().all(|&range| apart(own, range))
+        });
+        let is_null = starts.contains(&0);
+        if good || is_null { Ok(()) } else { Err(Failure::new(GUSSET_ERROR_OVERLAP, "x, y, z and the net overlap")) }
+    }
+}
+
+/// Computes the unit normal of every node of a net.
+///
+/// x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row
+/// after row without gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each
+/// has room for. without: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
+/// cells have no area or cancel out; may be NULL. Columns go with the fingers of the right hand towards rows, and the
+/// normal with the thumb; the other way for nets that are reversed. Nodes that are glued get the same bits, poles and
+/// seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there decide.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OVERLAP, OUT_OF_MEMORY, CANCELLED (the buffers are
+/// filled in part). O(nodes); a bit a node, and memory for the glued nodes. From any thread; the same bits for any
+/// number of threads.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_normals(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    x: *mut c_void,
+    y: *mut c_void,
+    z: *mut c_void,
+    capacity: usize,
+    without: *mut u64,
+) -> gusset_status {
+    let without = input::optional_output(without, 0, "without");
+    guard(context, |job| {
+        let without = without?;
+        let (net, buffers) = (read(net)?, Buffers { starts: [x, y, z], capacity });
+        let mut out = match net.coordinates().scalar() {
+            Scalar::F32 => Coordinates::F32(buffers.planes(net)?),
+            Scalar::F64 => Coordinates::F64(buffers.planes(net)?),
+        };
+        let count = normals_into(net, &mut out, job)?;
+        without.into_iter().for_each(|without| *without = count);
+        Ok(())
+    })
+}

@@ -1,0 +1,424 @@
+//! Scenes as C sees them.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::input::{fill, flag};
+use crate::ffi::net::arrange::{direction, gusset_direction};
+use crate::ffi::net::join::gusset_join_options;
+use crate::ffi::net::{gusset_net, read};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::net::scene::{Content, Instance, Scene};
+use glam::{DAffine3, DVec3};
+use std::ptr;
+
+/// What an entry of a scene is.
+pub type gusset_scene_kind = u32;
+/// A net.
+pub const GUSSET_SCENE_NET: gusset_scene_kind = 0;
+/// A group of entries.
+pub const GUSSET_SCENE_GROUP: gusset_scene_kind = 1;
+
+/// Nets in groups in groups, at any depth; an entry may be in several groups. Entries are known by indices, which are never given
+/// twice. Functions that take it as const may run at the same time in many threads; those that change it need it for themselves.
+pub struct gusset_scene(Scene);
+
+/// An affine map: a row of four numbers for each of x, y, z; the last of each is what is added.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct gusset_transform {
+    /// x' = rows[0] x + rows[1] y + rows[2] z + rows[3]; then y', then z'.
+    pub rows: [f64; 12],
+}
+
+/// An entry of a scene.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_scene_entry_report {
+    /// sizeof(gusset_scene_entry_report), set by the caller.
+    pub struct_size: usize,
+    /// Into the space of the groups that it is in.
+    pub transform: gusset_transform,
+    /// The number of entries in a group; 0 for a net.
+    pub child_count: usize,
+    /// GUSSET_SCENE_NET or GUSSET_SCENE_GROUP.
+    pub kind: gusset_scene_kind,
+    /// 1 if it is shown; a group that it is in may hide it all the same.
+    pub visible: u32,
+}
+
+/// How much is in a scene.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_scene_report {
+    /// sizeof(gusset_scene_report), set by the caller.
+    pub struct_size: usize,
+    /// Instances of nets and groups: ways from entries in no group; UINT64_MAX if there are more.
+    pub instances: u64,
+    /// Instances of nets alone.
+    pub net_instances: u64,
+    /// Entries that are nets.
+    pub nets: u32,
+    /// Entries that are groups.
+    pub groups: u32,
+    /// The longest way from an entry in no group: 1 if no group has entries, 0 for an empty scene.
+    pub levels: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// One way to an entry from an entry in no group.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct gusset_scene_instance {
+    /// Into the space of the scene.
+    pub world: gusset_transform,
+    /// The entry.
+    pub entry: u32,
+    /// The instance of the group that it is in, by its place in the list; UINT32_MAX if it is in none.
+    pub parent: u32,
+    /// 1 unless it or a group on the way is hidden.
+    pub visible: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_scene_entry_report {
+    const LEAST_SIZE: usize = 120;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_scene_report {
+    const LEAST_SIZE: usize = 40;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_scene_entry_report>() == 120
+            && size_of::<gusset_scene_report>() == 40
+            && size_of::<gusset_scene_instance>() == 112)
+);
+
+impl From<DAffine3> for gusset_transform {
+    fn from(map: DAffine3) -> Self {
+        let [x, y, z] = [map.matrix3.row(0), map.matrix3.row(1), map.matrix3.row(2)];
+        let t = map.translation;
+        gusset_transform { rows: [x.x, x.y, x.z, t.x, y.x, y.y, y.z, t.y, z.x, z.y, z.z, t.z] }
+    }
+}
+
+impl From<gusset_transform> for DAffine3 {
+    fn from(given: gusset_transform) -> Self {
+        let r = given.rows;
+        let column = |k: usize| DVec3::new(r[k], r[4 + k], r[8 + k]);
+        DAffine3::from_cols(column(0), column(1), column(2), column(3))
+    }
+}
+
+impl From<&Instance> for gusset_scene_instance {
+    fn from(instance: &Instance) -> Self {
+        let Instance { entry, parent, visible, world } = *instance;
+        gusset_scene_instance { world: world.into(), entry, parent, visible: visible.into(), reserved: 0 }
+    }
+}
+
+fn scene<'a>(scene: *const gusset_scene) -> Result<&'a Scene, Failure> {
+    Ok(&input::reference(scene, "scene")?.0)
+}
+
+fn changed<'a>(scene: *mut gusset_scene) -> Result<&'a mut Scene, Failure> {
+    Ok(&mut input::exclusive(scene, "scene")?.0)
+}
+
+/// Makes an empty scene. scene: receives it, for gusset_scene_destroy. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT. O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_create(
+    context: *const gusset_context,
+    scene: *mut *mut gusset_scene,
+) -> gusset_status {
+    create(context, scene, "scene", |_| Ok(gusset_scene(Scene::new())))
+}
+
+/// Destroys a scene; NULL is allowed. O(entries), at any depth.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_scene_destroy(scene: *mut gusset_scene) {
+    input::destroy(scene);
+}
+
+/// Adds a net, in no group yet, as it is now: what is done to the handle later does not change the scene. entry: receives its index.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY. O(1), and O(nodes) for a net in the caller's memory.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_add_net(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    net: *const gusset_net,
+    entry: *mut u32,
+) -> gusset_status {
+    let entry = input::output(entry, u32::MAX, "entry");
+    guard(context, |_| {
+        let entry = entry?;
+        *entry = changed(scene)?.add_net(input::reference(net, "net")?.share()?)?;
+        Ok(())
+    })
+}
+
+/// Puts another net in the place of one, as it is now: the entry keeps its index, its groups and its transform. entry:
+/// its index. Errors: NO_SUCH_ELEMENT with the entry (also for a group), OUT_OF_MEMORY. O(1), and O(nodes) for a net in
+/// the caller's memory.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_set_net(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: u32,
+    net: *const gusset_net,
+) -> gusset_status {
+    guard(context, |_| {
+        let net = input::reference(net, "net")?.share()?;
+        Ok(changed(scene)?.set_net(entry, net)?)
+    })
+}
+
+/// Adds an empty group, in no group yet. entry: receives its index. Errors: as gusset_scene_add_net. O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_add_group(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: *mut u32,
+) -> gusset_status {
+    let entry = input::output(entry, u32::MAX, "entry");
+    guard(context, |_| {
+        let entry = entry?;
+        *entry = changed(scene)?.add_group()?;
+        Ok(())
+    })
+}
+
+/// Puts an entry into a group, behind what is in it; again, if it is in it already. group: the index of the group.
+/// child: the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT (no such entry, or group
+/// is a net), SCENE_CYCLE, OUT_OF_MEMORY. O(1) for an entry without children or a group in no group; at most O(entries
+/// below the one or above the other, whichever are fewer).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_add_child(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    group: u32,
+    child: u32,
+) -> gusset_status {
+    guard(context, |_| Ok(changed(scene)?.add_child(group, child)?))
+}
+
+/// Takes an entry out of a group: the first one, if it is in it several times. group: the index of the group. child:
+/// the index of the entry. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also if it is not in the group.
+/// O(children of the group + groups of the child).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_remove_child(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    group: u32,
+    child: u32,
+) -> gusset_status {
+    guard(context, |_| Ok(changed(scene)?.remove_child(group, child)?))
+}
+
+/// Removes an entry from the scene and from all groups; what was in a group stays. entry: its index. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT. O(children of its groups + groups of its children).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_remove(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: u32,
+) -> gusset_status {
+    guard(context, |_| Ok(changed(scene)?.remove(entry)?))
+}
+
+/// Places an entry in the space of the groups that it is in. entry: its index. transform: twelve finite numbers.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, OUT_OF_RANGE. O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_set_transform(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: u32,
+    transform: *const gusset_transform,
+) -> gusset_status {
+    guard(context, |_| {
+        let transform = *input::reference(transform, "transform")?;
+        Ok(changed(scene)?.set_transform(entry, transform.into())?)
+    })
+}
+
+/// Shows an entry, or hides it and all that is in it. entry: its index. visible: 1 or 0. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, UNKNOWN_VALUE. O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_set_visible(
+    context: *const gusset_context,
+    scene: *mut gusset_scene,
+    entry: u32,
+    visible: u32,
+) -> gusset_status {
+    guard(context, |_| Ok(changed(scene)?.set_visible(entry, flag(visible, "visible")?)?))
+}
+
+/// What an entry is. entry: its index. out: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// BAD_STRUCT_SIZE, NO_SUCH_ELEMENT. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_get_entry(
+    scene: *const gusset_scene,
+    entry: u32,
+    out: *mut gusset_scene_entry_report,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(out, "out")?;
+        let scene = self::scene(scene)?;
+        let (kind, child_count) = match scene.content(entry)? {
+            Content::Net(_) => (GUSSET_SCENE_NET, 0),
+            Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
+        };
+        let (transform, visible) = (scene.transform(entry)?.into(), scene.is_visible(entry)?.into());
+        out.write(gusset_scene_entry_report {
+            struct_size: size_of::<gusset_scene_entry_report>(),
+            transform,
+            child_count,
+            kind,
+            visible,
+        });
+        Ok(())
+    })
+}
+
+/// The net of an entry, as a handle that shares its memory until it is changed. entry: its index. net: receives it, for
+/// gusset_net_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a group.
+/// O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_net_create(
+    context: *const gusset_context,
+    scene: *const gusset_scene,
+    entry: u32,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| Ok(gusset_net::of_shared(self::scene(scene)?.net(entry)?.clone())))
+}
+
+/// The entries in a group, in order. group: its index. children: room for capacity indices, or NULL with capacity 0 to
+/// ask for their number. written: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NO_SUCH_ELEMENT, also for a
+/// net, BUFFER_TOO_SMALL. O(children).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_get_children(
+    context: *const gusset_context,
+    scene: *const gusset_scene,
+    group: u32,
+    children: *mut u32,
+    capacity: usize,
+    written: *mut usize,
+) -> gusset_status {
+    let written = input::output(written, 0, "written");
+    guard(context, |_| {
+        let written = written?;
+        let list = self::scene(scene)?.children(group)?;
+        fill(children, capacity, list.len(), written, "children", |to| {
+            to.copy_from_slice(list);
+            Ok(())
+        })
+    })
+}
+
+/// How much is in a scene. counts: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_MEMORY.
+/// O(entries + children), however many instances there are. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_get_report(
+    scene: *const gusset_scene,
+    counts: *mut gusset_scene_report,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(counts, "counts")?;
+        let counts = self::scene(scene)?.counts()?;
+        out.write(gusset_scene_report {
+            struct_size: size_of::<gusset_scene_report>(),
+            instances: counts.instances,
+            net_instances: counts.net_instances,
+            nets: counts.nets,
+            groups: counts.groups,
+            levels: counts.levels,
+            reserved: 0,
+        });
+        Ok(())
+    })
+}
+
+/// All instances and where they are: each behind the group that it is in, children in order.
+///
+/// instances: room for capacity of them, or NULL with capacity 0 to ask for their number. written: receives it. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, TOO_LARGE (more than 2^24, as sharing can make of few entries: refused
+/// before any is looked at), OUT_OF_MEMORY, CANCELLED. O(entries + instances).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_world_transforms(
+    context: *const gusset_context,
+    scene: *const gusset_scene,
+    instances: *mut gusset_scene_instance,
+    capacity: usize,
+    written: *mut usize,
+) -> gusset_status {
+    let written = input::output(written, 0, "written");
+    guard(context, |job| {
+        let written = written?;
+        let scene = self::scene(scene)?;
+        fill(instances, capacity, scene.instance_count()?, written, "instances", |to| {
+            to.iter_mut().zip(&scene.instances(job)?).for_each(|(to, instance)| *to = instance.into());
+            Ok(())
+        })
+    })
+}
+
+/// Joins the nets of all visible instances, where they are in the space of the scene, to one. Nets under transforms that mirror are
+/// flipped where the others would be opposed to them, as if options said turn. gusset_scene_unflatten_create is the inverse.
+///
+/// options: NULL for each net below the one before, with hidden bridges. net: receives the result, for gusset_net_destroy; NULL on
+/// failure. Errors: EMPTY_SCENE (no visible net), TOO_LARGE (more than 2^24 instances, or nodes), and those of
+/// gusset_net_concatenate_create. O(entries + instances + nodes). Source: Deryagin, scenes as "a single whole".
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_flatten_create(
+    context: *const gusset_context,
+    scene: *const gusset_scene,
+    options: *const gusset_join_options,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |job| {
+        let options = if options.is_null() {
+            gusset_join_options::of_scenes()
+        } else {
+            input::read(options, false, "options")?.checked()?
+        };
+        Ok(gusset_net::new(self::scene(scene)?.flatten(&options, job)?.net))
+    })
+}
+
+/// A scene of the nets between the bridges of a direction that run from side to side and were made last, all at once:
+/// the inverse of gusset_scene_flatten_create, in one group (entry 0). Nets come back as they are in the space of the
+/// flat one, bit for bit; copies that were made to equalise sizes are removed. direction: GUSSET_DIRECTION_..., that of
+/// the bridges. scene: receives it, for gusset_scene_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, CROSSING_CELL, OUT_OF_MEMORY, CANCELLED. O(nodes).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_scene_unflatten_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    direction: gusset_direction,
+    scene: *mut *mut gusset_scene,
+) -> gusset_status {
+    create(context, scene, "scene", |job| {
+        Ok(gusset_scene(Scene::of_flat(read(net)?, self::direction(direction)?, job)?))
+    })
+}

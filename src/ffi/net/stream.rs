@@ -1,0 +1,277 @@
+//! Nets as bytes, as C sees them.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::flag;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64};
+use crate::ffi::net::{gusset_net, read};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::mesh::Scalar;
+use crate::net::MAX_NODES;
+use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode, encode};
+use libc::c_void;
+use std::ptr;
+
+/// How a stream stores coordinates.
+pub type gusset_stream_mode = u32;
+/// Rounded to some number of bits, and compressed.
+pub const GUSSET_STREAM_QUANTISED: gusset_stream_mode = 0;
+/// Compressed, bit for bit, NaN too.
+pub const GUSSET_STREAM_LOSSLESS: gusset_stream_mode = 1;
+/// As they are: little-endian matrices that begin at multiples of 64 bytes, for files that are mapped into memory.
+pub const GUSSET_STREAM_RAW: gusset_stream_mode = 2;
+
+/// How a net is to be stored.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_stream_options {
+    /// sizeof(gusset_stream_options), set by the caller.
+    pub struct_size: usize,
+    /// Rows in a block, which is coded without knowledge of other blocks; 0 for about 2^17 nodes in each, and for one block of all
+    /// rows if the mode is RAW.
+    pub rows_per_block: usize,
+    /// How coordinates are stored.
+    pub mode: gusset_stream_mode,
+    /// For QUANTISED, the bits of a coordinate, 8 to 24; 0 for 14. Else 0.
+    pub bits: u32,
+    /// For QUANTISED: 1 if the step of each axis follows from its own extent, 0 if that of all follows from the longest. Else 0.
+    pub per_axis: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What the first bytes of a stream say.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_stream_report {
+    /// sizeof(gusset_stream_report), set by the caller.
+    pub struct_size: usize,
+    /// The rows of nodes.
+    pub rows: usize,
+    /// The columns of nodes.
+    pub columns: usize,
+    /// Rows in each block; the last one may have fewer.
+    pub rows_per_block: usize,
+    /// The bytes before the first block.
+    pub prelude_size: u64,
+    /// QUANTISED: the coordinates of level 0; a coordinate of level k is origin + k * step. Else 0.
+    pub origin: [f64; 3],
+    /// QUANTISED: the distance of levels. No coordinate is off by more than half of it and, as it is rounded to its type, half a unit
+    /// in its last place. Else 0.
+    pub step: [f64; 3],
+    /// GUSSET_F32 or GUSSET_F64.
+    pub scalar: u32,
+    /// How coordinates are stored.
+    pub mode: gusset_stream_mode,
+    /// QUANTISED: the bits of a coordinate. Else 0.
+    pub bits: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// The bytes of a stream. Opaque and immutable; may be used from many threads.
+pub struct gusset_stream(Vec<u8>);
+
+/// A stream that is decoded while it arrives. Opaque; used by one thread at a time.
+pub struct gusset_stream_decoder(StreamDecoder);
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_stream_options {
+    const LEAST_SIZE: usize = 32;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_stream_report {
+    const LEAST_SIZE: usize = 104;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8 || (size_of::<gusset_stream_options>() == 32 && size_of::<gusset_stream_report>() == 104)
+);
+
+impl gusset_stream_options {
+    fn checked(self) -> Result<StreamOptions, Failure> {
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
+        let mode = match (self.mode, self.bits) {
+            (GUSSET_STREAM_QUANTISED, 0) => Mode::Quantised { bits: 14 },
+            (GUSSET_STREAM_QUANTISED, bits) => Mode::Quantised { bits },
+            (GUSSET_STREAM_LOSSLESS, 0) => Mode::Lossless,
+            (GUSSET_STREAM_RAW, 0) => Mode::Raw,
+            (GUSSET_STREAM_LOSSLESS | GUSSET_STREAM_RAW, bits) => return Err(Failure::unknown("bits", bits.into())),
+            (other, _) => return Err(Failure::unknown("mode", other.into())),
+        };
+        let per_axis = flag(self.per_axis, "per_axis")?;
+        Ok(StreamOptions { mode, per_axis, rows_per_block: self.rows_per_block })
+    }
+}
+
+impl From<&StreamInfo> for gusset_stream_report {
+    fn from(info: &StreamInfo) -> Self {
+        let (mode, bits) = match info.mode {
+            Mode::Quantised { bits } => (GUSSET_STREAM_QUANTISED, bits),
+            Mode::Lossless => (GUSSET_STREAM_LOSSLESS, 0),
+            Mode::Raw => (GUSSET_STREAM_RAW, 0),
+        };
+        gusset_stream_report {
+            struct_size: size_of::<Self>(),
+            rows: info.shape.rows(),
+            columns: info.shape.columns(),
+            rows_per_block: info.rows_per_block,
+            prelude_size: info.prelude_size,
+            origin: info.origin,
+            step: info.step,
+            scalar: if info.scalar == Scalar::F32 { GUSSET_F32 } else { GUSSET_F64 },
+            mode,
+            bits,
+            reserved: 0,
+        }
+    }
+}
+
+/// Makes a stream of a net: its coordinates, what is glued to what, its bridges.
+///
+/// options: NULL for 14 bits a coordinate. stream: receives the bytes, for gusset_stream_destroy; NULL on failure. QUANTISED and
+/// LOSSLESS do not store nodes that are glued to others; decoding gives them the same bits (LOSSLESS stores all if the net's
+/// differ). QUANTISED gives nodes with a coordinate that is NaN or infinite three NaN. Errors: UNKNOWN_VALUE, OUT_OF_RANGE (bits;
+/// QUANTISED: a coordinate above a quarter of the largest double), OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks coded by the
+/// context's threads; the same bytes for any number of them. From any thread. Method: linear prediction with weights fitted to
+/// each block, and a range coder with adaptive models.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_encode_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    options: *const gusset_stream_options,
+    stream: *mut *mut gusset_stream,
+) -> gusset_status {
+    create(context, stream, "stream", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        Ok(gusset_stream(encode(read(net)?, &options, job)?))
+    })
+}
+
+/// Lends the bytes of a stream, valid until it is destroyed. data, size: receive where they are and how many. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_get_view(
+    stream: *const gusset_stream,
+    data: *mut *const c_void,
+    size: *mut usize,
+) -> gusset_status {
+    let (data, size) = (input::output(data, ptr::null(), "data"), input::output(size, 0, "size"));
+    guard(ptr::null(), |_| {
+        let (data, size) = (data?, size?);
+        let bytes = &input::reference(stream, "stream")?.0;
+        (*data, *size) = (bytes.as_ptr().cast(), bytes.len());
+        Ok(())
+    })
+}
+
+/// Destroys a stream; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_stream_destroy(stream: *mut gusset_stream) {
+    input::destroy(stream);
+}
+
+/// Reads the header of a stream. data: its first 128 bytes, or more; size: how many there are. info: its struct_size set. Errors:
+/// BAD_STREAM with the byte, NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_inspect(
+    context: *const gusset_context,
+    data: *const c_void,
+    size: usize,
+    info: *mut gusset_stream_report,
+) -> gusset_status {
+    let out = input::output_struct(info, "info");
+    guard(context, |_| {
+        let out = out?;
+        out.write((&StreamInfo::read(input::bytes(data, size, 1, "data")?)?).into());
+        Ok(())
+    })
+}
+
+/// Makes the net of a stream. data: all its bytes, at any alignment; size: how many. net: receives the net, for gusset_net_destroy;
+/// NULL on failure. A stream that is damaged, cut off or forged does no harm; memory is asked for only as far as one of its size can
+/// need it: 4096 nodes a byte at most. Errors: BAD_STREAM with the byte, OUT_OF_MEMORY, CANCELLED. O(nodes), with blocks decoded by
+/// the context's threads. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_decode_create(
+    context: *const gusset_context,
+    data: *const c_void,
+    size: usize,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |job| Ok(gusset_net::new(decode(input::bytes(data, size, 1, "data")?, job)?)))
+}
+
+/// Begins to decode a stream that arrives in pieces. node_limit: a net of more nodes is refused, as its memory is taken
+/// before all of the stream is there; 0 for no limit but the library's, 2^31 - 1. decoder: receives the decoder, for
+/// gusset_stream_decoder_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY. O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_decoder_create(
+    context: *const gusset_context,
+    node_limit: u64,
+    decoder: *mut *mut gusset_stream_decoder,
+) -> gusset_status {
+    create(context, decoder, "decoder", |_| {
+        let limit = if node_limit == 0 { MAX_NODES } else { node_limit };
+        Ok(gusset_stream_decoder(StreamDecoder::new(limit)))
+    })
+}
+
+/// Gives a decoder the next bytes of its stream, any number of them. data: the bytes, at any alignment. size: how many.
+/// rows_done: receives how many rows are complete, those of all blocks so far; NULL if it is not wanted. After a
+/// failure every call fails alike. Errors: BAD_STREAM with the byte, TOO_LARGE, OUT_OF_MEMORY. O(bytes + nodes of the
+/// blocks that they complete).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_decoder_push(
+    context: *const gusset_context,
+    decoder: *mut gusset_stream_decoder,
+    data: *const c_void,
+    size: usize,
+    rows_done: *mut usize,
+) -> gusset_status {
+    let out = input::optional_output(rows_done, 0, "rows_done");
+    guard(context, |_| {
+        let (out, decoder) = (out?, input::exclusive(decoder, "decoder")?);
+        let rows = decoder.0.push(input::bytes(data, size, 1, "data")?)?;
+        out.into_iter().for_each(|out| *out = rows);
+        Ok(())
+    })
+}
+
+/// Makes the net of the rows that a decoder has so far, at least two: open on all sides, without gluing and bridges, for a preview.
+/// net: receives it. Errors: NET_TOO_SMALL if there are fewer rows, OUT_OF_MEMORY. O(nodes).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_decoder_preview_create(
+    context: *const gusset_context,
+    decoder: *const gusset_stream_decoder,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| Ok(gusset_net::new(input::reference(decoder, "decoder")?.0.preview()?)))
+}
+
+/// Makes the net of a decoder whose stream is complete, and leaves the decoder empty, as if nothing had been pushed. net: receives it.
+/// Errors: BAD_STREAM if the stream is not complete, or what pushing failed with. O(1).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_stream_decoder_finish_create(
+    context: *const gusset_context,
+    decoder: *mut gusset_stream_decoder,
+    net: *mut *mut gusset_net,
+) -> gusset_status {
+    create(context, net, "net", |_| Ok(gusset_net::new(input::exclusive(decoder, "decoder")?.0.finish()?)))
+}
+
+/// Destroys a decoder; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_stream_decoder_destroy(decoder: *mut gusset_stream_decoder) {
+    input::destroy(decoder);
+}

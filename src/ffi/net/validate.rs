@@ -1,0 +1,141 @@
+//! Whether what is glued lies together, and what lies together, as C sees it.
+
+use crate::alloc;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::net::{edit, gusset_net, read};
+use crate::ffi::status::gusset_status;
+use crate::net::{Finding, FindingKind, derive};
+use std::ptr;
+
+/// What is found.
+pub type gusset_net_finding_kind = u32;
+/// A violation: the ends of contracted link `element` are apart, or one of them is missing.
+pub const GUSSET_NET_FINDING_LINK_APART: gusset_net_finding_kind = 0;
+/// A violation: two nodes that seam `element` glues are apart, or one of them is missing.
+pub const GUSSET_NET_FINDING_SEAM_APART: gusset_net_finding_kind = 1;
+/// A warning: the ends of link `element`, between neighbours, are one point by way of others, and it is not contracted itself: see
+/// gusset_net_saturate.
+pub const GUSSET_NET_FINDING_LOOP: gusset_net_finding_kind = 2;
+/// A warning: the ends of link `element` lie on each other and are not glued.
+pub const GUSSET_NET_FINDING_ZERO_LENGTH: gusset_net_finding_kind = 3;
+/// A warning: link `element` closes a row or column of fewer than four nodes, which has no inside then.
+pub const GUSSET_NET_FINDING_FEW_NODES: gusset_net_finding_kind = 4;
+
+/// One finding.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_finding {
+    /// One of GUSSET_NET_FINDING_...
+    pub kind: gusset_net_finding_kind,
+    /// The link, or the number of the seam.
+    pub element: u32,
+    /// The two nodes.
+    pub nodes: [u32; 2],
+    /// How far they are apart; NaN if one is missing.
+    pub distance: f64,
+}
+
+/// What a validation found. Opaque and immutable; it keeps nothing of the net.
+pub struct gusset_net_validation(Vec<gusset_net_finding>);
+
+/// All findings: violations first, then warnings, each kind in the order of its elements.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_net_validation_view {
+    /// sizeof(gusset_net_validation_view), set by the caller.
+    pub struct_size: usize,
+    /// The findings, valid until the validation is destroyed; NULL if there are none.
+    pub findings: *const gusset_net_finding,
+    /// How many.
+    pub count: usize,
+    /// How many of them are violations; they come first.
+    pub violation_count: usize,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_net_validation_view {
+    const LEAST_SIZE: usize = 4 * size_of::<usize>();
+}
+const _: () = assert!(size_of::<gusset_net_finding>() == 24);
+
+impl From<&Finding> for gusset_net_finding {
+    fn from(finding: &Finding) -> Self {
+        let kind = match finding.kind {
+            FindingKind::LinkApart => GUSSET_NET_FINDING_LINK_APART,
+            FindingKind::SeamApart => GUSSET_NET_FINDING_SEAM_APART,
+            FindingKind::Loop => GUSSET_NET_FINDING_LOOP,
+            FindingKind::ZeroLength => GUSSET_NET_FINDING_ZERO_LENGTH,
+            FindingKind::FewNodes => GUSSET_NET_FINDING_FEW_NODES,
+        };
+        let Finding { element, nodes, distance, .. } = *finding;
+        gusset_net_finding { kind, element, nodes, distance }
+    }
+}
+
+/// Checks that glued nodes lie together, and looks for what is suspicious. What it finds is no error.
+///
+/// tolerance: how far two nodes may be apart, at least 0; for 0 their coordinates must be equal (0 and -0 are). Two missing nodes are no
+/// violation. validation: receives the result, for gusset_net_validation_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance), OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the findings. Source: Deryagin, "Non-spatial operations".
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_validation_create(
+    context: *const gusset_context,
+    net: *const gusset_net,
+    tolerance: f64,
+    validation: *mut *mut gusset_net_validation,
+) -> gusset_status {
+    create(context, validation, "validation", |job| {
+        let findings = read(net)?.validate(tolerance, job)?;
+        Ok(gusset_net_validation(alloc::collect(findings.iter().map(gusset_net_finding::from))?))
+    })
+}
+
+/// Lends the findings. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(log findings). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_validation_get_view(
+    validation: *const gusset_net_validation,
+    report: *mut gusset_net_validation_view,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(report, "report")?;
+        let findings = &input::reference(validation, "validation")?.0;
+        out.write(gusset_net_validation_view {
+            struct_size: size_of::<gusset_net_validation_view>(),
+            findings: if findings.is_empty() { ptr::null() } else { findings.as_ptr() },
+            count: findings.len(),
+            violation_count: findings.partition_point(|finding| finding.kind < GUSSET_NET_FINDING_LOOP),
+        });
+        Ok(())
+    })
+}
+
+/// Destroys a validation; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_net_validation_destroy(validation: *mut gusset_net_validation) {
+    input::destroy(validation);
+}
+
+/// Glues a net as its coordinates tell: neighbours that lie together, and runs of two and more nodes of its sides that do, forwards or backwards.
+///
+/// It replaces what was glued, in the canonical form of gusset_net_saturate; which way faces are taken stays. tolerance: as for
+/// gusset_net_validation_create. On failure the net is as it was. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (tolerance),
+/// CROSSING_CELL with the cell, OUT_OF_MEMORY, CANCELLED. O(nodes), and a sort of the nodes of the sides.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_net_derive(
+    context: *const gusset_context,
+    net: *mut gusset_net,
+    tolerance: f64,
+) -> gusset_status {
+    guard(context, |job| {
+        let net = edit(net)?;
+        let topology = derive(net.coordinates(), tolerance, job)?;
+        let reversed = net.topology().is_reversed();
+        net.set_topology(topology.with_reversed(reversed));
+        Ok(())
+    })
+}

@@ -1,0 +1,228 @@
+//! Sections, contours and isophotes of a surface, as C sees them.
+
+use crate::alloc;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::flag;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, read};
+use crate::surface::contour::{Between, NearestAngle, Planes};
+
+/// What is between the points where a curve crosses the lines of the surface.
+pub type gusset_point_spacing = u32;
+/// As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+pub const GUSSET_POINT_SPACING_AUTO: gusset_point_spacing = 0;
+/// As many points of the surface as keep the chords within `chord`.
+pub const GUSSET_POINT_SPACING_CHORD: gusset_point_spacing = 1;
+/// Nothing.
+pub const GUSSET_POINT_SPACING_CELL_EDGES: gusset_point_spacing = 2;
+/// `points` points of the paper's approximation: on the cubic through four crossings. They are near the surface, not on it, and have the
+/// place of the crossing before them. Order four where crossings are evenly spaced.
+pub const GUSSET_POINT_SPACING_LEUS: gusset_point_spacing = 3;
+
+/// How curves of a surface are given.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_contour_options {
+    /// sizeof(gusset_contour_options), set by the caller.
+    pub struct_size: usize,
+    /// With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the surface. Otherwise not read. (In
+    /// gusset_intersection_options, which has no `between`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
+    pub chord: f64,
+    /// GUSSET_BETWEEN_...
+    pub between: gusset_point_spacing,
+    /// With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
+    pub points: u32,
+    /// Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
+    pub unsigned_normals: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// Where the angle of a normal is nearest to the one asked for.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_nearest_angle_report {
+    /// sizeof(gusset_nearest_angle_report), set by the caller.
+    pub struct_size: usize,
+    /// Where it is.
+    pub place: gusset_surface_place,
+    /// x, y, z.
+    pub point: [f64; 3],
+    /// The unit normal.
+    pub normal: [f64; 3],
+    /// Its angle with the direction, in radians.
+    pub angle: f64,
+    /// How far this is from the angle asked for; infinite if the surface has no normal anywhere, and all else is 0 then.
+    pub deviation: f64,
+    /// No normal's angle is nearer than this: at most 1e-9 less than deviation, or more where that could not be proved.
+    pub bound: f64,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_contour_options {
+    const LEAST_SIZE: usize = 32;
+}
+// SAFETY: as above.
+unsafe impl Versioned for gusset_nearest_angle_report {
+    const LEAST_SIZE: usize = 112;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_contour_options>() == 32 && size_of::<gusset_nearest_angle_report>() == 112)
+);
+
+/// The caller's options: what is between crossings, and whether normals are unsigned.
+fn options(given: *const gusset_contour_options) -> Result<(Between, bool), Failure> {
+    let options = input::read(given, true, "options")?;
+    if options.reserved != 0 {
+        return Err(Failure::unknown("reserved", options.reserved.into()));
+    }
+    let between = match options.between {
+        GUSSET_POINT_SPACING_AUTO => Between::Auto,
+        GUSSET_POINT_SPACING_CHORD => Between::Chord(options.chord),
+        GUSSET_POINT_SPACING_CELL_EDGES => Between::Nothing,
+        GUSSET_POINT_SPACING_LEUS => Between::Leus(options.points),
+        other => return Err(Failure::unknown("between", other.into())),
+    };
+    Ok((between, flag(options.unsigned_normals, "unsigned_normals")?))
+}
+
+/// A copy of the caller's numbers, at any alignment.
+fn numbers(data: *const f64, count: usize, name: &'static str) -> Result<Vec<f64>, Failure> {
+    let bytes = input::bytes(data.cast(), count, 8, name)?;
+    Ok(alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned))?)
+}
+
+impl From<Option<NearestAngle>> for gusset_nearest_angle_report {
+    fn from(found: Option<NearestAngle>) -> Self {
+        let zero = gusset_surface_place { sheet: 0, row: 0, column: 0, reserved: 0, u: 0.0, v: 0.0 };
+        let none = gusset_nearest_angle_report {
+            struct_size: 0,
+            place: zero,
+            point: [0.0; 3],
+            normal: [0.0; 3],
+            angle: 0.0,
+            deviation: f64::INFINITY,
+            bound: 0.0,
+        };
+        found.map_or(none, |found| gusset_nearest_angle_report {
+            struct_size: 0,
+            place: found.place.into(),
+            point: found.point.into(),
+            normal: found.normal.into(),
+            angle: found.angle,
+            deviation: found.deviation,
+            bound: found.bound,
+        })
+    }
+}
+
+/// Where parallel planes cut a surface: curves in the order of the planes and of their lowest cells, along the cross product of the planes'
+/// normal and the surface's.
+///
+/// point: x, y, z of a point of the plane of offset 0, at any alignment, as normal and offsets are. normal: x, y, z, not 0, of
+/// any length. offsets: count of them, rising, distances of the planes from the point along the normal. options: NULL for the
+/// defaults. paths: receives the curves, for gusset_surface_paths_destroy; NULL on failure. Every curve is found, also one within
+/// a cell, and on a closed surface all are closed; a corner on a plane counts as above it. Cells where a plane touches or
+/// contains the surface, so that curves cannot be told within rounding, are listed as unresolved, and curves no larger than the
+/// tolerance too. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (what is not finite, a
+/// normal of 0, offsets that do not rise, chord, points), SIZE_OVERFLOW, TOO_LARGE, OUT_OF_MEMORY, CANCELLED. About O(count +
+/// cells that are cut); threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task d.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_section_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    point: *const f64,
+    normal: *const f64,
+    offsets: *const f64,
+    count: usize,
+    options: *const gusset_contour_options,
+    paths: *mut *mut gusset_surface_paths,
+) -> gusset_status {
+    create(context, paths, "paths", |job| {
+        let (surface, (between, _)) = (read(surface)?, self::options(options)?);
+        let offsets = numbers(offsets, count, "offsets")?;
+        let (point, normal) = (input::vector(point, "point")?, input::vector(normal, "normal")?);
+        Ok(surface.section(&Planes { point, normal, offsets: &offsets }, between, job)?.into())
+    })
+}
+
+/// The contours of a scalar field that is given at the corners of the cells: where it takes the values of levels. It is interpolated as the
+/// surface is; greater values are to the left, seen from where the normals point to.
+///
+/// values: value_count of them, finite, at any alignment, as levels are: of all sheets, one after the other, each row after row,
+/// one more row and column than there are cells; the last line of a closed direction repeats the first and is not used. levels:
+/// level_count of them, rising. Otherwise as gusset_surface_section_create. Errors: as there; SIZE_OVERFLOW if there are too few values,
+/// TOO_LARGE if too many, NOT_FINITE with the number of the value. O(values + cells that are crossed); threads. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_contours_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    values: *const f64,
+    value_count: usize,
+    levels: *const f64,
+    level_count: usize,
+    options: *const gusset_contour_options,
+    paths: *mut *mut gusset_surface_paths,
+) -> gusset_status {
+    create(context, paths, "paths", |job| {
+        let (surface, (between, _)) = (read(surface)?, self::options(options)?);
+        let (values, levels) = (numbers(values, value_count, "values")?, numbers(levels, level_count, "levels")?);
+        Ok(surface.contours(&values, &levels, between, job)?.into())
+    })
+}
+
+/// Where the normals of a surface make given angles with a direction: at pi / 2 the silhouettes of the surface seen along the direction; at 0
+/// and pi points in place of curves, each a path of one point. Angles are smaller to the left, seen from where the normals point to.
+///
+/// direction: x, y, z, not 0, at any alignment, as angles are. angles: count of them, in radians, rising, from 0 to pi, or to pi
+/// / 2 if normals are unsigned. Otherwise as gusset_surface_section_create. Where normals jump between cells (patches,
+/// GUSSET_SCHEME_FOUR_POINT), curves run along the side between them; poles that may have the angle are listed as unresolved.
+/// Angles are of order three, as normals are; contours of the cosines at the nodes are of order four. Errors: as there. About
+/// O(cells that are crossed), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_isophotes_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    direction: *const f64,
+    angles: *const f64,
+    count: usize,
+    options: *const gusset_contour_options,
+    paths: *mut *mut gusset_surface_paths,
+) -> gusset_status {
+    create(context, paths, "paths", |job| {
+        let (surface, (between, unsigned)) = (read(surface)?, self::options(options)?);
+        let (direction, angles) = (input::vector(direction, "direction")?, numbers(angles, count, "angles")?);
+        Ok(surface.isophotes(direction, &angles, unsigned, between, job)?.into())
+    })
+}
+
+/// The place whose normal's angle with a direction is nearest to the one given, proved to 1e-9.
+///
+/// direction: x, y, z, not 0, at any alignment. angle: in radians, 0 to pi, or to pi / 2 if normals are unsigned. options: NULL
+/// for the defaults; what is between crossings is not used. nearest: struct_size set by the caller; all else is overwritten.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE, OUT_OF_MEMORY, CANCELLED. About
+/// O(cells that come near to the angle), and O(cells) once, for the cones of normals; threads. From any thread. Source: Leus, task b.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_nearest_angle(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    direction: *const f64,
+    angle: f64,
+    options: *const gusset_contour_options,
+    nearest: *mut gusset_nearest_angle_report,
+) -> gusset_status {
+    let out = input::output_struct(nearest, "nearest");
+    guard(context, |job| {
+        let (out, surface, (_, unsigned)) = (out?, read(surface)?, self::options(options)?);
+        let direction = input::vector(direction, "direction")?;
+        out.write(surface.nearest_angle(direction, angle, unsigned, job)?.into());
+        Ok(())
+    })
+}

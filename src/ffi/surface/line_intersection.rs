@@ -1,0 +1,280 @@
+//! Where lines and curves meet a surface, as C sees it.
+
+use crate::alloc;
+use crate::ffi::context::gusset_context;
+use crate::ffi::curve::{gusset_curve, gusset_place, view};
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::surface::line_intersection::{CurveHit, Hit, Line, Lines, Which};
+use glam::DVec3;
+use std::ptr;
+
+/// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_line {
+    /// x, y, z of the point where t is 0; finite.
+    pub origin: [f64; 3],
+    /// x, y, z of the direction; of a length from 1e-150 to 1e150. t counts lengths of it.
+    pub direction: [f64; 3],
+    /// The least t: -INFINITY for lines, 0 for rays and segments.
+    pub from: f64,
+    /// The greatest t: INFINITY for lines and rays; not below `from`.
+    pub to: f64,
+}
+
+/// Which hits are wanted.
+pub type gusset_hit_selection = u32;
+/// All, in the order of the line.
+pub const GUSSET_HITS_ALL: gusset_hit_selection = 0;
+/// The first one.
+pub const GUSSET_HITS_FIRST: gusset_hit_selection = 1;
+/// Any one: whether there is one.
+pub const GUSSET_HITS_ANY: gusset_hit_selection = 2;
+
+/// What a hit is.
+pub type gusset_hit_kind = u32;
+/// None.
+pub const GUSSET_HIT_NONE: gusset_hit_kind = 0;
+/// It passes through the surface: proved, but for poles, where the surface is not regular.
+pub const GUSSET_HIT_CROSSING: gusset_hit_kind = 1;
+/// It touches the surface within the tolerance: one point, two close to each other, or none.
+pub const GUSSET_HIT_TOUCH: gusset_hit_kind = 2;
+/// It runs in the surface, within the tolerance, all over the span.
+pub const GUSSET_HIT_INSIDE: gusset_hit_kind = 3;
+
+/// A point that a line or a curve and a surface have in common.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_hit {
+    /// Where on the line; of a curve the number of the segment and the parameter on it, added.
+    pub t: f64,
+    /// From where to where it cannot be told from the surface, within the tolerance; t twice at crossings.
+    pub span: [f64; 2],
+    /// Where on the surface.
+    pub place: gusset_surface_place,
+    /// x, y, z of the point of the surface.
+    pub point: [f64; 3],
+    /// x, y, z of the unit normal there, its limit at a pole, or 0 if there is none.
+    pub normal: [f64; 3],
+    /// GUSSET_HIT_...
+    pub kind: gusset_hit_kind,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// Where lines or a curve meet a surface. Opaque and immutable; it keeps nothing of the surface.
+#[derive(Default)]
+pub struct gusset_surface_hits {
+    ends: Vec<u64>,
+    hits: Vec<gusset_surface_hit>,
+    on_curve: Vec<gusset_place>,
+}
+
+/// The hits. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_hits_view {
+    /// sizeof(gusset_surface_hits_view), set by the caller.
+    pub struct_size: usize,
+    /// How many lines were asked for; 1 for a curve.
+    pub line_count: usize,
+    /// How many hits there are in all.
+    pub hit_count: usize,
+    /// 0, then the end of each line's hits among all: line k has the hits ends[k] to ends[k + 1] - 1. line_count + 1 numbers.
+    pub ends: *const u64,
+    /// The hits, those of a line by rising t.
+    pub hits: *const gusset_surface_hit,
+    /// Of a curve: three places a hit on it: that of the hit, and where its span begins and ends. Else NULL.
+    pub on_curve: *const gusset_place,
+}
+
+// SAFETY: plain numbers without gaps.
+unsafe impl bytemuck::Zeroable for gusset_surface_hit {}
+// SAFETY: as above; any bits will do.
+unsafe impl bytemuck::Pod for gusset_surface_hit {}
+// SAFETY: plain numbers without gaps.
+unsafe impl bytemuck::Zeroable for gusset_line {}
+// SAFETY: as above; any bits will do.
+unsafe impl bytemuck::Pod for gusset_line {}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_surface_hits_view {
+    const LEAST_SIZE: usize = 48;
+}
+const _: () = assert!(
+    size_of::<gusset_line>() == 64
+        && size_of::<gusset_surface_hit>() == 112
+        && (size_of::<usize>() != 8 || size_of::<gusset_surface_hits_view>() == 48)
+);
+
+/// What a hit is called in C, by how often it counts.
+fn kind(multiplicity: u32) -> gusset_hit_kind {
+    match multiplicity {
+        0 => GUSSET_HIT_INSIDE,
+        1 => GUSSET_HIT_CROSSING,
+        _ => GUSSET_HIT_TOUCH,
+    }
+}
+
+impl From<&Hit> for gusset_surface_hit {
+    fn from(hit: &Hit) -> Self {
+        gusset_surface_hit {
+            t: hit.t,
+            span: hit.span,
+            place: hit.place.into(),
+            point: hit.point.to_array(),
+            normal: hit.normal.to_array(),
+            kind: kind(hit.multiplicity),
+            reserved: 0,
+        }
+    }
+}
+
+impl gusset_surface_hits {
+    fn of_lines(found: Lines) -> Result<Self, Failure> {
+        let hits = alloc::collect(found.hits.iter().map(gusset_surface_hit::from))?;
+        Ok(gusset_surface_hits { ends: found.ends, hits, on_curve: Vec::new() })
+    }
+
+    fn of_curve(found: &[CurveHit]) -> Result<Self, Failure> {
+        let number = |place: crate::outline::Place| f64::from(place.segment) + place.t;
+        let hits = alloc::collect(found.iter().map(|hit| gusset_surface_hit {
+            t: number(hit.at),
+            span: hit.span.map(number),
+            place: hit.place.into(),
+            point: hit.point.to_array(),
+            normal: hit.normal.to_array(),
+            kind: kind(hit.multiplicity),
+            reserved: 0,
+        }))?;
+        let mut on_curve = alloc::with_capacity(3 * found.len())?;
+        found.iter().for_each(|hit| on_curve.extend([hit.at, hit.span[0], hit.span[1]].map(gusset_place::from)));
+        Ok(gusset_surface_hits { ends: vec![0, hits.len() as u64], hits, on_curve })
+    }
+}
+
+/// The caller's lines, at any alignment.
+pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>, Failure> {
+    let bytes = input::bytes(lines.cast(), count, size_of::<gusset_line>(), "lines")?;
+    let lines = bytes.chunks_exact(size_of::<gusset_line>()).map(|bytes| {
+        let line: gusset_line = bytemuck::pod_read_unaligned(bytes);
+        let (origin, direction) = (DVec3::from_array(line.origin), DVec3::from_array(line.direction));
+        Line { origin, direction, from: line.from, to: line.to }
+    });
+    Ok(alloc::collect(lines)?)
+}
+
+fn which(which: gusset_hit_selection) -> Result<Which, Failure> {
+    match which {
+        GUSSET_HITS_ALL => Ok(Which::All),
+        GUSSET_HITS_FIRST => Ok(Which::First),
+        GUSSET_HITS_ANY => Ok(Which::Any),
+        other => Err(Failure::unknown("which", other.into())),
+    }
+}
+
+/// Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
+///
+/// A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
+/// touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
+/// which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
+/// SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
+/// threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_line_hits_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    lines: *const gusset_line,
+    count: usize,
+    which: gusset_hit_selection,
+    hits: *mut *mut gusset_surface_hits,
+) -> gusset_status {
+    create(context, hits, "hits", |job| {
+        let (surface, which) = (read(surface)?, self::which(which)?);
+        gusset_surface_hits::of_lines(surface.lines(&self::lines(lines, count)?, which, job)?)
+    })
+}
+
+/// The first hit of each of many lines, rays or segments: that of least t, which gusset_surface_line_hits_create gives first.
+///
+/// lines: count of them, at any alignment. hits: receives count results, one a line; kind is GUSSET_HIT_NONE, and all else 0,
+/// where there is none, and everywhere on failure. Errors: as for gusset_surface_line_hits_create, and MISALIGNED_ARGUMENT (hits). About
+/// O(log cells) a line; threads. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_first_hits(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    lines: *const gusset_line,
+    count: usize,
+    hits: *mut gusset_surface_hit,
+) -> gusset_status {
+    let mut out = input::results(hits, count, "hits");
+    if let Ok(out) = &mut out {
+        out.fill(bytemuck::Zeroable::zeroed());
+    }
+    guard(context, |job| {
+        let (out, surface) = (out?, read(surface)?);
+        let found = surface.first_hits(&self::lines(lines, count)?, job)?;
+        for (out, hit) in out.iter_mut().zip(&found) {
+            *out = hit.as_ref().map_or(bytemuck::Zeroable::zeroed(), gusset_surface_hit::from);
+        }
+        Ok(())
+    })
+}
+
+/// Where a curve in space meets a surface, in the order of the curve.
+///
+/// As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
+/// receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
+/// comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_curve_hits_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    curve: *const gusset_curve,
+    which: gusset_hit_selection,
+    hits: *mut *mut gusset_surface_hits,
+) -> gusset_status {
+    create(context, hits, "hits", |job| {
+        let (surface, curve) = (read(surface)?, view(curve, "curve")?);
+        gusset_surface_hits::of_curve(&surface.curve(&curve, self::which(which)?, job)?)
+    })
+}
+
+/// The hits, lent until they are destroyed.
+///
+/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+/// any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_hits_get_view(
+    hits: *const gusset_surface_hits,
+    parts: *mut gusset_surface_hits_view,
+) -> gusset_status {
+    let out = input::output_struct(parts, "parts");
+    guard(ptr::null(), |_| {
+        let (out, found) = (out?, input::reference(hits, "hits")?);
+        out.write(gusset_surface_hits_view {
+            struct_size: 0,
+            line_count: found.ends.len() - 1,
+            hit_count: found.hits.len(),
+            ends: found.ends.as_ptr(),
+            hits: found.hits.as_ptr(),
+            on_curve: if found.on_curve.is_empty() { ptr::null() } else { found.on_curve.as_ptr() },
+        });
+        Ok(())
+    })
+}
+
+/// Frees hits; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_surface_hits_destroy(hits: *mut gusset_surface_hits) {
+    input::destroy(hits);
+}

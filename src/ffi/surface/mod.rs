@@ -1,0 +1,241 @@
+//! The handle of a surface: sheets with an index, as C sees them; places on surfaces, and curves of them.
+
+pub mod contour;
+pub mod curve;
+pub mod evaluate;
+pub mod line_intersection;
+pub mod nearest;
+pub mod reference;
+pub mod report;
+pub mod sheet;
+pub mod sheet_construct;
+pub mod sheet_mesh;
+pub mod sheet_report;
+pub mod surface_intersection;
+
+use crate::alloc;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::flag;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::gusset_indices;
+use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::surface::sheet::gusset_sheet;
+use crate::surface::{Paths, Place, Sheet, Surface};
+use glam::DVec3;
+use std::ptr;
+
+/// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all functions may use it from any thread, and
+/// many at the same time, each with a context of its own; it is destroyed when none uses it any more. It keeps what it needs of its sheets.
+pub struct gusset_surface(pub(crate) Surface<'static>);
+
+/// A place on a surface.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_place {
+    /// The sheet, counted from 0 as they were given.
+    pub sheet: u32,
+    /// The row of the cell: between node rows row and row + 1.
+    pub row: u32,
+    /// Its column.
+    pub column: u32,
+    /// 0.
+    pub reserved: u32,
+    /// The parameter within the cell, 0 to 1, from row to row; that of the sheet is row + u.
+    pub u: f64,
+    /// The same from column to column.
+    pub v: f64,
+}
+
+/// How a surface is built.
+#[repr(C)]
+#[derive(Clone, Copy, Default)]
+pub struct gusset_surface_options {
+    /// sizeof(gusset_surface_options), set by the caller.
+    pub struct_size: usize,
+    /// A length, to which answers are proved, finite; 0: 1e-9 of the diagonal of the surface's box.
+    pub tolerance: f64,
+    /// 1: with the cones of normals that gusset_surface_isophotes_create and gusset_surface_nearest_angle descend, about 0.7 bytes a node; 0: the first
+    /// such question builds them.
+    pub cones: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// Curves on a surface: what sections, contours and intersections give. Opaque and immutable; it keeps nothing of the surface.
+pub struct gusset_surface_paths {
+    ends: Vec<u32>,
+    closed: Vec<u32>,
+    levels: Vec<u32>,
+    points: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    places: Vec<gusset_surface_place>,
+    others: Vec<gusset_surface_place>,
+    unresolved: Vec<gusset_surface_place>,
+}
+
+/// The curves. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_paths_view {
+    /// sizeof(gusset_surface_paths_view), set by the caller.
+    pub struct_size: usize,
+    /// How many curves.
+    pub path_count: usize,
+    /// How many points there are in all.
+    pub point_count: usize,
+    /// 0, then the end of each curve among the points: curve k has the points ends[k] to ends[k + 1] - 1.
+    pub ends: gusset_indices,
+    /// By curve: 1 if it returns to its first point, which is not repeated. (Closed nodes and gusset_curve_through_create have it again at the end.)
+    pub closed: *const u32,
+    /// By curve: the number of the plane, level or angle that it belongs to; 0 if there was one.
+    pub levels: *const u32,
+    /// x, y, z of each point, on the surface.
+    pub points: *const f64,
+    /// The unit normals there, x, y, z of each; 0 where there is none.
+    pub normals: *const f64,
+    /// Where the points are on the surface.
+    pub places: *const gusset_surface_place,
+    /// Of intersections of two surfaces: where they are on the second; else NULL.
+    pub others: *const gusset_surface_place,
+    /// Cells in which something may be that could not be resolved: tangency, coincidence, or pieces smaller than the tolerance.
+    pub unresolved: *const gusset_surface_place,
+    /// How many.
+    pub unresolved_count: usize,
+}
+
+// SAFETY: plain numbers without gaps.
+unsafe impl bytemuck::Zeroable for gusset_surface_place {}
+// SAFETY: as above; any bits will do.
+unsafe impl bytemuck::Pod for gusset_surface_place {}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_surface_options {
+    const LEAST_SIZE: usize = 16;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_surface_paths_view {
+    const LEAST_SIZE: usize = 104;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_surface_place>() == 32
+            && size_of::<gusset_surface_options>() == 24
+            && size_of::<gusset_surface_paths_view>() == 104)
+);
+
+impl From<Place> for gusset_surface_place {
+    fn from(place: Place) -> Self {
+        let Place { sheet, cell: [row, column], u, v } = place;
+        gusset_surface_place { sheet, row, column, reserved: 0, u, v }
+    }
+}
+
+/// The surface of a handle.
+pub(crate) fn read<'a>(surface: *const gusset_surface) -> Result<&'a Surface<'static>, Failure> {
+    Ok(&input::reference(surface, "surface")?.0)
+}
+
+impl From<Paths> for gusset_surface_paths {
+    fn from(paths: Paths) -> Self {
+        let places = |places: Vec<Place>| places.into_iter().map(gusset_surface_place::from).collect();
+        gusset_surface_paths {
+            ends: paths.ends,
+            closed: paths.closed.into_iter().map(u32::from).collect(),
+            levels: paths.levels,
+            points: paths.points,
+            normals: paths.normals,
+            places: places(paths.places),
+            others: places(paths.others),
+            unresolved: places(paths.unresolved),
+        }
+    }
+}
+
+/// The sheets of an array of handles; copies share their nodes.
+fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
+    let bytes = input::bytes(handles.cast(), count, size_of::<*const gusset_sheet>(), "sheets")?;
+    let mut sheets = alloc::with_capacity(count)?;
+    for k in 0..bytes.len() / size_of::<*const gusset_sheet>() {
+        // SAFETY: within the bytes that were checked; any alignment will do.
+        let handle = unsafe { handles.add(k).read_unaligned() };
+        sheets.push(input::reference(handle, "sheet").map_err(|failure| failure.of_item(k))?.0.clone());
+    }
+    Ok(sheets)
+}
+
+/// Builds the index of one sheet or several, which together are one surface.
+///
+/// sheets: count handles, none NULL, the array at any alignment; they may be destroyed afterwards. The greatest absolute
+/// coordinate of each is from 1e-30 to 1e37, or 0, control points included: boxes are in single precision. options: NULL for the
+/// defaults. surface: receives the result, for gusset_surface_destroy; NULL on failure. Errors: NULL_ARGUMENT (of a handle with
+/// its number, as GUSSET_ELEMENT_ITEM), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, EMPTY_MESH without sheets,
+/// OUT_OF_RANGE with the sheet (as GUSSET_ELEMENT_ITEM) whose coordinates are too large or too small, or for the tolerance;
+/// SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(nodes), about 7 bytes a node, and 0.7 with cones; threads. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_create(
+    context: *const gusset_context,
+    sheets: *const *const gusset_sheet,
+    count: usize,
+    options: *const gusset_surface_options,
+    surface: *mut *mut gusset_surface,
+) -> gusset_status {
+    create(context, surface, "surface", |job| {
+        let options = input::read(options, true, "options")?;
+        let given = self::sheets(sheets, count)?;
+        let tolerance = if options.tolerance == 0.0 { None } else { Some(options.tolerance) };
+        let with_cones = flag(options.cones, "cones")?;
+        if options.reserved != 0 {
+            return Err(Failure::unknown("reserved", options.reserved.into()));
+        }
+        let split = if with_cones { 0.8 } else { 1.0 };
+        let made = Surface::new(given, tolerance, &job.part(0.0, split))?;
+        if with_cones {
+            made.build_cones(&job.part(split, 1.0))?;
+        }
+        Ok(gusset_surface(made))
+    })
+}
+
+/// Frees a surface; NULL is allowed. What was found with it stays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_surface_destroy(surface: *mut gusset_surface) {
+    input::destroy(surface);
+}
+
+/// The curves, lent until they are destroyed.
+///
+/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE.
+/// O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_paths_get_view(
+    paths: *const gusset_surface_paths,
+    parts: *mut gusset_surface_paths_view,
+) -> gusset_status {
+    let out = input::output_struct(parts, "parts");
+    guard(ptr::null(), |_| {
+        let (out, paths) = (out?, input::reference(paths, "paths")?);
+        out.write(gusset_surface_paths_view {
+            struct_size: 0,
+            path_count: paths.closed.len(),
+            point_count: paths.points.len(),
+            ends: gusset_indices::lend(&paths.ends),
+            closed: paths.closed.as_ptr(),
+            levels: paths.levels.as_ptr(),
+            points: paths.points.as_ptr().cast(),
+            normals: paths.normals.as_ptr().cast(),
+            places: paths.places.as_ptr(),
+            others: if paths.others.is_empty() { ptr::null() } else { paths.others.as_ptr() },
+            unresolved: paths.unresolved.as_ptr(),
+            unresolved_count: paths.unresolved.len(),
+        });
+        Ok(())
+    })
+}
+
+/// Frees curves; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_surface_paths_destroy(paths: *mut gusset_surface_paths) {
+    input::destroy(paths);
+}

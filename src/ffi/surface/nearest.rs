@@ -1,0 +1,363 @@
+//! Nearest points of surfaces, places where the distance is locally least, regions of cells, as C sees them.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::flag;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
+use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::surface::{Closest, Minima, Region};
+use glam::DVec3;
+use std::ptr;
+
+/// gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
+pub const GUSSET_NEAREST_FOUND: u32 = 1;
+/// gusset_surface_nearest_point: its distance is proved: bound is within the tolerance of it, or within the rounding of coordinates. Not set: that
+/// would take too long, as it may next to a centre of curvature; bound is right nevertheless.
+pub const GUSSET_NEAREST_PROVEN: u32 = 2;
+/// gusset_surface_nearest_point: another point, farther from this one than a hundredth of the distance, is as near within the tolerance.
+pub const GUSSET_NEAREST_AMBIGUOUS: u32 = 4;
+
+/// A point of a surface that was found for a query.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_nearest_point {
+    /// Where it is on the surface.
+    pub place: gusset_surface_place,
+    /// x, y, z.
+    pub point: [f64; 3],
+    /// The unit normal there, or its limit at a pole; 0 where there is none. The query is on its side if (query - point) . normal > 0.
+    pub normal: [f64; 3],
+    /// The distance from the query.
+    pub distance: f64,
+    /// No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
+    pub bound: f64,
+    /// GUSSET_SURFACE_CLOSEST_...
+    pub flags: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What is looked for.
+#[repr(C)]
+#[derive(Clone, Copy, Default)]
+pub struct gusset_nearest_options {
+    /// sizeof(gusset_nearest_options), set by the caller.
+    pub struct_size: usize,
+    /// No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
+    pub limit: f64,
+    /// Of minima: as many of the nearest; 0: all.
+    pub most: usize,
+    /// 1: limit is read.
+    pub limited: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// Points of a surface. Opaque and immutable; it keeps nothing of the surface.
+pub struct gusset_surface_points {
+    points: Vec<gusset_surface_nearest_point>,
+    bound: f64,
+    complete: bool,
+}
+
+/// What was found. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_points_view {
+    /// sizeof(gusset_surface_points_view), set by the caller.
+    pub struct_size: usize,
+    /// The points, the nearest first.
+    pub points: *const gusset_surface_nearest_point,
+    /// How many.
+    pub count: usize,
+    /// None is missing that is nearer than this.
+    pub bound: f64,
+    /// 1, or 0 if the search gave up at that distance, as it may where the distance is the same all over the surface.
+    pub complete: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// Cells of a surface. Opaque and immutable; it keeps nothing of the surface.
+pub struct gusset_surface_region {
+    cells: Vec<gusset_surface_cell>,
+    mask: Vec<u64>,
+    first: Vec<u64>,
+}
+
+/// A cell of a region.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_cell {
+    /// The sheet.
+    pub sheet: u32,
+    /// The row of the cell.
+    pub row: u32,
+    /// Its column.
+    pub column: u32,
+    /// 1 if all of the cell is within the radius.
+    pub whole: u32,
+}
+
+/// The cells. Pointers are valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_surface_region_view {
+    /// sizeof(gusset_surface_region_view), set by the caller.
+    pub struct_size: usize,
+    /// The cells, rising by sheet, row, column.
+    pub cells: *const gusset_surface_cell,
+    /// How many.
+    pub cell_count: usize,
+    /// A bit for each cell of all sheets, 1 for those of the region: that of cell (i, j) of sheet k, which has c columns, is
+    /// b = first[k] + i * c + j, which is mask[b / 64] >> (b % 64) & 1.
+    pub mask: *const u64,
+    /// How many words.
+    pub word_count: usize,
+    /// By sheet: its first bit; then the number of bits.
+    pub first: *const u64,
+    /// How many sheets.
+    pub sheet_count: usize,
+}
+
+// SAFETY: plain numbers without gaps.
+unsafe impl bytemuck::Zeroable for gusset_surface_nearest_point {}
+// SAFETY: as above; any bits will do.
+unsafe impl bytemuck::Pod for gusset_surface_nearest_point {}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_nearest_options {
+    const LEAST_SIZE: usize = 32;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_surface_points_view {
+    const LEAST_SIZE: usize = 40;
+}
+// SAFETY: as above.
+unsafe impl Versioned for gusset_surface_region_view {
+    const LEAST_SIZE: usize = 56;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_surface_nearest_point>() == 104
+            && size_of::<gusset_nearest_options>() == 32
+            && size_of::<gusset_surface_points_view>() == 40
+            && size_of::<gusset_surface_cell>() == 16
+            && size_of::<gusset_surface_region_view>() == 56)
+);
+
+impl From<Option<Closest>> for gusset_surface_nearest_point {
+    fn from(closest: Option<Closest>) -> Self {
+        let Some(found) = closest else {
+            let (zero, distance) = (bytemuck::Zeroable::zeroed(), f64::INFINITY);
+            return gusset_surface_nearest_point { distance, bound: distance, ..zero };
+        };
+        let flag = |on: bool, flag: u32| if on { flag } else { 0 };
+        gusset_surface_nearest_point {
+            place: found.place.into(),
+            point: found.point.to_array(),
+            normal: found.normal.to_array(),
+            distance: found.distance,
+            bound: found.bound,
+            flags: GUSSET_NEAREST_FOUND
+                | flag(found.proven, GUSSET_NEAREST_PROVEN)
+                | flag(found.many, GUSSET_NEAREST_AMBIGUOUS),
+            reserved: 0,
+        }
+    }
+}
+
+impl gusset_nearest_options {
+    /// The limit, or infinity.
+    fn limit(&self) -> Result<f64, Failure> {
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
+        Ok(if flag(self.limited, "limited")? { self.limit } else { f64::INFINITY })
+    }
+}
+
+impl TryFrom<Minima> for gusset_surface_points {
+    type Error = Error;
+
+    fn try_from(minima: Minima) -> Result<Self, Error> {
+        let Minima { points, complete, bound } = minima;
+        let points = alloc::collect(points.into_iter().map(|point| Some(point).into()))?;
+        Ok(gusset_surface_points { points, bound, complete })
+    }
+}
+
+impl TryFrom<Region> for gusset_surface_region {
+    type Error = Error;
+
+    fn try_from(region: Region) -> Result<Self, Error> {
+        let Region { cells, whole, mask, first } = region;
+        let cell = |([sheet, row, column], whole): ([u32; 3], bool)| gusset_surface_cell {
+            sheet,
+            row,
+            column,
+            whole: whole.into(),
+        };
+        Ok(gusset_surface_region { cells: alloc::collect(cells.into_iter().zip(whole).map(cell))?, mask, first })
+    }
+}
+
+/// The caller's points, `stride` bytes apart, 0 for none between; at any alignment.
+pub(crate) fn queries(data: *const f64, count: usize, stride: usize) -> Result<Vec<DVec3>, Failure> {
+    let stride = if stride == 0 { 24 } else { stride };
+    if stride < 24 {
+        let message = "the stride of queries is less than three numbers";
+        return Err(Failure { value: stride as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
+    }
+    if count as u64 > u64::from(u32::MAX) {
+        return Err(Error::TooLarge { what: "queries", count: count as u64, limit: u32::MAX.into() }.into());
+    }
+    // The last one has no gap behind it.
+    let overflow = || Error::SizeOverflow { what: "queries", count: count as u64 };
+    let before = count.saturating_sub(1).checked_mul(stride).and_then(|n| n.checked_add(24)).ok_or_else(overflow)?;
+    let bytes = input::bytes(data.cast(), if count == 0 { 0 } else { before }, 1, "queries")?;
+    let point = |k: usize| DVec3::from_array(bytemuck::pod_read_unaligned(&bytes[k * stride..k * stride + 24]));
+    Ok(alloc::collect((0..count).map(point))?)
+}
+
+/// The nearest points of a surface to queries, one or many.
+///
+/// queries: x, y, z of each, at any alignment, `stride` bytes apart (0: packed). options: NULL for the defaults: no limit.
+/// points: room for count answers, in the order of the queries; none is found on failure: no flags, and infinite distances. Each
+/// answer is the same to the bit whether it is asked for alone or among others, in any order, on any number of threads; of
+/// several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
+/// no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
+/// TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
+/// for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Surfaces on smooth
+/// surfaces", task a, by branch and bound.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_nearest(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    queries: *const f64,
+    count: usize,
+    stride: usize,
+    options: *const gusset_nearest_options,
+    points: *mut gusset_surface_nearest_point,
+) -> gusset_status {
+    let out = cleared(points, count);
+    guard(context, |job| {
+        let (out, limit) = (out?, input::read(options, true, "options")?.limit()?);
+        let (surface, queries) = (read(surface)?, self::queries(queries, count, stride)?);
+        let done = surface.closest_into(&queries, limit, out, gusset_surface_nearest_point::from, job);
+        done.inspect_err(|_| out.fill(None.into())).map_err(Failure::from)
+    })
+}
+
+/// Room for answers, with nothing found.
+fn cleared<'a>(
+    points: *mut gusset_surface_nearest_point,
+    count: usize,
+) -> Result<&'a mut [gusset_surface_nearest_point], Failure> {
+    let out = input::results(points, count, "points")?;
+    out.fill(None.into());
+    Ok(out)
+}
+
+/// The places where the distance from a query is locally least: all, those within a limit, or the nearest ones.
+///
+/// query: x, y, z, at any alignment. options: NULL for the defaults: all. points: receives the result, the nearest first, for
+/// gusset_surface_points_destroy; NULL on failure. None is missed: where it cannot be proved whether there is one (the distance
+/// is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_NEAREST_PROVEN and
+/// with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places count from which no way on the surface leads nearer.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
+/// CANCELLED. O(cells within the limit); with most, those no farther than the last. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_minima_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    query: *const f64,
+    options: *const gusset_nearest_options,
+    points: *mut *mut gusset_surface_points,
+) -> gusset_status {
+    create(context, points, "points", |job| {
+        let options = input::read(options, true, "options")?;
+        let (surface, query) = (read(surface)?, input::vector(query, "query")?);
+        surface.local_minima(query, options.limit()?, options.most, job)?.try_into().map_err(Failure::from)
+    })
+}
+
+/// The points, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_points_get_view(
+    points: *const gusset_surface_points,
+    parts: *mut gusset_surface_points_view,
+) -> gusset_status {
+    let out = input::output_struct(parts, "parts");
+    guard(ptr::null(), |_| {
+        let (out, found) = (out?, input::reference(points, "points")?);
+        let (points, count) = (found.points.as_ptr(), found.points.len());
+        let (bound, complete) = (found.bound, found.complete.into());
+        out.write(gusset_surface_points_view { struct_size: 0, points, count, bound, complete, reserved: 0 });
+        Ok(())
+    })
+}
+
+/// Frees points; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_surface_points_destroy(points: *mut gusset_surface_points) {
+    input::destroy(points);
+}
+
+/// The cells that have a point within a radius of a query: the paper's region, with its logical scale.
+///
+/// query: x, y, z, at any alignment; radius: at least 0; INFINITY: all cells. region: receives all cells that have such a point,
+/// and no others but such as come within the tolerance of the radius or could not be decided in bounded work; for
+/// gusset_surface_region_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (radius),
+/// OUT_OF_MEMORY, CANCELLED. O(cells found, and one bit a cell). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_region_create(
+    context: *const gusset_context,
+    surface: *const gusset_surface,
+    query: *const f64,
+    radius: f64,
+    region: *mut *mut gusset_surface_region,
+) -> gusset_status {
+    create(context, region, "region", |job| {
+        let (surface, query) = (read(surface)?, input::vector(query, "query")?);
+        surface.region(query, radius, job)?.try_into().map_err(Failure::from)
+    })
+}
+
+/// The cells, lent until they are destroyed. parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_region_get_view(
+    region: *const gusset_surface_region,
+    parts: *mut gusset_surface_region_view,
+) -> gusset_status {
+    let out = input::output_struct(parts, "parts");
+    guard(ptr::null(), |_| {
+        let (out, region) = (out?, input::reference(region, "region")?);
+        out.write(gusset_surface_region_view {
+            struct_size: 0,
+            cells: region.cells.as_ptr(),
+            cell_count: region.cells.len(),
+            mask: region.mask.as_ptr(),
+            word_count: region.mask.len(),
+            first: region.first.as_ptr(),
+            sheet_count: region.first.len() - 1,
+        });
+        Ok(())
+    })
+}
+
+/// Frees a region; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_surface_region_destroy(region: *mut gusset_surface_region) {
+    input::destroy(region);
+}

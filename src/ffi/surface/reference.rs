@@ -1,0 +1,413 @@
+//! The paper's search as C sees it: diameters of cells, cell regions, the logical scale, the normal by two sections. It is the
+//! documented reference; to ask questions, use the index of a surface.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::guard;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::input::{fill, flag};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::surface::evaluate::surface_places;
+use crate::ffi::surface::gusset_surface_place;
+use crate::ffi::surface::sheet::gusset_sheet;
+use crate::job::Job;
+use crate::surface::line_intersection::Line;
+use crate::surface::reference::{
+    Diameters, Found, Goal, Lattice, Object, Options, Scale, Slant, Sum, chain, curvature_bound, euler_characteristic,
+    incidence, integer_diameter, normal_by_sections, slanted, swings_by_cones, swings_by_curvature,
+};
+use crate::surface::{Place, Sheet};
+use glam::DVec3;
+
+/// What distances are measured from, or angles.
+pub type gusset_reference_object = u32;
+/// The point.
+pub const GUSSET_REFERENCE_POINT: gusset_reference_object = 0;
+/// The plane through the point, across the direction.
+pub const GUSSET_REFERENCE_PLANE: gusset_reference_object = 1;
+/// The line through the point, along the direction.
+pub const GUSSET_REFERENCE_LINE: gusset_reference_object = 2;
+/// The segment from the point to the point and the direction.
+pub const GUSSET_REFERENCE_SEGMENT: gusset_reference_object = 3;
+/// Normals at an angle to the direction; distances are deviations from the angle, in radians.
+pub const GUSSET_REFERENCE_ANGLE: gusset_reference_object = 4;
+
+/// What the paper's search looks for, and how.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_reference_task {
+    /// sizeof(gusset_reference_task), set by the caller.
+    pub struct_size: usize,
+    /// GUSSET_MASK_...
+    pub object: gusset_reference_object,
+    /// 0: cells that may have something within `within`. 1: cells that may have the nearest.
+    pub least: u32,
+    /// A point of the object; not read for angles.
+    pub point: [f64; 3],
+    /// Its direction, of any length but 0; not read for points.
+    pub direction: [f64; 3],
+    /// A distance, 0 or more, in the unit of the nodes, for angles in radians; INFINITY: all cells; not read for the nearest.
+    pub within: f64,
+    /// Of GUSSET_REFERENCE_ANGLE: the angle, 0 to pi.
+    pub angle: f64,
+    /// Of GUSSET_REFERENCE_ANGLE: a bound of both principal curvatures all over the sheet, for the paper's K d, see
+    /// gusset_sheet_curvature_bound; 0: cones of normals instead, which are tighter.
+    pub curvature: f64,
+    /// Of GUSSET_REFERENCE_ANGLE: 1 if normals of the other side will do as well.
+    pub unsigned_normals: u32,
+    /// 1: blocks are bounded by sums of the greatest bound of each ring of cells, instead of J d.
+    pub by_rings: u32,
+    /// 1: nodes in the order of rows, as in the paper; 0: a few far apart first.
+    pub by_rows: u32,
+    /// 1: lines of nodes that a block covers from side to side are not left out at once.
+    pub keep_lines: u32,
+}
+
+/// What the search did.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_reference_report {
+    /// sizeof(gusset_reference_report), set by the caller.
+    pub struct_size: usize,
+    /// How many cells are left.
+    pub cells: u64,
+    /// How many nodes were looked at.
+    pub evaluations: u64,
+    /// How many blocks of cells were excluded.
+    pub blocks: u64,
+    /// How many lines of cells were left out at once.
+    pub dropped: u64,
+    /// The least distance of the nodes that were looked at; of the nearest task: of all nodes.
+    pub least: f64,
+    /// The row of that node.
+    pub row: u32,
+    /// Its column.
+    pub column: u32,
+}
+
+/// What a cell region is like.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_mask_report {
+    /// sizeof(gusset_mask_report), set by the caller.
+    pub struct_size: usize,
+    /// How many cells it has.
+    pub cells: u64,
+    /// The number of cells of the longest of the shortest chains between two of its cells; 0 for no cells, 2^64 - 1 if the region
+    /// is in several parts.
+    pub integer_diameter: u64,
+    /// Vertices less edges plus cells: 1 for a region in one part without holes.
+    pub euler: i64,
+    /// No two points of the region are farther apart: the integer diameter times the greatest Euclidean diameter of its cells;
+    /// infinite if the region is in several parts.
+    pub diameter: f64,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_reference_task {
+    const LEAST_SIZE: usize = 104;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_reference_report {
+    const LEAST_SIZE: usize = 56;
+}
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_mask_report {
+    const LEAST_SIZE: usize = 40;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_reference_task>() == 104
+            && size_of::<gusset_reference_report>() == 56
+            && size_of::<gusset_mask_report>() == 40)
+);
+
+fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
+    Ok(&input::reference(sheet, "sheet")?.0)
+}
+
+/// The caller's region; NULL for all cells.
+fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<Scale, Failure> {
+    let lattice = Lattice::of(sheet);
+    if words.is_null() && count == 0 {
+        return Ok(Scale::full(lattice)?);
+    }
+    let bytes = input::bytes(words.cast(), count, 8, "words")?;
+    let words = alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned::<u64>))?;
+    Ok(Scale::from_words(lattice, &words)?)
+}
+
+impl gusset_reference_task {
+    fn options(&self) -> Result<Options, Failure> {
+        let least = flag(self.least, "least")?;
+        Ok(Options {
+            goal: if least { Goal::Least } else { Goal::Within(self.within) },
+            sum: if flag(self.by_rings, "by_rings")? { Sum::Rings } else { Sum::Greatest },
+            by_rows: flag(self.by_rows, "by_rows")?,
+            drop_lines: !flag(self.keep_lines, "keep_lines")?,
+        })
+    }
+
+    fn search(&self, sheet: &Sheet<'_>, job: &Job<'_>) -> Result<Found, Failure> {
+        let (options, unsigned) = (self.options()?, flag(self.unsigned_normals, "unsigned_normals")?);
+        let (point, direction) = (DVec3::from_array(self.point), DVec3::from_array(self.direction));
+        let object = match self.object {
+            GUSSET_REFERENCE_POINT => Object::Point(point),
+            GUSSET_REFERENCE_PLANE => Object::Plane { point, normal: direction },
+            GUSSET_REFERENCE_LINE => Object::Line(Line::new(point, direction)),
+            GUSSET_REFERENCE_SEGMENT => Object::Line(Line::segment(point, point + direction)),
+            GUSSET_REFERENCE_ANGLE => {
+                let slant = Slant { direction, angle: self.angle, unsigned };
+                return self.slanted(sheet, slant, &options, job);
+            }
+            other => return Err(Failure::unknown("object", other.into())),
+        };
+        let diameters = Diameters::new(sheet, &job.part(0.0, 0.5))?;
+        Ok(incidence(sheet, &diameters, object, &options, &job.part(0.5, 1.0))?)
+    }
+
+    fn slanted(&self, sheet: &Sheet<'_>, slant: Slant, options: &Options, job: &Job<'_>) -> Result<Found, Failure> {
+        let (first, second) = (job.part(0.0, 0.3), job.part(0.3, 0.6));
+        let swings = if self.curvature == 0.0 {
+            swings_by_cones(sheet, &second)?
+        } else {
+            swings_by_curvature(sheet, &Diameters::new(sheet, &first)?, self.curvature, &second)?
+        };
+        Ok(slanted(sheet, &swings, slant, options, &job.part(0.6, 1.0))?)
+    }
+}
+
+impl From<&Found> for gusset_reference_report {
+    fn from(found: &Found) -> Self {
+        let ([row, column], least) = found.least;
+        gusset_reference_report {
+            struct_size: size_of::<Self>(),
+            cells: found.scale.count() as u64,
+            evaluations: found.evaluations,
+            blocks: found.blocks,
+            dropped: found.dropped,
+            least,
+            row: row as u32,
+            column: column as u32,
+        }
+    }
+}
+
+/// Bounds the diameters of the cells of a sheet, rigorously, from their control nets.
+///
+/// euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
+/// of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
+/// room for; either may be NULL, both with capacity 0. written: receives the number of cells. greatest: receives two
+/// numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
+/// MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
+/// for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_diameters(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    euclidean: *mut f64,
+    intrinsic: *mut f64,
+    capacity: usize,
+    written: *mut usize,
+    greatest: *mut f64,
+) -> gusset_status {
+    let (written, greatest) = (
+        input::output(written, 0, "written"),
+        input::optional_output(greatest.cast::<[f64; 2]>(), [0.0; 2], "greatest"),
+    );
+    guard(context, |job| {
+        let (written, greatest) = (written?, greatest?);
+        let found = Diameters::new(read(sheet)?, job)?;
+        for (buffer, sizes) in [(euclidean, &found.euclidean), (intrinsic, &found.intrinsic)] {
+            give(buffer, capacity, sizes.all(), written, "diameters")?;
+        }
+        greatest.into_iter().for_each(|out| *out = [found.euclidean.greatest(), found.intrinsic.greatest()]);
+        Ok(())
+    })
+}
+
+/// Copies numbers to the caller's buffer; NULL is allowed.
+fn give<T: bytemuck::Pod>(
+    buffer: *mut T,
+    capacity: usize,
+    from: &[T],
+    written: &mut usize,
+    name: &'static str,
+) -> Result<(), Failure> {
+    let room = if buffer.is_null() { 0 } else { capacity };
+    fill(buffer, room, from.len(), written, name, |to| {
+        to.copy_from_slice(from);
+        Ok(())
+    })
+}
+
+/// Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.
+///
+/// bound: receives the bound; infinite where the surface is not regular, as at poles. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
+/// OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_curvature_bound(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    bound: *mut f64,
+) -> gusset_status {
+    let bound = input::output(bound, 0.0, "bound");
+    guard(context, |job| {
+        *bound? = curvature_bound(read(sheet)?, job)?;
+        Ok(())
+    })
+}
+
+/// Row and column of a cell.
+fn cell(pointer: *const u32, name: &'static str) -> Result<[usize; 2], Failure> {
+    let bytes = input::bytes(pointer.cast(), 2, 4, name)?;
+    Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(bytes).map(|k| k as usize))
+}
+
+/// A shortest chain of cells of a region from one cell to another: consecutive ones have a node in common, across corners too.
+///
+/// words: the region, at any alignment, a bit for each cell: that of cell (i, j) is bit k % 64 of word k / 64, k = i * columns +
+/// j, columns of cells; NULL with count 0 for all cells. count: the words, at least as many as the cells need. from, to: row and
+/// column of a cell of the region, two numbers each, at any alignment. cells: receives row and column of each cell of the chain,
+/// from and to included, two numbers each; NULL with capacity 0 to ask for the size. capacity: how many cells it has room for.
+/// written: receives the number of cells, the integer length; 0 if there is no chain. The sum of their diameters bounds the
+/// distance between points of from and of to. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW (too few words),
+/// NO_SUCH_ELEMENT with the cell, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells). From any thread. Source: Leus, eq. (3).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_mask_chain(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    words: *const u64,
+    count: usize,
+    from: *const u32,
+    to: *const u32,
+    cells: *mut u32,
+    capacity: usize,
+    written: *mut usize,
+) -> gusset_status {
+    let written = input::output(written, 0, "written");
+    guard(context, |job| {
+        let (written, region) = (written?, region(read(sheet)?, words, count)?);
+        let [from, to] = [cell(from, "from")?, cell(to, "to")?];
+        let found = chain(&region, from, to, job)?.unwrap_or_default();
+        fill(cells.cast::<[u32; 2]>(), capacity, found.len(), written, "cells", |out| {
+            out.iter_mut().zip(&found).for_each(|(out, cell)| *out = cell.map(|k| k as u32));
+            Ok(())
+        })
+    })
+}
+
+/// Measures a region of cells: its integer diameter and with it a bound of its diameter, and its Euler characteristic.
+///
+/// words, count: the region, as for gusset_sheet_mask_chain. report: struct_size set by the caller; all else is overwritten. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. O(cells) for compact regions;
+/// for the worst O(cells^2), which can be cancelled. From any thread. Source: Leus, eqs. (4) to (6).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_mask_measure(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    words: *const u64,
+    count: usize,
+    report: *mut gusset_mask_report,
+) -> gusset_status {
+    let out = input::output_struct(report, "report");
+    guard(context, |job| {
+        let (out, sheet) = (out?, read(sheet)?);
+        let region = region(sheet, words, count)?;
+        let sizes = Diameters::new(sheet, &job.part(0.0, 0.4))?.euclidean;
+        let euler = euler_characteristic(&region, &job.part(0.4, 0.5))?;
+        let integer = integer_diameter(&region, &job.part(0.5, 1.0))?;
+        out.write(gusset_mask_report {
+            struct_size: 0,
+            cells: region.count() as u64,
+            integer_diameter: integer.map_or(u64::MAX, |cells| cells as u64),
+            euler,
+            diameter: integer.map_or(Ok(f64::INFINITY), |cells| sizes.of_region(&region, cells))?,
+        });
+        Ok(())
+    })
+}
+
+/// The paper's search with its logical scale, corrected: which cells of a sheet may have a point within a distance of an object, or
+/// the nearest one, or a normal at an angle. None that has is missing. It is the documented reference and looks at many nodes; a
+/// surface (gusset_surface_create) answers the same and more from its index, much faster.
+///
+/// task: what is looked for. words: receives a bit for each cell, laid out as for gusset_sheet_mask_chain; NULL with capacity 0 for the
+/// size and the report alone; all words are 0 on failure. capacity: how many words it has room for. written: receives the number of
+/// words. report: what was
+/// done; its struct_size set by the caller; may be NULL. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE
+/// (object, flags), OUT_OF_RANGE (what is not finite, no direction, a negative distance, an angle outside 0 to pi),
+/// BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells) for the bounds of cells, with threads; O(cells / 64) and the nodes looked
+/// at for the search. From any thread. Source: Leus; its errata are listed with the Rust module surface::leus.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_reference_mask(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    task: *const gusset_reference_task,
+    words: *mut u64,
+    capacity: usize,
+    written: *mut usize,
+    report: *mut gusset_reference_report,
+) -> gusset_status {
+    let written = input::output(written, 0, "written");
+    let buffer = input::cleared(words, if words.is_null() { 0 } else { capacity }, "words");
+    let report = if report.is_null() { Ok(None) } else { input::output_struct(report, "report").map(Some) };
+    guard(context, |job| {
+        let (written, report, task) = (written?, report?, input::read(task, false, "task")?);
+        buffer?;
+        let found = task.search(read(sheet)?, job)?;
+        report.into_iter().for_each(|report| report.write((&found).into()));
+        give_words(words, capacity, &found, written)
+    })
+}
+
+fn give_words(words: *mut u64, capacity: usize, found: &Found, written: &mut usize) -> Result<(), Failure> {
+    let from = found.scale.words();
+    fill(words, capacity, from.len(), written, "words", |to| {
+        to.copy_from_slice(from);
+        Ok(())
+    })
+}
+
+/// The paper's approximate normals: at each place two orthogonal planes, parallel to the mean of the normals at the cell's corners,
+/// cut the lines of the net; cubics through four crossings each have tangents that span the tangent plane. Of third order in the
+/// size of cells; the exact normals of the surface are had from a surface.
+///
+/// places: count places of the sheet, whose own number is not read, at any alignment; u and v 0 to 1. normals: receives x, y, z of
+/// each; 0 where there is none, and everywhere on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, SIZE_OVERFLOW, UNKNOWN_VALUE
+/// (reserved), NO_SUCH_ELEMENT with the first place that the sheet does not have: no such cell, parameters that are not 0 to 1;
+/// OUT_OF_MEMORY, CANCELLED. Bounded work for each. From any thread. Source: Leus, fig. 1.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_normals_by_sections(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    places: *const gusset_surface_place,
+    count: usize,
+    normals: *mut f64,
+) -> gusset_status {
+    let out = input::cleared(normals.cast::<[f64; 3]>(), count, "normals");
+    guard(context, |job| {
+        let (out, sheet, places) = (out?, read(sheet)?, surface_places(places, count)?);
+        let done = normals_at(sheet, &places, out, job);
+        done.inspect_err(|_| out.fill([0.0; 3]))
+    })
+}
+
+fn normals_at(sheet: &Sheet<'_>, places: &[Place], out: &mut [[f64; 3]], job: &Job<'_>) -> Result<(), Failure> {
+    for (k, (out, place)) in out.iter_mut().zip(places).enumerate() {
+        if k % 256 == 0 {
+            job.step(k as f64 / places.len() as f64, "normals")?;
+        }
+        // As a surface says it: one place in the array is wrong, whichever of its numbers it is.
+        let missing = |_| Error::NoSuchSurfacePlace { index: k as u64 };
+        *out = normal_by_sections(sheet, place.cell.map(|k| k as usize), place.u, place.v).map_err(missing)?.to_array();
+    }
+    Ok(())
+}

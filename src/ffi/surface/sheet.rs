@@ -1,0 +1,187 @@
+//! Pieces of smooth surfaces, as C sees them.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::create;
+use crate::ffi::input::flag;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::scalar;
+use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
+use crate::ffi::status::{Failure, gusset_status};
+use crate::mesh::Scalar;
+use crate::surface::{Grid, Nodes, Scheme, Sheet};
+use libc::c_void;
+
+/// A piece of surface: rows and columns of cells, each a Bézier patch. Opaque and immutable: all functions may use it from any thread, and many at
+/// the same time, each with a context of its own; it is destroyed when none uses it any more.
+pub struct gusset_sheet(pub(crate) Sheet<'static>);
+
+/// How the surface is drawn through nodes.
+pub type gusset_scheme = u32;
+/// Bicubic with continuous tangents, from the 6 x 6 nodes round a cell: fourth order, with the constant 1/384.
+pub const GUSSET_SCHEME_SIX_TAP: gusset_scheme = 0;
+/// The paper's: the bicubic through the 4 x 4 nodes round a cell; fourth order with the constant 3/128, tangents jump at nodes.
+pub const GUSSET_SCHEME_FOUR_POINT: gusset_scheme = 1;
+
+/// Nodes of a surface: x, y, z of node (i, j) are at nodes + i * row_stride + j * column_stride bytes, one after the other.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_nodes {
+    /// sizeof(gusset_nodes), set by the caller.
+    pub struct_size: usize,
+    /// The first node.
+    pub nodes: *const c_void,
+    /// The number of rows, at least 2; of a surface closed in u at least 4, of which the last repeats the first.
+    pub rows: usize,
+    /// The number of columns, the same for v. rows * columns is at most 2^31 - 1.
+    pub columns: usize,
+    /// Bytes from row to row; 0 for rows without gaps.
+    pub row_stride: usize,
+    /// Bytes from node to node in a row; 0 for nodes without gaps.
+    pub column_stride: usize,
+    /// GUSSET_F32 or GUSSET_F64.
+    pub scalar: u32,
+    /// GUSSET_SCHEME_...
+    pub scheme: gusset_scheme,
+    /// 1: closed in u, along columns: the last row is the first one again.
+    pub closed_u: u32,
+    /// 1: closed in v, along rows.
+    pub closed_v: u32,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_nodes {
+    const LEAST_SIZE: usize = 64;
+}
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_nodes>() == 64);
+
+/// How the caller's nodes lie, in bytes.
+struct Layout {
+    row: usize,
+    column: usize,
+    span: usize,
+}
+
+impl Layout {
+    fn of(nodes: &gusset_nodes, size: usize) -> Result<Self, Failure> {
+        let (rows, columns) = (nodes.rows, nodes.columns);
+        if rows < 2 || columns < 2 {
+            return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 }.into());
+        }
+        let overflow = || {
+            Failure::from(Error::SizeOverflow { what: "nodes", count: (rows as u64).saturating_mul(columns as u64) })
+        };
+        let column = if nodes.column_stride == 0 { 3 * size } else { nodes.column_stride };
+        let width = (columns - 1).checked_mul(column).and_then(|n| n.checked_add(3 * size)).ok_or_else(overflow)?;
+        let row = match nodes.row_stride {
+            0 => columns.checked_mul(column).ok_or_else(overflow)?,
+            given => given,
+        };
+        if column < 3 * size || row < width {
+            let (stride, least) = if column < 3 * size { (column, 3 * size) } else { (row, width) };
+            return Err(Error::StrideTooSmall { stride: stride as u64, least: least as u64 }.into());
+        }
+        let span = (rows - 1).checked_mul(row).and_then(|n| n.checked_add(width)).ok_or_else(overflow)?;
+        if span <= isize::MAX as usize { Ok(Layout { row, column, span }) } else { Err(overflow()) }
+    }
+}
+
+/// A copy of the caller's numbers, packed.
+pub(crate) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
+    let kind = scalar(nodes.scalar)?;
+    let size = match kind {
+        Scalar::F32 => 4,
+        Scalar::F64 => 8,
+    };
+    let layout = Layout::of(nodes, size)?;
+    // Refused before anything is read.
+    let count = (nodes.rows as u64).saturating_mul(nodes.columns as u64);
+    if count > crate::surface::MAX_NODES {
+        return Err(Error::TooLarge { what: "nodes", count, limit: crate::surface::MAX_NODES }.into());
+    }
+    let bytes = input::bytes(nodes.nodes, layout.span, 1, "nodes")?;
+    let mut numbers = alloc::with_capacity(3 * count as usize)?;
+    for i in 0..nodes.rows {
+        for j in 0..nodes.columns {
+            let node = &bytes[i * layout.row + j * layout.column..];
+            numbers.extend((0..3).map(|k| match kind {
+                Scalar::F32 => f64::from(bytemuck::pod_read_unaligned::<f32>(&node[4 * k..4 * k + 4])),
+                Scalar::F64 => bytemuck::pod_read_unaligned::<f64>(&node[8 * k..8 * k + 8]),
+            }));
+        }
+    }
+    Ok(Nodes::strided(numbers, nodes.rows, nodes.columns, 0, 0)?)
+}
+
+/// The caller's numbers themselves.
+fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
+    let layout = Layout::of(nodes, 8)?;
+    if scalar(nodes.scalar)? != Scalar::F64 || !layout.row.is_multiple_of(8) || !layout.column.is_multiple_of(8) {
+        let message = "nodes in the caller's memory are f64, and whole numbers apart";
+        return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
+    }
+    let numbers: &'static [f64] = input::results(nodes.nodes.cast::<f64>().cast_mut(), layout.span / 8, "nodes")?;
+    Ok(Nodes::strided(numbers, nodes.rows, nodes.columns, layout.row / 8, layout.column / 8)?)
+}
+
+/// The scheme that a number stands for.
+pub(crate) fn scheme(scheme: gusset_scheme) -> Result<Scheme, Failure> {
+    match scheme {
+        GUSSET_SCHEME_SIX_TAP => Ok(Scheme::SixTap),
+        GUSSET_SCHEME_FOUR_POINT => Ok(Scheme::FourPoint),
+        other => Err(Failure::unknown("scheme", other.into())),
+    }
+}
+
+fn grid(nodes: Nodes<'static>, options: &gusset_nodes) -> Result<gusset_sheet, Failure> {
+    let scheme = scheme(options.scheme)?;
+    let closed = [flag(options.closed_u, "closed_u")?, flag(options.closed_v, "closed_v")?];
+    Ok(gusset_sheet(Sheet::Grid(Grid::new(nodes, closed, scheme)?)))
+}
+
+/// Makes a surface through a copy of nodes.
+///
+/// nodes: at any alignment, finite; of sheets for a surface the greatest coordinate in absolute terms is from 1e-30 to 1e37, or
+/// 0, however the sheet is made; repeated nodes and rows that are one point (poles) are allowed. sheet: receives the surface, for
+/// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (the struct, sheet), BAD_STRUCT_SIZE,
+/// NET_TOO_SMALL, TOO_LARGE, BAD_STRIDE, SIZE_OVERFLOW, UNKNOWN_VALUE, NOT_FINITE with the node, SIDES_DIFFER if a closed
+/// direction does not end where it begins, with the place of the largest gap, OUT_OF_MEMORY, CANCELLED. O(nodes); 24 bytes a
+/// node. From any thread. Source: Leus, "Carcasses on smooth surfaces"; the scheme of six taps is ours.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_from_nodes_create(
+    context: *const gusset_context,
+    nodes: *const gusset_nodes,
+    sheet: *mut *mut gusset_sheet,
+) -> gusset_status {
+    create(context, sheet, "sheet", |_| {
+        let nodes = input::read(nodes, false, "nodes")?;
+        grid(copied_nodes(&nodes)?, &nodes)
+    })
+}
+
+/// Makes a surface through nodes in the caller's own memory, which must stay valid and unchanged until the sheet and all that was made
+/// of it are destroyed.
+///
+/// nodes: as for gusset_sheet_from_nodes_create, but f64, aligned to 8 bytes, strides multiples of 8. Errors: as there;
+/// MISALIGNED_ARGUMENT (the nodes), BAD_STRIDE for f32 and for strides that are no multiples of 8; CANCELLED. O(nodes); no memory
+/// a node. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_borrow_create(
+    context: *const gusset_context,
+    nodes: *const gusset_nodes,
+    sheet: *mut *mut gusset_sheet,
+) -> gusset_status {
+    create(context, sheet, "sheet", |_| {
+        let nodes = input::read(nodes, false, "nodes")?;
+        grid(borrowed_nodes(&nodes)?, &nodes)
+    })
+}
+
+/// Frees a sheet; NULL is allowed. What was made of it keeps what it needs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_sheet_destroy(sheet: *mut gusset_sheet) {
+    input::destroy(sheet);
+}

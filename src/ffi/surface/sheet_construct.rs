@@ -1,0 +1,321 @@
+//! Sheets from tangents, patches, splines, curves and frames, as C sees them.
+
+use crate::alloc;
+use crate::error::Error;
+use crate::ffi::context::gusset_context;
+use crate::ffi::curve::frame::gusset_frame;
+use crate::ffi::curve::{gusset_curve, points, times};
+use crate::ffi::guard::create;
+use crate::ffi::input::flag;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::surface::sheet::{copied_nodes, gusset_nodes, gusset_sheet};
+use crate::outline::CurveView;
+use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, Tangents, Twists};
+use crate::surface::{MAX_DEGREE, Patches, Sheet};
+
+/// How the mixed derivatives S_uv at nodes are found, which tangents leave open.
+pub type gusset_twists = u32;
+/// From differences of the tangents over five nodes: fourth order.
+pub const GUSSET_TWISTS_DIFFERENCES: gusset_twists = 0;
+/// Adini's: from the nodes next to each.
+pub const GUSSET_TWISTS_ADINI: gusset_twists = 1;
+/// None: flat spots at nodes.
+pub const GUSSET_TWISTS_ZERO: gusset_twists = 2;
+/// They are given.
+pub const GUSSET_TWISTS_GIVEN: gusset_twists = 3;
+
+/// The surface through the nodes of a frame.
+pub const GUSSET_FRAME_NODES: u32 = 0;
+/// Gordon's surface of the curves of a frame, which contains them.
+pub const GUSSET_FRAME_CURVES: u32 = 1;
+
+/// Tangents at the nodes of a surface, row after row, packed; the parameters are those of nodes: S_u is as long as the step from row to row.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_tangents {
+    /// sizeof(gusset_tangents), set by the caller.
+    pub struct_size: usize,
+    /// S_u at each node: x, y, z; towards the next row.
+    pub u: *const f64,
+    /// S_v at each node: towards the next column.
+    pub v: *const f64,
+    /// For GUSSET_TWISTS_GIVEN: S_uv at each node; else not read.
+    pub twists: *const f64,
+    /// GUSSET_TWISTS_...
+    pub twist: gusset_twists,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// A tensor-product B-spline, not rational.
+///
+/// Knots of an open direction: as many as control points and the degree and 1, not decreasing, finite, clamped or not; the surface is defined
+/// between knot degree and knot count. Of a closed one: one more than control points, one period; the control points are not repeated, and span k,
+/// from knot k to the next, is made by the control points k - degree to k, counted round. Inner knots may be repeated degree times.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_spline {
+    /// sizeof(gusset_spline), set by the caller.
+    pub struct_size: usize,
+    /// x, y, z of the control points, row after row, packed: rows follow each other in u.
+    pub points: *const f64,
+    /// The number of rows of control points, more than degree_u.
+    pub count_u: usize,
+    /// The number of control points in a row, more than degree_v.
+    pub count_v: usize,
+    /// The knots of u.
+    pub knots_u: *const f64,
+    /// How many.
+    pub knot_count_u: usize,
+    /// The knots of v.
+    pub knots_v: *const f64,
+    /// How many.
+    pub knot_count_v: usize,
+    /// The degree in u, 1 to 7.
+    pub degree_u: u32,
+    /// The degree in v, 1 to 7.
+    pub degree_v: u32,
+    /// 1: closed in u.
+    pub closed_u: u32,
+    /// 1: closed in v.
+    pub closed_v: u32,
+}
+
+/// A net of curves: each row meets each column, in the order in which they are given; curves may run either way.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_curve_net {
+    /// sizeof(gusset_curve_net), set by the caller.
+    pub struct_size: usize,
+    /// Curves in v, which follow each other in u. Segments of degree 7 at most; a curve that is one point is a pole.
+    pub rows: *const *const gusset_curve,
+    /// How many: 0, or at least 2, or 3 if closed_u.
+    pub row_count: usize,
+    /// Curves in u, which follow each other in v.
+    pub columns: *const *const gusset_curve,
+    /// How many: 0, or at least 2, or 3 if closed_v. Without columns, or without rows, the surface is the skin of the others.
+    pub column_count: usize,
+    /// How far apart curves may be where they meet, a length, finite; both are moved to the middle. 0: 1e-6 of the diagonal of their box.
+    pub tolerance: f64,
+    /// 1: the columns are closed curves, and the last row is followed by the first.
+    pub closed_u: u32,
+    /// 1: the rows are closed curves, and the last column is followed by the first.
+    pub closed_v: u32,
+}
+
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_tangents {
+    const LEAST_SIZE: usize = 40;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_spline {
+    const LEAST_SIZE: usize = 80;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_curve_net {
+    const LEAST_SIZE: usize = 56;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_tangents>() == 40
+            && size_of::<gusset_spline>() == 80
+            && size_of::<gusset_curve_net>() == 56)
+);
+
+/// The caller's numbers, at any alignment.
+fn numbers(data: *const f64, count: usize, name: &'static str) -> Result<Vec<f64>, Failure> {
+    let bytes = input::bytes(data.cast(), count, 8, name)?;
+    Ok(alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned))?)
+}
+
+/// The caller's curves, borrowed.
+fn curves<'a>(
+    handles: *const *const gusset_curve,
+    count: usize,
+    name: &'static str,
+) -> Result<Vec<CurveView<'a>>, Failure> {
+    let bytes = input::bytes(handles.cast(), count, size_of::<*const gusset_curve>(), name)?;
+    let mut views = alloc::with_capacity(count)?;
+    for k in 0..bytes.len() / size_of::<*const gusset_curve>() {
+        // SAFETY: within the bytes that were checked; any alignment will do.
+        let handle = unsafe { handles.add(k).read_unaligned() };
+        views.push(crate::ffi::curve::view(handle, "curve").map_err(|failure| failure.of_item(k))?);
+    }
+    Ok(views)
+}
+
+/// Makes the bicubic Hermite surface through nodes with given tangents: C1.
+///
+/// nodes: as for gusset_sheet_from_nodes_create; the scheme is not used. tangents: rows x columns vectors each; those of the repeated
+/// line of a closed direction are not read as tangents, but must be there; at any alignment. sheet: receives the surface, for
+/// gusset_sheet_destroy; NULL on failure. Errors: those of gusset_sheet_from_nodes_create, among them NULL_ARGUMENT, BAD_STRUCT_SIZE and
+/// UNKNOWN_VALUE (twist, reserved) for the tangents, and NOT_FINITE with the node for tangents and twists too; SIZE_OVERFLOW,
+/// OUT_OF_MEMORY, CANCELLED. O(nodes); 384 bytes a cell. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_from_tangents_create(
+    context: *const gusset_context,
+    nodes: *const gusset_nodes,
+    tangents: *const gusset_tangents,
+    sheet: *mut *mut gusset_sheet,
+) -> gusset_status {
+    create(context, sheet, "sheet", |job| {
+        let (layout, given) = (input::read(nodes, false, "nodes")?, input::read(tangents, false, "tangents")?);
+        let (nodes, count) = (copied_nodes(&layout)?, layout.rows * layout.columns);
+        let [u, v] = [points(given.u, count, 3)?, points(given.v, count, 3)?];
+        let twists = given.twists(count)?;
+        let closed = [flag(layout.closed_u, "closed_u")?, flag(layout.closed_v, "closed_v")?];
+        let tangents = Tangents { nodes: &nodes, u: &u, v: &v, twists: twists.of(given.twist)?, closed };
+        Ok(gusset_sheet(Sheet::from_tangents(&tangents, job)?))
+    })
+}
+
+/// Twists that are given, or none.
+struct Given(Vec<glam::DVec3>);
+
+impl gusset_tangents {
+    fn twists(&self, count: usize) -> Result<Given, Failure> {
+        match (self.reserved, self.twist) {
+            (0, GUSSET_TWISTS_GIVEN) => Ok(Given(points(self.twists, count, 3)?)),
+            (0, _) => Ok(Given(Vec::new())),
+            (other, _) => Err(Failure::unknown("reserved", other.into())),
+        }
+    }
+}
+
+impl Given {
+    fn of(&self, kind: gusset_twists) -> Result<Twists<'_>, Failure> {
+        match kind {
+            GUSSET_TWISTS_DIFFERENCES => Ok(Twists::Differences),
+            GUSSET_TWISTS_ADINI => Ok(Twists::Adini),
+            GUSSET_TWISTS_ZERO => Ok(Twists::Zero),
+            GUSSET_TWISTS_GIVEN => Ok(Twists::Given(&self.0)),
+            other => Err(Failure::unknown("twist", other.into())),
+        }
+    }
+}
+
+/// Makes a surface of Bézier patches in rows and columns, neighbours of which should share their sides.
+///
+/// points: x, y, z of the control points, packed, at any alignment: patch after patch, row after row of patches; in each patch
+/// degree_v + 1 points follow each other in v, degree_u + 1 times. degree_u, degree_v: 1 to 7. rows, columns: of patches, at
+/// least 1. Repeated points and sides that are one point are allowed. sheet: receives the surface, for gusset_sheet_destroy; NULL
+/// on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT (sheet), OUT_OF_RANGE (degree), EMPTY_MESH without patches, TOO_LARGE,
+/// SIZE_OVERFLOW, NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(points); 384 bytes a patch up to
+/// degree 3, else 1536. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_from_patches_create(
+    context: *const gusset_context,
+    points: *const f64,
+    degree_u: u32,
+    degree_v: u32,
+    rows: usize,
+    columns: usize,
+    sheet: *mut *mut gusset_sheet,
+) -> gusset_status {
+    create(context, sheet, "sheet", |_| {
+        let degrees = [degree_u as usize, degree_v as usize];
+        if let Some(&degree) = degrees.iter().find(|degree| !(1..=MAX_DEGREE).contains(*degree)) {
+            return Err(Error::OptionOutOfRange { option: "degree", value: degree as f64 }.into());
+        }
+        let each = (degrees[0] + 1) * (degrees[1] + 1);
+        let count = times(times(rows, columns, "patches")?, each, "control points")?;
+        let points = self::points(points, count, 3)?;
+        Ok(gusset_sheet(if degree_u.max(degree_v) <= 3 {
+            Sheet::Cubic(Patches::new(&points, degrees, rows, columns)?)
+        } else {
+            Sheet::High(Patches::new(&points, degrees, rows, columns)?)
+        }))
+    })
+}
+
+/// Makes the surface of a B-spline, cut into its Bézier patches, which is exact but for rounding: cells are its spans that are not empty, so that knots become
+/// the whole numbers of rows and columns.
+///
+/// spline: its arrays are at any alignment. sheet: receives the surface, for gusset_sheet_destroy; NULL on failure. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (degree), NET_TOO_SMALL (too few control
+/// points), BAD_KNOTS with the first knot that is not finite, out of order or repeated too often, TOO_LARGE, SIZE_OVERFLOW,
+/// NOT_FINITE with the control point (as a node), OUT_OF_MEMORY, CANCELLED. O(spans x degree^3); 384 bytes a span up to degree 3,
+/// else 1536. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_from_spline_create(
+    context: *const gusset_context,
+    spline: *const gusset_spline,
+    sheet: *mut *mut gusset_sheet,
+) -> gusset_status {
+    create(context, sheet, "sheet", |job| {
+        let given = input::read(spline, false, "spline")?;
+        let points = points(given.points, times(given.count_u, given.count_v, "control points")?, 3)?;
+        let u = numbers(given.knots_u, given.knot_count_u, "knots_u")?;
+        let v = numbers(given.knots_v, given.knot_count_v, "knots_v")?;
+        let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
+        let axes = [
+            SplineAxis { degree: given.degree_u as usize, knots: &u, closed: closed[0] },
+            SplineAxis { degree: given.degree_v as usize, knots: &v, closed: closed[1] },
+        ];
+        let spline = Spline { points: &points, counts: [given.count_u, given.count_v], axes };
+        Ok(gusset_sheet(Sheet::from_spline(&spline, job)?))
+    })
+}
+
+/// Makes Gordon's surface of a net of curves, which contains all of them; with two rows and two columns it is Coons's patch. Nodes are where
+/// each row and each column are nearest.
+///
+/// Between two nodes rows of equally many segments are matched segment by segment; else all of them are cut where any one has a joint: there may be
+/// more cells than meshes of the net. The surface is C1 where the curves are C1 in common knots and have no joints between nodes, else nearly
+/// (gusset_sheet_crease tells). Polylines, segments of degree 1, are kept with their creases; for a smooth surface draw curves through their points first,
+/// with gusset_outline_create.
+///
+/// net: the curves may be destroyed afterwards; the arrays of handles are at any alignment. sheet: receives the surface, for
+/// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT (with the item), MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+/// UNKNOWN_VALUE, NET_TOO_SMALL, EMPTY_CURVE, OUT_OF_RANGE (degree, tolerance), CURVE_NOT_CLOSED, CURVES_APART with the row and
+/// the distance (the message has the column too), or if they meet out of order, TOO_LARGE, SIZE_OVERFLOW, OUT_OF_MEMORY,
+/// CANCELLED. O(rows x columns x log segments) to find nodes, then O(cells); 384 bytes a cell up to degree 3, else 1536. From any
+/// thread. Source: Gordon (1969).
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_from_curves_create(
+    context: *const gusset_context,
+    net: *const gusset_curve_net,
+    sheet: *mut *mut gusset_sheet,
+) -> gusset_status {
+    create(context, sheet, "sheet", |job| {
+        let given = input::read(net, false, "net")?;
+        let rows = curves(given.rows, given.row_count, "rows")?;
+        let columns = curves(given.columns, given.column_count, "columns")?;
+        let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
+        let tolerance = if given.tolerance == 0.0 { None } else { Some(given.tolerance) };
+        let net = CurveNet { rows: &rows, columns: &columns, closed, tolerance };
+        Ok(gusset_sheet(Sheet::from_curves(&net, job)?))
+    })
+}
+
+/// Makes the surface of a frame: u runs along the body, v round it, closed as the frame is.
+///
+/// frame: may be destroyed afterwards. kind: GUSSET_FRAME_NODES or GUSSET_FRAME_CURVES. sheet: receives the surface, for
+/// gusset_sheet_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, UNKNOWN_VALUE, NET_TOO_SMALL; of curves
+/// OUT_OF_RANGE (a degree above 7), CURVES_APART if nodes repeat or are out of order along a curve; NOT_FINITE, OUT_OF_MEMORY,
+/// CANCELLED. O(nodes). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_from_frame_create(
+    context: *const gusset_context,
+    frame: *const gusset_frame,
+    kind: u32,
+    sheet: *mut *mut gusset_sheet,
+) -> gusset_status {
+    create(context, sheet, "sheet", |job| {
+        let frame = input::reference(frame, "frame")?;
+        let kind = match kind {
+            GUSSET_FRAME_NODES => FrameSurface::Nodes,
+            GUSSET_FRAME_CURVES => FrameSurface::Curves,
+            other => return Err(Failure::unknown("kind", other.into())),
+        };
+        let (grid, curves) = (&frame.grid, [&frame.across.0, &frame.along.0]);
+        let (counts, closed) = ([grid.rows, grid.columns], [frame.ring, frame.closed]);
+        Ok(gusset_sheet(Sheet::from_frame_parts(counts, &grid.nodes, curves, closed, kind, job)?))
+    })
+}

@@ -1,0 +1,147 @@
+//! Meshes of sheets, as C sees them.
+
+use crate::alloc;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::flag;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::mesh::{self, gusset_mesh_view};
+use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::surface::gusset_surface_place;
+use crate::ffi::surface::sheet::gusset_sheet;
+use crate::mesh::Mesh;
+use crate::surface::SurfaceMeshOptions;
+use glam::DVec3;
+use std::ptr;
+
+/// The mesh of a sheet. Opaque and immutable; it keeps nothing of the sheet.
+pub struct gusset_sheet_mesh {
+    mesh: Mesh,
+    places: Vec<gusset_surface_place>,
+    normals: Vec<DVec3>,
+    deviation: f64,
+}
+
+/// How a sheet becomes a mesh. All zeros: quads, one a cell.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_sheet_mesh_options {
+    /// sizeof(gusset_sheet_mesh_options), set by the caller.
+    pub struct_size: usize,
+    /// How far triangles may be from the surface, a length more than 0; 0, or INFINITY: no demand.
+    pub tolerance: f64,
+    /// The fewest parts of each cell in u; 0 stands for 1.
+    pub least_u: u32,
+    /// The fewest parts of each cell in v; 0 stands for 1.
+    pub least_v: u32,
+    /// 1: triangles only; 0: quads, and triangles at poles.
+    pub triangles: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What belongs to the mesh of a sheet. Pointers are valid until it is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_sheet_mesh_view {
+    /// sizeof(gusset_sheet_mesh_view), set by the caller.
+    pub struct_size: usize,
+    /// The number of vertices.
+    pub vertex_count: usize,
+    /// For each vertex its place; the sheet is 0.
+    pub places: *const gusset_surface_place,
+    /// For each vertex the unit normal: x, y, z; 0 where there is none.
+    pub normals: *const f64,
+    /// A bound of the distance between the surface and the triangles, or either pair of triangles of quads.
+    pub deviation: f64,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_sheet_mesh_options {
+    const LEAST_SIZE: usize = 32;
+}
+// SAFETY: repr(C), size first, pointers and plain numbers.
+unsafe impl Versioned for gusset_sheet_mesh_view {
+    const LEAST_SIZE: usize = 40;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_sheet_mesh_options>() == 32 && size_of::<gusset_sheet_mesh_view>() == 40)
+);
+
+impl gusset_sheet_mesh_options {
+    fn checked(self) -> Result<SurfaceMeshOptions, Failure> {
+        if self.reserved != 0 {
+            return Err(Failure::unknown("reserved", self.reserved.into()));
+        }
+        Ok(SurfaceMeshOptions {
+            tolerance: if self.tolerance == 0.0 { f64::INFINITY } else { self.tolerance },
+            least: [self.least_u.max(1), self.least_v.max(1)],
+            triangles: flag(self.triangles, "triangles")?,
+        })
+    }
+}
+
+/// Makes a mesh of points of a sheet. Cells of a row have equally many parts in u, those of a column in v, so that neighbours fit; seams of closed
+/// directions and poles are closed. Faces are counter-clockwise seen from where S_u x S_v points to. A mesh without faces is no failure.
+///
+/// options: NULL for the defaults. mesh: receives the result, for gusset_sheet_mesh_destroy; NULL on failure. Errors:
+/// NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, UNKNOWN_VALUE, OUT_OF_RANGE (tolerance), TOO_LARGE (2^32 - 1 corners and
+/// more), OUT_OF_MEMORY, CANCELLED. O(cells + vertices). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_mesh_create(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    options: *const gusset_sheet_mesh_options,
+    mesh: *mut *mut gusset_sheet_mesh,
+) -> gusset_status {
+    create(context, mesh, "mesh", |job| {
+        let options = input::read(options, true, "options")?.checked()?;
+        let made = input::reference(sheet, "sheet")?.0.to_mesh(&options, job)?;
+        let places = alloc::collect(made.places.into_iter().map(gusset_surface_place::from))?;
+        Ok(gusset_sheet_mesh { mesh: made.mesh, places, normals: made.normals, deviation: made.deviation })
+    })
+}
+
+/// Destroys the mesh of a sheet; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_sheet_mesh_destroy(mesh: *mut gusset_sheet_mesh) {
+    input::destroy(mesh);
+}
+
+/// Lends the mesh, valid until it is destroyed. view: its struct_size set. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From any
+/// thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_mesh_get_mesh(
+    mesh: *const gusset_sheet_mesh,
+    view: *mut gusset_mesh_view,
+) -> gusset_status {
+    let out = input::output_struct(view, "view");
+    guard(ptr::null(), |_| {
+        out?.write(self::mesh::lend(&input::reference(mesh, "mesh")?.mesh));
+        Ok(())
+    })
+}
+
+/// Lends places and normals of the vertices. Errors and validity as for gusset_sheet_mesh_get_mesh. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_mesh_get_view(
+    mesh: *const gusset_sheet_mesh,
+    parts: *mut gusset_sheet_mesh_view,
+) -> gusset_status {
+    let out = input::output_struct(parts, "parts");
+    guard(ptr::null(), |_| {
+        let (out, made) = (out?, input::reference(mesh, "mesh")?);
+        out.write(gusset_sheet_mesh_view {
+            struct_size: 0,
+            vertex_count: made.places.len(),
+            places: made.places.as_ptr(),
+            normals: made.normals.as_ptr().cast(),
+            deviation: made.deviation,
+        });
+        Ok(())
+    })
+}

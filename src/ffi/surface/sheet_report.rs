@@ -1,0 +1,151 @@
+//! What sheets are, and how far they are from what they stand for, as C sees them.
+
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::guard;
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
+use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::surface::sheet::gusset_sheet;
+use crate::surface::Sheet;
+use std::ptr;
+
+/// What a sheet is.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_sheet_report {
+    /// sizeof(gusset_sheet_report), set by the caller.
+    pub struct_size: usize,
+    /// Cells in u: u runs from 0 to this.
+    pub rows: usize,
+    /// Cells in v.
+    pub columns: usize,
+    /// The degree of the patches in both directions as they are kept: 3 or 7.
+    pub degree: u32,
+    /// 1: the nodes are kept and patches are made when they are needed; 0: the patches are kept.
+    pub is_grid: u32,
+    /// 1: closed in u.
+    pub closed_u: u32,
+    /// 1: closed in v.
+    pub closed_v: u32,
+    /// 1: the side u = 0 is one point, a pole.
+    pub pole_u0: u32,
+    /// 1: the side u = rows is.
+    pub pole_u1: u32,
+    /// 1: the side v = 0 is.
+    pub pole_v0: u32,
+    /// 1: the side v = columns is.
+    pub pole_v1: u32,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_sheet_report {
+    const LEAST_SIZE: usize = 56;
+}
+const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_sheet_report>() == 56);
+
+/// Tells what a sheet is.
+///
+/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(cells at the
+/// sides). From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_get_report(
+    sheet: *const gusset_sheet,
+    parts: *mut gusset_sheet_report,
+) -> gusset_status {
+    let out = input::output_struct(parts, "parts");
+    guard(ptr::null(), |_| {
+        let (out, sheet) = (out?, &input::reference(sheet, "sheet")?.0);
+        let ([rows, columns], [closed_u, closed_v]) = (sheet.cells(), sheet.is_closed().map(u32::from));
+        let [[pole_u0, pole_u1], [pole_v0, pole_v1]] = sheet.poles().map(|pair| pair.map(u32::from));
+        let (degree, is_grid) = match sheet {
+            Sheet::Grid(_) => (3, 1),
+            Sheet::Cubic(_) => (3, 0),
+            Sheet::High(_) => (7, 0),
+        };
+        out.write(gusset_sheet_report {
+            struct_size: 0,
+            rows,
+            columns,
+            degree,
+            is_grid,
+            closed_u,
+            closed_v,
+            pole_u0,
+            pole_u1,
+            pole_v0,
+            pole_v1,
+        });
+        Ok(())
+    })
+}
+
+/// A buffer for a number a cell, if one is wanted.
+fn buffer<'a>(
+    pointer: *mut f64,
+    needed: usize,
+    capacity: usize,
+    name: &'static str,
+) -> Result<Option<&'a mut [f64]>, Failure> {
+    if pointer.is_null() {
+        return Ok(None);
+    }
+    if capacity < needed {
+        let message = format!("{needed} cells, and room for {capacity}");
+        return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
+    }
+    input::results(pointer, needed, name).map(Some)
+}
+
+/// Estimates and bounds for each cell, row after row: number i * columns + j is that of cell (i, j).
+///
+/// errors: an estimate of how far a surface through nodes is from the smooth one that they were taken from, at equal
+/// parameters: C h^4 times the fourth derivatives, from differences of nodes. No bound; infinite for fewer than 5 nodes
+/// in a direction; 0 if the patches were given. bilinear: a bound of how far the surface is from the bilinear patch
+/// through the cell's corners; triangles: from the two triangles that either diagonal makes. Each may be NULL.
+/// capacity: how many numbers each has room for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL (the
+/// value is the number of cells), OUT_OF_MEMORY, CANCELLED; nothing is written then. O(cells); threads. From any
+/// thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_estimates(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    errors: *mut f64,
+    bilinear: *mut f64,
+    triangles: *mut f64,
+    capacity: usize,
+) -> gusset_status {
+    guard(context, |job| {
+        let sheet = &input::reference(sheet, "sheet")?.0;
+        let needed = sheet.cells().iter().product();
+        let wanted = [(errors, "errors"), (bilinear, "bilinear"), (triangles, "triangles")];
+        let [errors, bilinear, triangles] = wanted.map(|(to, name)| buffer(to, needed, capacity, name));
+        let (errors, bilinear, triangles) = (errors?, bilinear?, triangles?);
+        let estimates = errors.is_some().then(|| sheet.interpolation_errors(&job.part(0.0, 0.5))).transpose()?;
+        let flat =
+            (bilinear.is_some() || triangles.is_some()).then(|| sheet.flatnesses(&job.part(0.5, 1.0))).transpose()?;
+        errors.into_iter().zip(estimates).for_each(|(to, from)| to.copy_from_slice(&from));
+        for (to, k) in [(bilinear, 0), (triangles, 1)] {
+            to.into_iter().zip(&flat).for_each(|(to, from)| to.iter_mut().zip(from).for_each(|(x, y)| *x = y[k]));
+        }
+        Ok(())
+    })
+}
+
+/// The largest angle between the normals on both sides of borders between cells, in radians: 0, or rounding, where the surface is smooth.
+///
+/// crease: receives it. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_MEMORY, CANCELLED. O(cells); threads. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_sheet_crease(
+    context: *const gusset_context,
+    sheet: *const gusset_sheet,
+    crease: *mut f64,
+) -> gusset_status {
+    let out = input::output(crease, 0.0, "crease");
+    guard(context, |job| {
+        *out? = input::reference(sheet, "sheet")?.0.crease(job)?;
+        Ok(())
+    })
+}

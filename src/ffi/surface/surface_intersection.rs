@@ -1,0 +1,156 @@
+//! Where two surfaces meet, as C sees it.
+
+use crate::alloc;
+use crate::ffi::context::gusset_context;
+use crate::ffi::guard::{create, guard};
+use crate::ffi::input::{self, Versioned};
+use crate::ffi::status::gusset_status;
+use crate::ffi::surface::{gusset_surface, gusset_surface_paths, read};
+use crate::surface::surface_intersection::{CellPair, Options};
+use std::ptr;
+
+/// How intersections are wanted.
+#[repr(C)]
+#[derive(Clone, Copy, Default)]
+pub struct gusset_intersection_options {
+    /// sizeof(gusset_intersection_options), set by the caller.
+    pub struct_size: usize,
+    /// A length, the greatest distance of the curve from the chords between its points; 0: 1e-4 of the diagonal of the smaller surface's box;
+    /// INFINITY: points are only where it crosses sides of cells of either surface. (In gusset_contour_options `between` says which of these is
+    /// meant, GUSSET_POINT_SPACING_AUTO, _CHORD or _NOTHING, and chord is read for the second only.)
+    pub chord: f64,
+    /// A length, finite: branches that are shorter may be lost, and surfaces that are nearer to each other all over are reported as touching; 0:
+    /// the smaller one of the tolerances of the two surfaces.
+    pub tolerance: f64,
+}
+
+/// A cell of one surface and a cell of another.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_cell_pair {
+    /// The sheet of the first surface.
+    pub sheet_a: u32,
+    /// The row of its cell.
+    pub row_a: u32,
+    /// The column of its cell.
+    pub column_a: u32,
+    /// The sheet of the second surface.
+    pub sheet_b: u32,
+    /// The row of its cell.
+    pub row_b: u32,
+    /// The column of its cell.
+    pub column_b: u32,
+}
+
+/// Pairs of cells. Opaque and immutable; it keeps nothing of the surfaces.
+pub struct gusset_cell_pairs(Vec<gusset_cell_pair>);
+
+/// The pairs. The pointer is valid until the handle is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct gusset_cell_pairs_view {
+    /// sizeof(gusset_cell_pairs_view), set by the caller.
+    pub struct_size: usize,
+    /// The pairs, by sheets, then by the first surface's cells.
+    pub pairs: *const gusset_cell_pair,
+    /// How many.
+    pub count: usize,
+}
+
+// SAFETY: repr(C), size first, plain numbers.
+unsafe impl Versioned for gusset_intersection_options {
+    const LEAST_SIZE: usize = 24;
+}
+// SAFETY: repr(C), size first, a pointer and a number.
+unsafe impl Versioned for gusset_cell_pairs_view {
+    const LEAST_SIZE: usize = 24;
+}
+const _: () = assert!(
+    size_of::<usize>() != 8
+        || (size_of::<gusset_intersection_options>() == 24
+            && size_of::<gusset_cell_pair>() == 24
+            && size_of::<gusset_cell_pairs_view>() == 24)
+);
+
+impl From<gusset_intersection_options> for Options {
+    fn from(options: gusset_intersection_options) -> Self {
+        let given = |value: f64| (value != 0.0).then_some(value);
+        Options { chord: given(options.chord), tolerance: given(options.tolerance) }
+    }
+}
+
+impl From<CellPair> for gusset_cell_pair {
+    fn from(pair: CellPair) -> Self {
+        let CellPair { sheets: [sheet_a, sheet_b], cells: [[row_a, column_a], [row_b, column_b]] } = pair;
+        gusset_cell_pair { sheet_a, row_a, column_a, sheet_b, row_b, column_b }
+    }
+}
+
+/// The curves in which two surfaces meet, with the places of their points on both: ordered along N_A x N_B, closed ones marked so.
+///
+/// a, b: the surfaces, which may be the same handle: then all is reported as coincident. options: NULL for the defaults. paths:
+/// receives the curves, for gusset_surface_paths_destroy; NULL on failure. Points and normals are those of a; the points of b at
+/// `others` are the same but for rounding. Every branch longer than the tolerance is found, relative to the surfaces as declared;
+/// cells of a where the two touch, coincide, or meet in a single point are listed as unresolved, and curves may end there.
+/// Intersections of one surface with itself are not looked for. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE,
+/// OUT_OF_RANGE (chord, tolerance), TOO_LARGE above 2^26 pairs of cells, OUT_OF_MEMORY, CANCELLED. In proportion to the pairs of
+/// cells that may meet, with a limit for each; threads; the same bits for any number of them. From any thread. Source: Leus,
+/// "Carcasses on smooth surfaces", task e; the proofs are ours.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_intersection_create(
+    context: *const gusset_context,
+    a: *const gusset_surface,
+    b: *const gusset_surface,
+    options: *const gusset_intersection_options,
+    paths: *mut *mut gusset_surface_paths,
+) -> gusset_status {
+    create(context, paths, "paths", |job| {
+        let options = input::read(options, true, "options")?.into();
+        Ok(read(a)?.meet(read(b)?, &options, job)?.into())
+    })
+}
+
+/// Pairs of cells of two surfaces that may be as near to each other as `within`: all that are, and few others.
+///
+/// within: a length, finite; 0: cells that may meet. pairs: receives them, for gusset_cell_pairs_destroy; NULL on failure.
+/// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, OUT_OF_RANGE (within), TOO_LARGE above 2^26 pairs, OUT_OF_MEMORY, CANCELLED. In
+/// proportion to the pairs, and some for each level of the indices; 24 bytes a pair. From any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_surface_cell_pairs_create(
+    context: *const gusset_context,
+    a: *const gusset_surface,
+    b: *const gusset_surface,
+    within: f64,
+    pairs: *mut *mut gusset_cell_pairs,
+) -> gusset_status {
+    create(context, pairs, "pairs", |job| {
+        let found = read(a)?.candidates(read(b)?, within, job)?;
+        Ok(gusset_cell_pairs(alloc::collect(found.into_iter().map(gusset_cell_pair::from))?))
+    })
+}
+
+/// The pairs, lent until they are destroyed.
+///
+/// parts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE. O(1). From
+/// any thread.
+#[unsafe(no_mangle)]
+#[must_use]
+pub unsafe extern "C" fn gusset_cell_pairs_get_view(
+    pairs: *const gusset_cell_pairs,
+    parts: *mut gusset_cell_pairs_view,
+) -> gusset_status {
+    let out = input::output_struct(parts, "parts");
+    guard(ptr::null(), |_| {
+        let (out, pairs) = (out?, &input::reference(pairs, "pairs")?.0);
+        out.write(gusset_cell_pairs_view { struct_size: 0, pairs: pairs.as_ptr(), count: pairs.len() });
+        Ok(())
+    })
+}
+
+/// Frees pairs of cells; NULL is allowed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn gusset_cell_pairs_destroy(pairs: *mut gusset_cell_pairs) {
+    input::destroy(pairs);
+}
