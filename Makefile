@@ -70,7 +70,7 @@ check:
 
 # What is ignored in `make test` because it takes minutes.
 exhaustive:
-	$(CARGO) test --profile search --locked --test 'surface_*' -- --ignored --nocapture exhaustive_
+	$(CARGO) test --profile search --locked --test surface -- --ignored --nocapture exhaustive_
 
 # The library with the entry points of OpenMfx, for the tests of them; for use: cargo build --release --features openmfx.
 openmfx:
@@ -134,7 +134,7 @@ install-strip: install
 # The binary interface against packaging/abi, whose script says the rule; `make test` does the same.
 check-abi abi-baseline:
 	@scripts/install-packages.sh abigail-tools
-	$(CARGO) test --locked --test c_interface
+	$(CARGO) test --locked --test interface
 	@UNRELEASED='$(UNRELEASED)' packaging/abi/abi.sh $(patsubst check-abi,check,$(@:abi-%=%)) include
 
 check-cargo-c:

@@ -9,7 +9,7 @@ foreach(name meshes stitching curves nets nets_joined surfaces)
   add_test(NAME reference/${name} COMMAND reference_${name})
 endforeach()
 
-# What the guides show; their pages are held against these files by tests/snippets.rs.
+# What the guides show; their pages are held against these files by tests/docs/snippets.rs.
 set(guides ${root}/examples/guides)
 add_executable(guide_c ${guides}/start.c)
 set_target_properties(guide_c PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)

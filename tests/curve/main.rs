@@ -1,0 +1,15 @@
+//! Curves: outlines through points, operations on curves, frames of outlines.
+
+mod construct;
+mod curves;
+mod intersect;
+mod ops;
+mod outline;
+mod outline_data;
+mod outline_export;
+mod outline_frame;
+mod outline_memory;
+mod outline_solvers;
+mod plane;
+mod sections;
+mod stress;

@@ -1,0 +1,512 @@
+//! The iterations that find curves through points: do they solve the equations they should, and what becomes of hard data?
+//!
+//! Everything is checked on what comes out, against the definitions: the curve is evaluated by de Casteljau's scheme here,
+//! the parameters of the method are computed from angles and lengths here.
+
+use crate::outline_data::{
+    Line, adversarial, arc, blob, check, foot_half, outlines, random, sine, size, solve, solve_with,
+};
+use glam::DVec3;
+use gusset::outline::{
+    Constraint, CurveView, Demand, Fit, FitStatus, Joint, Lock, Method, Mode, Options, PointStatus, Solver,
+    step_section,
+};
+
+/// The control point, the first and the last point of a point's segment, and its parameter.
+fn section<'a>(curve: CurveView<'a>, fit: &Fit, i: usize) -> Option<(&'a [DVec3], f64)> {
+    let place = fit.place(i);
+    let controls = curve.segment(place.segment as usize);
+    (controls.len() == 3 && place.t > 0.0 && place.t < 1.0).then_some((controls, place.t))
+}
+
+/// The parameter of the bisector: the roots of the legs.
+fn centripetal(a: DVec3, p: DVec3, c: DVec3) -> f64 {
+    let (before, after) = ((p - a).length().sqrt(), (c - p).length().sqrt());
+    before / (before + after)
+}
+
+#[test]
+fn self_consistent_parameters_on_all_outlines() {
+    let options = Options { lock: Lock::SelfConsistent, ..Options::default() };
+    let mut iterations = Vec::new();
+    for line in outlines() {
+        let fit = solve(&line, &options);
+        check(&line, &fit, "self-consistent");
+        let (report, size, curve) = (fit.reports()[0], size(&line), fit.curve(0));
+        assert!(report.last_move <= options.tolerance, "{}: {report:?}", line.name);
+        iterations.push(report.iterations);
+        for i in 0..line.points.len() {
+            let status = fit.statuses()[i];
+            let Some((controls, t)) = section(curve, &fit, i) else { continue };
+            assert!(
+                matches!(status, PointStatus::Ok | PointStatus::ClampedParameter | PointStatus::Merged),
+                "{status:?}"
+            );
+            let wanted = centripetal(controls[0], line.points[i], controls[2]).clamp(1.0 / 6.0, 5.0 / 6.0);
+            let error = (t - wanted).abs() * controls[2].distance(controls[0]);
+            assert!(error <= 1e-11 * size, "{} {i}: t {t}, not {wanted}", line.name);
+        }
+    }
+    iterations.sort_unstable();
+    if let Some(&most) = iterations.last() {
+        println!("{} outlines, iterations: median {}, most {most}", iterations.len(), iterations[iterations.len() / 2]);
+        assert!(most <= 10);
+    }
+}
+
+#[test]
+fn control_points_lie_on_the_guides_of_the_data() {
+    let options = Options { lock: Lock::DataGuide, ..Options::default() };
+    for (solver, joint) in [(Solver::Fast, Joint::Half), (Solver::Step, Joint::Half), (Solver::Fast, Joint::Knot)] {
+        let (mut kept, mut all) = (0, 0);
+        for line in outlines().into_iter().chain([blob(24, 0.0), blob(25, 1.0)]).filter(|line| line.points.len() < 600)
+        {
+            let n = line.points.len();
+            let fit = solve(&line, &Options { solver, joint, ..options });
+            check(&line, &fit, "guides");
+            let size = size(&line);
+            for i in 0..n {
+                let Some((controls, t)) = section(fit.curve(0), &fit, i) else { continue };
+                let [a, p, c] = [line.points[(i + n - 1) % n], line.points[i], line.points[(i + 1) % n]];
+                all += 1;
+                let (u, v) = (a - p, c - p);
+                match fit.statuses()[i] {
+                    PointStatus::Ok if u.length() > 0.0 && v.length() > 0.0 => {
+                        kept += 1;
+                        // Half of the angle from leg to leg.
+                        let (from, to) = (u.y.atan2(u.x), v.y.atan2(v.x));
+                        let half = 0.5 * (from + to);
+                        let b = controls[1] - p;
+                        let across = b.x * half.sin() - b.y * half.cos();
+                        let aside = across.abs().min((b.x * half.cos() + b.y * half.sin()).abs());
+                        assert!(aside <= 2e-11 * size, "{} {i}: {aside:e} off the guide", line.name);
+                    }
+                    PointStatus::NoCrossing | PointStatus::FellBack => {
+                        assert_eq!(t, centripetal(a, p, c).clamp(1.0 / 6.0, 5.0 / 6.0), "{} {i}", line.name);
+                    }
+                    _ => {}
+                }
+            }
+        }
+        println!("{solver:?} {joint:?}: {kept} of {all} points kept their guides");
+        assert!(f64::from(kept) >= 0.99 * f64::from(all));
+    }
+}
+
+#[test]
+fn stepping_agrees_with_closed_forms_on_sections() {
+    let mut agreed = 0;
+    for line in random(300, 3) {
+        let [a, p, c] = [0, 1, 2].map(|k| line.points[k]);
+        for method in [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian, Method::Alpha(0.3)] {
+            let fast = method.section(a, p, c);
+            match (fast, step_section(a, p, c, method, &Options::default())) {
+                (Ok(fast), Ok((stepped, steps))) => {
+                    let size = size(&line).max(fast.control.distance(p));
+                    assert!(fast.control.distance(stepped.control) <= 1e-11 * size, "{method:?} {fast:?} {stepped:?}");
+                    assert!((fast.t - stepped.t).abs() <= 1e-11, "{method:?} {fast:?} {stepped:?}");
+                    assert!(steps > 0 && steps < 2000);
+                    agreed += 1;
+                }
+                (fast, stepped) => assert_eq!(fast.err(), stepped.err()),
+            }
+        }
+    }
+    assert!(agreed > 1200, "{agreed}");
+    // On the chord, at its middle, and there and back.
+    let (section, steps) =
+        step_section(DVec3::ZERO, DVec3::X, DVec3::X * 2.0, Method::Median, &Options::default()).unwrap();
+    assert_eq!((section.control, section.t, steps), (DVec3::X, 0.5, 0));
+    let back = step_section(DVec3::ZERO, DVec3::X, DVec3::ZERO, Method::Bisector, &Options::default());
+    assert!(back.is_err() || back.unwrap().0.control.is_finite());
+}
+
+#[test]
+fn stepping_agrees_with_fast_solutions_of_outlines() {
+    let lines: Vec<Line> =
+        outlines().into_iter().filter(|line| line.name.starts_with("foot") && line.points.len() < 300).collect();
+    for line in lines.into_iter().chain([blob(24, 0.0), blob(31, 0.7), arc(9)]) {
+        for lock in [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide] {
+            let fast = Options { lock, ..Options::default() };
+            let (fast, stepped) = (solve(&line, &fast), solve(&line, &Options { solver: Solver::Step, ..fast }));
+            assert!(stepped.reports()[0].steps > 10 * line.points.len() as u64, "{}", line.name);
+            assert_eq!(fast.statuses(), stepped.statuses(), "{} {lock:?}", line.name);
+            near(&line, &fast, &stepped, 1e-11, "stepping");
+        }
+    }
+    for line in [arc(3), arc(5), sine(4), sine(5)] {
+        for lock in [Lock::Parameter, Lock::DataGuide] {
+            let fast = Options { mode: Mode::Single, lock, ..Options::default() };
+            let (fast, stepped) = (solve(&line, &fast), solve(&line, &Options { solver: Solver::Step, ..fast }));
+            assert_eq!(stepped.reports()[0].status, FitStatus::Ok, "{} {lock:?}", line.name);
+            check(&line, &stepped, "single, stepping");
+            near(&line, &fast, &stepped, 1e-11, "single, stepping");
+        }
+    }
+}
+
+/// The control points of two curves are within a tolerance, times the size.
+fn near(line: &Line, a: &Fit, b: &Fit, tolerance: f64, what: &str) {
+    assert_eq!(a.points().len(), b.points().len(), "{what} {}", line.name);
+    let far = a.points().iter().zip(b.points()).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max) / size(line);
+    assert!(far <= tolerance, "{what} {}: {far:e}", line.name);
+}
+
+#[test]
+fn nothing_breaks_the_solvers() {
+    let mut lines = adversarial();
+    lines.extend(random(12, 17));
+    // All but straight: guides across, crossings near the ends.
+    for n in [6, 10, 16] {
+        lines.extend(random(24, n).into_iter().map(|mut line| {
+            line.points.iter_mut().for_each(|p| p.y *= 1e-9);
+            line
+        }));
+    }
+    let methods = [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian, Method::Alpha(0.25)];
+    for line in &lines {
+        for method in methods {
+            for lock in [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide] {
+                for joint in [Joint::Half, Joint::Knot, Joint::G2] {
+                    let options = Options { method, lock, joint, max_sweeps: 60, ..Options::default() };
+                    check(line, &solve(line, &options), &format!("{method:?} {lock:?} {joint:?}"));
+                }
+                let step = Options {
+                    method,
+                    lock,
+                    solver: Solver::Step,
+                    max_sweeps: 20,
+                    max_steps: 300,
+                    ..Options::default()
+                };
+                check(line, &solve(line, &step), &format!("{method:?} {lock:?} steps"));
+                for (joint, max_sweeps) in [(Joint::Knot, 1), (Joint::Knot, 5), (Joint::G2, 5)] {
+                    let hasty = Options { method, lock, joint, max_sweeps, ..Options::default() };
+                    check(line, &solve(line, &hasty), &format!("{method:?} {lock:?} {joint:?}, {max_sweeps} sweeps"));
+                }
+                let knots = Options { joint: Joint::Knot, ..step };
+                check(line, &solve(line, &knots), &format!("{method:?} {lock:?} knots, steps"));
+                let single = Options { mode: Mode::Single, ..step };
+                check(line, &solve(line, &single), &format!("single {method:?} {lock:?} steps"));
+                let single = Options { solver: Solver::Fast, ..single };
+                check(line, &solve(line, &single), &format!("single {method:?} {lock:?}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_bisector_is_self_consistent_for_any_points() {
+    let options = Options { lock: Lock::SelfConsistent, ..Options::default() };
+    for line in random(60, 40) {
+        let fit = solve(&line, &options);
+        assert_eq!(fit.reports()[0].status, FitStatus::Ok, "{:?}", fit.reports()[0]);
+    }
+}
+
+/// Turned, larger, from the other end, and from another point on.
+#[test]
+fn solutions_move_with_the_points() {
+    let options = Options { tolerance: 1e-14, ..Options::default() };
+    let locks = [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide];
+    for line in [blob(24, 0.0), blob(37, 1.3)] {
+        for lock in locks {
+            for joint in [Joint::Half, Joint::Knot] {
+                let options = Options { lock, joint, ..options };
+                let plain = solve(&line, &options);
+                assert_eq!(plain.reports()[0].not_ok, 0, "{lock:?} {joint:?} {:?}", plain.reports()[0]);
+                let (sin, cos) = 0.7f64.sin_cos();
+                let turn = |p: DVec3| DVec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z) * 1e5;
+                let turned = Line { points: line.points.iter().map(|&p| turn(p)).collect(), ..line.clone() };
+                // The joint where a closed curve begins depends on the first point.
+                let controls = |fit: &Fit| -> Vec<DVec3> { fit.curve(0).segments().map(|s| s[1]).collect() };
+                let far = |a: &[DVec3], b: &[DVec3]| a.iter().zip(b).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+                let wanted: Vec<DVec3> = controls(&plain).into_iter().map(turn).collect();
+                let found = far(&controls(&solve(&turned, &options)), &wanted) / size(&turned);
+                assert!(found <= 1e-12, "{lock:?} {joint:?} turned: {found:e}");
+                let mut shifted = line.clone();
+                shifted.points.rotate_left(5);
+                let mut wanted = controls(&plain);
+                wanted.rotate_left(5);
+                let found = far(&controls(&solve(&shifted, &options)), &wanted) / size(&line);
+                assert!(found <= 1e-12, "{lock:?} {joint:?} shifted: {found:e}");
+                let mut backwards = line.clone();
+                backwards.points.reverse();
+                let mut wanted = controls(&plain);
+                wanted.reverse();
+                let found = far(&controls(&solve(&backwards, &options)), &wanted) / size(&line);
+                assert!(found <= 1e-12, "{lock:?} {joint:?} backwards: {found:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn single_curves_move_with_the_points() {
+    for line in [arc(8), sine(9)] {
+        let options = Options { mode: Mode::Single, lock: Lock::DataGuide, ..Options::default() };
+        let plain = solve(&line, &options);
+        assert_eq!(plain.reports()[0].status, FitStatus::Ok);
+        let far = |a: &[DVec3], b: &[DVec3]| a.iter().zip(b).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+        let (sin, cos) = 0.7f64.sin_cos();
+        let turn = |p: DVec3| DVec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z) * 1e5;
+        let turned = Line { points: line.points.iter().map(|&p| turn(p)).collect(), ..line.clone() };
+        let wanted: Vec<DVec3> = plain.points().iter().map(|&p| turn(p)).collect();
+        let found = far(solve(&turned, &options).points(), &wanted) / size(&turned);
+        assert!(found <= 1e-11, "turned: {found:e}");
+        let mut backwards = line.clone();
+        backwards.points.reverse();
+        let wanted: Vec<DVec3> = plain.points().iter().rev().copied().collect();
+        let found = far(solve(&backwards, &options).points(), &wanted) / size(&line);
+        assert!(found <= 1e-11, "backwards: {found:e}");
+    }
+}
+
+/// Steps that are used up are told from steps that have arrived.
+#[test]
+fn too_few_steps_or_sweeps_are_said_to_be() {
+    for lock in [Lock::SelfConsistent, Lock::DataGuide] {
+        for few in [Options { max_steps: 3, ..Options::default() }, Options { max_sweeps: 1, ..Options::default() }] {
+            let options = Options { lock, solver: Solver::Step, ..few };
+            let line = blob(24, 0.0);
+            let fit = solve(&line, &options);
+            check(&line, &fit, "few");
+            assert_eq!(fit.reports()[0].status, FitStatus::NotConverged, "{lock:?} {:?}", fit.reports()[0]);
+            assert!(fit.statuses().iter().all(|&status| status == PointStatus::FellBack), "{:?}", fit.statuses());
+            // What is left is the lock by parameters.
+            near(&line, &fit, &solve(&line, &Options::default()), 1e-15, "few");
+        }
+    }
+}
+
+/// Wild points: whoever is said to be on a guide is, and whoever is not is said to be.
+#[test]
+fn lost_guides_are_told() {
+    let (mut kept, mut lost) = (0, 0);
+    for mode in [Mode::Composite, Mode::Single] {
+        for line in random(40, 9) {
+            let n = line.points.len();
+            let fit = solve(&line, &Options { mode, lock: Lock::DataGuide, ..Options::default() });
+            check(&line, &fit, "lost");
+            let curve = fit.curve(0);
+            for i in 1..n - 1 {
+                let [a, p, c] = [line.points[i - 1], line.points[i], line.points[i + 1]];
+                let place = fit.place(i);
+                let controls = curve.segment(place.segment as usize);
+                let closed = usize::from(line.closed);
+                let b = if controls.len() == 3 { controls[1] } else { controls[i + closed] };
+                let across = (a - p).normalize() - (c - p).normalize();
+                let aside = (b - p).dot(across.normalize()).abs();
+                let on = aside <= 1e-9 * b.distance(p).max(1.0);
+                let said = matches!(fit.statuses()[i], PointStatus::Ok);
+                assert_eq!(on, said, "{mode:?} {} {i}: {aside:e} {:?}", line.name, fit.statuses()[i]);
+                kept += u32::from(on);
+                lost += u32::from(!on);
+            }
+        }
+    }
+    assert!(kept > 50 && lost > 50, "{kept} {lost}");
+}
+
+/// All but straight, with a tangent out of its plane: with guides, control points go astray with any shares of the joints.
+#[test]
+fn what_runs_away_with_any_joints_is_solved_by_parameters() {
+    let points = [
+        (0.697, 7.8),
+        (0.335, 4.4),
+        (0.025, 6.9),
+        (0.488, 2.7),
+        (0.676, 4.5),
+        (0.157, 9.1),
+        (0.276, 0.0),
+        (0.239, 7.3),
+        (0.275, 0.8),
+        (0.309, 1.3),
+        (0.44, 8.2),
+        (0.271, 1.8),
+        (0.182, 6.0),
+        (0.871, 1.7),
+        (0.066, 3.5),
+        (0.861, 0.4),
+    ];
+    let points = points.map(|(x, y)| DVec3::new(x, y * 1e-10, 0.0)).to_vec();
+    let line = Line { name: "astray".into(), closed: false, points };
+    let constraints = [Constraint { point: 7, demand: Demand::Tangent(DVec3::new(-0.11, 0.36, 0.15)) }];
+    let options = Options { method: Method::Median, lock: Lock::DataGuide, ..Options::default() };
+    for (joint, parameter_limit) in [(Joint::Knot, 1e-3), (Joint::Knot, 1.0 / 6.0), (Joint::G2, 1e-3)] {
+        let fit = solve_with(&line, &Options { joint, parameter_limit, ..options }, &constraints);
+        assert!(fit.reports()[0].max_residual <= 1e-14, "{joint:?} {:?}", fit.reports()[0]);
+        assert!(fit.statuses().contains(&PointStatus::FellBack));
+    }
+}
+
+#[test]
+fn points_in_space() {
+    let helix = |n: usize| {
+        let at = |i: usize| (i as f64 * 0.4).sin_cos();
+        Line {
+            name: "helix".into(),
+            closed: false,
+            points: (0..n).map(|i| DVec3::new(at(i).0, at(i).1, 0.1 * i as f64)).collect(),
+        }
+    };
+    let line = helix(40);
+    let fit = solve(&line, &Options { lock: Lock::SelfConsistent, ..Options::default() });
+    check(&line, &fit, "helix");
+    assert_eq!(fit.reports()[0].status, FitStatus::Ok);
+    for i in 1..39 {
+        let (controls, t) = section(fit.curve(0), &fit, i).unwrap();
+        assert!((t - centripetal(controls[0], line.points[i], controls[2])).abs() < 1e-11);
+    }
+    for mode in [Mode::Composite, Mode::Single] {
+        let fit = solve(&helix(8), &Options { mode, lock: Lock::DataGuide, ..Options::default() });
+        check(&helix(8), &fit, "helix, guides");
+        assert!(fit.statuses()[1..7].iter().all(|&status| status == PointStatus::OutOfPlane), "{:?}", fit.statuses());
+    }
+    // A plane outline gives the same curve in any plane.
+    let (line, turn) =
+        (blob(24, 0.0), |p: DVec3| glam::DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), 1.1) * p);
+    let tilted = Line { points: line.points.iter().map(|&p| turn(p)).collect(), ..line.clone() };
+    for lock in [Lock::SelfConsistent, Lock::DataGuide] {
+        let options = Options { lock, tolerance: 1e-14, ..Options::default() };
+        let (flat, tilted) = (solve(&line, &options), solve(&tilted, &options));
+        assert_eq!(tilted.reports()[0].not_ok, 0);
+        for (p, q) in flat.points().iter().zip(tilted.points()) {
+            assert!(turn(*p).distance(*q) <= 1e-12 * size(&line), "{lock:?}");
+        }
+    }
+}
+
+/// With joints by knots the speed is continuous: legs at a joint are as the spans of its sections.
+#[test]
+fn joints_by_knots() {
+    let line = blob(30, 0.9);
+    let n = line.points.len();
+    let fit = solve(&line, &Options { joint: Joint::Knot, ..Options::default() });
+    assert_eq!(fit.reports()[0].not_ok, 0);
+    let chord = |i: usize| line.points[i % n].distance(line.points[(i + 1) % n]).sqrt();
+    for i in 0..n {
+        let (here, there) = (fit.curve(0).segment(i), fit.curve(0).segment((i + 1) % n));
+        let ratio = here[2].distance(here[1]) / there[1].distance(there[0]);
+        let spans = (chord(i + n - 1) + chord(i)) / (chord(i) + chord(i + 1));
+        assert!((ratio / spans - 1.0).abs() < 1e-9, "{i}: {ratio} {spans}");
+    }
+    // Spans of 1 and a million.
+    let line = Line {
+        points: (0..40)
+            .map(|i| DVec3::new(f64::from(i / 2) + 1e-6 * f64::from(i % 2), f64::from(i * i % 7), 0.0))
+            .collect(),
+        ..line
+    };
+    let fit = solve(&line, &Options { joint: Joint::Knot, method: Method::Symmedian, ..Options::default() });
+    check(&line, &fit, "knots");
+}
+
+/// Where joints by curvatures come to rest, the curvature is the same on both sides.
+#[test]
+fn joints_by_curvatures() {
+    let mut checked = 0;
+    for line in [blob(12, 0.3), blob(16, 0.0), arc(9)] {
+        let fit = solve(&line, &Options { joint: Joint::G2, max_sweeps: 2000, ..Options::default() });
+        check(&line, &fit, "curvatures");
+        assert_ne!(fit.reports()[0].status, FitStatus::NotConverged, "{} {:?}", line.name, fit.reports()[0]);
+        assert!(fit.reports()[0].iterations <= 15, "{} {:?}", line.name, fit.reports()[0]);
+        let curve = fit.curve(0);
+        let curvature = |a: DVec3, b: DVec3, c: DVec3| (b - a).cross(c - b).z / (b - a).length().powi(3);
+        for k in 0..curve.len() - usize::from(!line.closed) {
+            let (here, there) = (curve.segment(k), curve.segment((k + 1) % curve.len()));
+            if fit.statuses()[k + usize::from(!line.closed)] != PointStatus::Ok {
+                continue;
+            }
+            let before = -curvature(here[2], here[1], here[0]);
+            let after = curvature(there[0], there[1], there[2]);
+            assert!(
+                (before.abs() - after.abs()).abs() <= 1e-8 * before.abs().max(1.0),
+                "{} {k}: {before} {after}",
+                line.name
+            );
+            checked += 1;
+        }
+    }
+    assert!(checked > 20, "{checked}");
+}
+
+#[test]
+fn single_curves_keep_their_guides() {
+    let options = Options { mode: Mode::Single, lock: Lock::DataGuide, ..Options::default() };
+    let mut most = 0;
+    for n in [2, 3, 4, 5, 6, 8, 10, 12, 15, 20] {
+        let mut lines = vec![arc(n + 1), sine(n + 1)];
+        lines.extend((0..20).filter_map(|k| foot_half(k, n)));
+        for line in lines {
+            let fit = solve(&line, &options);
+            let report = fit.reports()[0];
+            assert_eq!(fit.curve(0).len(), 1, "{} {n} {report:?}", line.name);
+            check(&line, &fit, "single");
+            assert!(report.max_residual <= 1e-14, "{} {n} {report:?}", line.name);
+            most = most.max(report.iterations);
+            let controls = fit.curve(0).segment(0);
+            let far = (1..n).map(|i| controls[i].distance(line.points[i])).fold(0.0, f64::max) / size(&line);
+            let wanted = if far > 2.0 { FitStatus::IllConditioned } else { FitStatus::Ok };
+            assert_eq!(report.status, wanted, "{} {n}: {far}", line.name);
+            for (i, control) in controls.iter().enumerate().take(n).skip(1) {
+                let [a, p, c] = [line.points[i - 1], line.points[i], line.points[i + 1]];
+                let guide = ((a - p).normalize() - (c - p).normalize()).normalize();
+                // The guide is across the difference of the legs' directions.
+                let aside = (control - p).dot(guide).abs();
+                assert!(aside <= 1e-13 * size(&line) * far.max(1.0), "{} {n} {i}: {aside:e}", line.name);
+            }
+            assert!(fit.parameters().windows(2).all(|pair| pair[0] < pair[1]));
+        }
+    }
+    println!("single curves: at most {most} iterations");
+    assert!(most <= 8);
+}
+
+#[test]
+fn single_curves_by_parameters() {
+    for line in [arc(6), sine(9)] {
+        let fit = solve(&line, &Options { mode: Mode::Single, ..Options::default() });
+        check(&line, &fit, "collocation");
+        let mut knots = vec![0.0];
+        line.points.windows(2).for_each(|pair| knots.push(knots[knots.len() - 1] + pair[0].distance(pair[1]).sqrt()));
+        for (t, knot) in fit.parameters().iter().zip(&knots) {
+            assert!((t - knot / knots[knots.len() - 1]).abs() < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn single_curves_have_their_tangents_and_seams() {
+    for lock in [Lock::Parameter, Lock::DataGuide] {
+        let options = Options { mode: Mode::Single, lock, ..Options::default() };
+        let line = sine(7);
+        let tangent = DVec3::new(1.0, 2.0, 0.0);
+        let constraints = [
+            Constraint { point: 0, demand: Demand::Tangent(tangent) },
+            Constraint { point: 6, demand: Demand::Tangent(DVec3::X) },
+        ];
+        let fit = solve_with(&line, &options, &constraints);
+        check(&line, &fit, "tangents");
+        let controls = fit.curve(0).segment(0);
+        assert_eq!((fit.curve(0).len(), controls.len()), (1, 9));
+        let legs = [(controls[1] - controls[0]).normalize(), (controls[8] - controls[7]).normalize()];
+        assert!(legs[0].distance(tangent.normalize()) < 1e-14 && legs[1].distance(DVec3::X) < 1e-14, "{legs:?}");
+        // Closed: smooth where it begins.
+        for n in [3, 5, 7] {
+            let line = blob(n, 0.0);
+            let fit = solve(&line, &options);
+            check(&line, &fit, "closed");
+            let controls = fit.curve(0).segment(0);
+            assert_eq!((fit.curve(0).len(), controls.len(), fit.curve(0).is_closed()), (1, n + 3, true));
+            let (first, last) = (controls[1] - controls[0], controls[n + 2] - controls[n + 1]);
+            assert!(first.normalize().distance(last.normalize()) < 1e-13, "{first} {last}");
+            assert!(first.dot(line.points[1] - line.points[n - 1]) > 0.0, "{first}");
+        }
+    }
+    let line = blob(80, 0.0);
+    let fit = solve(&line, &Options { mode: Mode::Single, ..Options::default() });
+    check(&line, &fit, "many");
+    assert_eq!((fit.reports()[0].status, fit.curve(0).len()), (FitStatus::DegreeTooHigh, 80));
+    assert!(fit.statuses().iter().all(|&status| status == PointStatus::FellBack));
+}

@@ -1,0 +1,3 @@
+//! The pages hold what the code does.
+
+mod snippets;

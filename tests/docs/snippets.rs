@@ -1,0 +1,103 @@
+//! What the README and the guides show is what the tests compile and run: a block of code names the file that it is from, and, if it
+//! is a part of it, the part, which lies between two lines that end in `! [part]`. `GUSSET_UPDATE=1 cargo test --test docs` copies
+//! them in. A block that names no file may hold calls of make, whose targets there must be, or output.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+fn read(path: impl AsRef<Path>) -> String {
+    let path = Path::new(ROOT).join(path);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The README, and the guides in the order of their names.
+fn pages() -> Vec<PathBuf> {
+    let folder = fs::read_dir(Path::new(ROOT).join("docs/guides")).unwrap();
+    let mut guides: Vec<_> = folder.map(|entry| Path::new("docs/guides").join(entry.unwrap().file_name())).collect();
+    guides.sort();
+    [vec![PathBuf::from("README.md")], guides].concat()
+}
+
+/// A part of a file, without the indentation that all of it has; or all of the file.
+fn part(file: &str, name: Option<&str>) -> String {
+    let text = read(file);
+    let Some(name) = name else { return text };
+    let mark = format!("! [{name}]");
+    let mut lines = text.lines().skip_while(|line| !line.ends_with(&mark)).skip(1).peekable();
+    assert!(lines.peek().is_some(), "{file} has no part {name}");
+    let lines: Vec<_> = lines.take_while(|line| !line.ends_with(&mark)).collect();
+    let blank = |line: &&&str| !line.trim().is_empty();
+    let indent = lines.iter().filter(blank).map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
+    lines.iter().map(|line| line.get(indent..).unwrap_or("").to_owned() + "\n").collect()
+}
+
+/// The page as it must be, and the files that it shows.
+fn wanted(page: &str, makefile: &str) -> (String, Vec<String>) {
+    let (mut text, mut files) = (String::new(), Vec::new());
+    let mut lines = page.lines();
+    while let Some(line) = lines.next() {
+        text += &(line.to_owned() + "\n");
+        let Some(info) = line.strip_prefix("```") else { continue };
+        let mut words = info.split(' ');
+        let language = words.next().unwrap_or("");
+        let block: Vec<_> = lines.by_ref().take_while(|line| *line != "```").collect();
+        if let Some(file) = words.next() {
+            files.push(file.to_owned());
+            text += &part(file, words.next());
+        } else {
+            for line in &block {
+                let mut words = line.split_whitespace();
+                let target = (words.next() == Some("make")).then(|| words.next().unwrap_or("build"));
+                let there = target.is_some_and(|target| makefile.lines().any(|l| l.starts_with(&format!("{target}:"))));
+                assert!(language == "text" || there, "of no file, and no target of the Makefile: {line}");
+                text += &((*line).to_owned() + "\n");
+            }
+        }
+        text += "```\n";
+    }
+    (text, files)
+}
+
+#[test]
+fn pages_show_what_is_compiled_and_run() {
+    let makefile = read("Makefile");
+    let built = ["cpp_tests/CMakeLists.txt", "cpp_tests/docs.cmake"].map(read).concat();
+    let mut shown = 0;
+    for path in pages() {
+        let page = read(&path);
+        let (wanted, files) = wanted(&page, &makefile);
+        shown += files.len();
+        for file in files {
+            let name = match file.strip_prefix("examples/guides/") {
+                Some("CMakeLists.txt") => "--build-and-test ${guides}".to_owned(),
+                Some(name) => format!("${{guides}}/{name}"),
+                None => format!("${{root}}/{file}"),
+            };
+            assert!(built.contains(&name), "{}: no test builds {file}", path.display());
+        }
+        if env::var_os("GUSSET_UPDATE").is_some() {
+            fs::write(Path::new(ROOT).join(&path), &wanted).unwrap();
+        } else {
+            let page = path.display();
+            assert!(read(&path) == wanted, "{page}: GUSSET_UPDATE=1 cargo test --test docs copies the examples in");
+        }
+    }
+    assert!(shown > 20);
+}
+
+#[test]
+fn the_errata_name_tests_that_there_are() {
+    let (page, mut named) = (read("docs/errata.md"), 0);
+    for line in page.lines().filter(|line| line.starts_with("| ")) {
+        let words: Vec<_> = line.split('`').skip(1).step_by(2).collect();
+        let Some(file) = words.iter().position(|word| word.starts_with("tests/")) else { continue };
+        assert!(file + 1 < words.len(), "no test: {line}");
+        for test in &words[file + 1..] {
+            assert!(read(words[file]).contains(&format!("fn {test}(")), "{} has no {test}", words[file]);
+            named += 1;
+        }
+    }
+    assert!(named > 40);
+}

@@ -1,0 +1,14 @@
+//! The table of filters that hosts read, and what its filters give.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod cancel;
+mod curve;
+mod editor;
+mod mesh;
+mod net;
+mod page;
+
+mod surface;
+mod table;

@@ -1,0 +1,160 @@
+//! The C interface as built: header, version, symbols, what the linker was told.
+//!
+//! `GUSSET_UPDATE=1 cargo test --test interface` rewrites the committed header and the list of symbols.
+
+use std::ffi::CStr;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+/// What a C program links besides the static library, on Linux.
+const STATIC_LINK_LINE: &str = "-lgcc_s -lutil -lrt -lpthread -lm -ldl -lc";
+
+/// The library's, and a plugin host's.
+const HEADERS: [&str; 2] = ["gusset.h", "gusset_plugin.h"];
+
+/// Compares a committed file with what it must be, or rewrites it.
+fn committed(path: &str, generated: &str) {
+    let path = Path::new(ROOT).join(path);
+    if env::var_os("GUSSET_UPDATE").is_some() {
+        fs::write(&path, generated).unwrap();
+    }
+    let found = fs::read_to_string(&path).unwrap_or_default();
+    let line = found.lines().zip(generated.lines()).position(|(a, b)| a != b);
+    assert!(
+        found == generated,
+        "{} is not what the sources say, from line {} on; GUSSET_UPDATE=1 cargo test --test interface rewrites it",
+        path.display(),
+        line.unwrap_or(found.lines().count().min(generated.lines().count())) + 1
+    );
+}
+
+#[test]
+fn the_committed_headers_are_the_generated_ones() {
+    for name in HEADERS {
+        let generated = Path::new(env!("OUT_DIR")).join(name);
+        committed(&format!("include/{name}"), &fs::read_to_string(generated).unwrap());
+    }
+}
+
+#[test]
+fn the_version_is_the_package_s() {
+    // SAFETY: the function returns a static string.
+    #[allow(unsafe_code)]
+    let version = unsafe { CStr::from_ptr(gusset::ffi::version::gusset_version()) };
+    assert_eq!(version.to_str().unwrap(), env!("CARGO_PKG_VERSION"));
+    let header = fs::read_to_string(Path::new(ROOT).join("include/gusset.h")).unwrap();
+    let parts: Vec<_> = env!("CARGO_PKG_VERSION").split('.').collect();
+    for (name, part) in ["MAJOR", "MINOR", "PATCH"].iter().zip(parts) {
+        assert!(header.contains(&format!("#define GUSSET_VERSION_{name} {part}\n")), "{name}");
+    }
+}
+
+#[test]
+fn every_status_has_a_text_of_its_own() {
+    let header = fs::read_to_string(Path::new(ROOT).join("include/gusset.h")).unwrap();
+    let numbers: Vec<i32> = header
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("GUSSET_")?.split_once(" = ")?.1.trim_end_matches(',').parse().ok())
+        .collect();
+    assert!(numbers.len() > 20);
+    #[allow(unsafe_code)]
+    let text = |status| {
+        // SAFETY: the function returns a static string.
+        unsafe { CStr::from_ptr(gusset::ffi::status::gusset_status_text(status)) }.to_str().unwrap()
+    };
+    let mut texts: Vec<_> = numbers.iter().map(|&n| text(n)).collect();
+    assert!(!texts.contains(&"unknown status"));
+    assert_eq!(text(-1), "unknown status");
+    texts.sort_unstable();
+    texts.dedup();
+    assert_eq!(texts.len(), numbers.len());
+}
+
+/// Cargo puts the C libraries where this test program is, or one folder up.
+#[cfg(target_os = "linux")]
+fn built(name: &str) -> PathBuf {
+    let here = env::current_exe().unwrap();
+    let mut folders = here.ancestors().skip(1).take(2).map(|folder| folder.join(name));
+    folders.find(|path| path.exists()).unwrap_or_else(|| panic!("{name} was not built"))
+}
+
+#[cfg(target_os = "linux")]
+fn run(command: &mut Command) -> String {
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{command:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn the_library_exports_what_the_header_declares_and_nothing_else() {
+    let listing = run(Command::new("nm").args(["-D", "--defined-only"]).arg(built("libgusset.so")));
+    let symbols = listing.lines().filter_map(|line| line.split_whitespace().nth(2));
+    let (effects, symbols): (Vec<_>, Vec<_>) = symbols.partition(|symbol| symbol.starts_with("Ofx"));
+    committed("include/gusset.symbols", &(symbols.join("\n") + "\n"));
+    if cfg!(feature = "openmfx") {
+        committed("include/gusset.openmfx.symbols", &(effects.join("\n") + "\n"));
+    } else {
+        assert!(effects.is_empty(), "{effects:?}");
+    }
+    let headers = HEADERS.map(|name| fs::read_to_string(Path::new(ROOT).join("include").join(name)).unwrap());
+    let header = headers.concat();
+    for symbol in &symbols {
+        assert!(header.contains(&format!("{symbol}(")), "{symbol} is not declared");
+    }
+    let declared = |api: &str| header.matches(api).count() - header.matches(&format!("#define {api}")).count();
+    assert_eq!(declared("GUSSET_API") + declared("GUSSET_PLUGIN_API"), symbols.len());
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn the_library_has_its_soname_and_stays_loaded() {
+    let dynamic = run(Command::new("readelf").arg("-d").arg(built("libgusset.so")));
+    let (major_minor, _) = env!("CARGO_PKG_VERSION").rsplit_once('.').unwrap();
+    assert!(dynamic.contains(&format!("[libgusset.so.{major_minor}]")), "{dynamic}");
+    assert!(dynamic.contains("NODELETE"), "{dynamic}");
+}
+
+#[test]
+fn all_that_name_the_static_link_line_agree() {
+    for (path, separator) in
+        [("README.md", " "), ("packaging/gusset.pc.in", " "), ("include/cmake/gussetConfig.cmake", ";")]
+    {
+        let text = fs::read_to_string(Path::new(ROOT).join(path)).unwrap();
+        assert!(text.contains(&STATIC_LINK_LINE.replace(' ', separator)), "{path}");
+    }
+}
+
+/// What names the shared library for its users names the one that this version installs.
+#[test]
+fn the_librarys_name_is_that_of_this_version() {
+    let name = concat!("libgusset.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
+    let pages = ["README.md", "docs/guides/plugin.md"];
+    for file in ["include/gusset_plugin.h", "examples/host/main.cpp", "examples/guides/plugin.c"].iter().chain(&pages) {
+        let text = fs::read_to_string(Path::new(ROOT).join(file)).unwrap();
+        let mut versions = text.match_indices("libgusset.so.").map(|(at, _)| &text[at..]).peekable();
+        assert!(versions.peek().is_some(), "{file}");
+        for version in versions {
+            let rest = version.strip_prefix(name).filter(|rest| !rest.starts_with(|c: char| c.is_ascii_digit()));
+            assert!(rest.is_some(), "{file}: {:?} is not {name}", &version[..20.min(version.len())]);
+        }
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn the_static_link_line_suffices() {
+    let folder = env::temp_dir().join(format!("gusset-link-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let (source, program) = (folder.join("link.c"), folder.join("link"));
+    fs::write(&source, "#include <gusset.h>\nint main(void) { return gusset_abi() == 0 || gusset_version() == 0; }\n")
+        .unwrap();
+    let mut gcc = Command::new("gcc");
+    gcc.args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-nodefaultlibs", "-I"]);
+    gcc.arg(Path::new(ROOT).join("include")).arg(&source).arg(built("libgusset.a"));
+    run(gcc.args(STATIC_LINK_LINE.split(' ')).arg("-o").arg(&program));
+    run(&mut Command::new(&program));
+    fs::remove_dir_all(&folder).unwrap();
+}

@@ -1,0 +1,3 @@
+//! The C interface as built.
+
+mod c_abi;

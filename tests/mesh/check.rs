@@ -1,0 +1,150 @@
+//! The check, against surfaces whose properties are known and against brute force.
+
+use crate::common::{Soup, cap, edge_counts, euler, sheet};
+use gusset::Job;
+use gusset::check::{Check, check};
+use proptest::prelude::*;
+use std::collections::{HashMap, HashSet};
+
+fn checked(soup: &Soup) -> Check {
+    check(&soup.view(), &Job::default()).unwrap()
+}
+
+/// A w x h sheet whose left and right sides are one, turned over on the way if `twisted`; and, if `closed`, top and bottom
+/// too: tube, Moebius strip, torus, Klein bottle.
+fn glued(w: u32, h: u32, twisted: bool, closed: bool) -> Soup {
+    let rows = if closed { h } else { h + 1 };
+    let at = |i: u32, j: u32| {
+        let j = if i == w && twisted { (h - j) % rows } else { j % rows };
+        j * w + i % w
+    };
+    let points = (0..w * rows).map(|k| [f64::from(k % w), f64::from(k / w), f64::from(k * k % 7)]).collect();
+    let mut soup = Soup { points, offsets: vec![0], corners: Vec::new() };
+    for j in 0..h {
+        for i in 0..w {
+            soup.face(&[at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+        }
+    }
+    soup
+}
+
+#[test]
+fn surfaces_of_every_kind() {
+    // euler, boundary walks, closed, orientable, genus
+    let cases = [
+        (sheet(4, 3), (1, 1, false, true, Some(0))),
+        (glued(8, 3, false, false), (0, 2, false, true, Some(0))),
+        (glued(8, 3, true, false), (0, 1, false, false, None)),
+        (glued(8, 5, false, true), (0, 0, true, true, Some(1))),
+        (glued(8, 5, true, true), (0, 0, true, false, None)),
+        (glued(8, 5, false, true).and(&sheet(1, 1)), (1, 1, false, true, Some(1))),
+        (glued(8, 5, false, true).and(&glued(5, 4, false, true)), (0, 0, true, true, Some(2))),
+    ];
+    for (i, (soup, expected)) in cases.iter().enumerate() {
+        let c = checked(soup);
+        assert_eq!((c.euler, c.boundary_walks, c.closed, c.orientable, c.genus), *expected, "case {i}: {c:?}");
+        assert!(c.manifold && c.non_manifold_vertices.is_empty() && c.duplicate_faces.is_empty());
+        assert_eq!(c.euler, euler(soup.faces()));
+        assert_eq!(c.oriented, c.orientable);
+    }
+    assert_eq!(checked(&cases[5].0).components, 2);
+    let sphere = checked(&cap(8, 3, 0.4, 1.0));
+    assert_eq!((sphere.euler, sphere.genus, sphere.components), (1, Some(0), 1));
+}
+
+#[test]
+fn a_flipped_face_is_orientable_but_not_oriented() {
+    let mut soup = glued(8, 5, false, true);
+    soup.corners[0..4].reverse();
+    let c = checked(&soup);
+    assert!(!c.oriented && c.orientable && c.manifold && c.closed);
+    assert_eq!((c.orientation_conflicts.len(), c.genus), (4, Some(1)));
+}
+
+#[test]
+fn each_defect_is_listed() {
+    // A triangle twice, once from another corner and once backwards, and a quad with the same vertices in another order.
+    let c = checked(&Soup::flat(4, &[&[0, 1, 2, 3], &[0, 2, 1, 3], &[2, 3, 0, 1], &[1, 0, 3, 2]]));
+    assert_eq!(c.duplicate_faces, [2, 3]);
+    // Two cones that touch at their tips, closed below: a bow-tie without any boundary.
+    let mut points = vec![[0.0; 3]];
+    let mut faces: Vec<Vec<u32>> = Vec::new();
+    for (k, z) in [(0, 1.0), (1, -1.0)] {
+        let first = points.len() as u32;
+        points.extend([[1.0, 0.0, z], [-1.0, 1.0, z], [-1.0, -1.0, z]]);
+        let ring = [first, first + 1 + k, first + 2 - k];
+        faces.extend((0..3).map(|i| vec![0, ring[i], ring[(i + 1) % 3]]));
+        faces.push(ring.into_iter().rev().collect());
+    }
+    let list: Vec<&[u32]> = faces.iter().map(Vec::as_slice).collect();
+    let c = checked(&Soup::new(points, &list));
+    assert_eq!((c.bow_ties.as_slice(), c.non_manifold_vertices.as_slice()), (&[0][..], &[0][..]));
+    assert!(c.closed && !c.manifold && c.genus.is_none() && c.non_manifold_edges.is_empty() && c.components == 2);
+    // Three faces on an edge; a vertex nobody uses; a face that repeats a vertex, and touches another there.
+    let c = checked(&Soup::flat(8, &[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4], &[4, 5, 4, 7]]));
+    assert_eq!((c.non_manifold_edges.as_slice(), c.non_manifold_vertices.as_slice()), (&[0][..], &[0, 1, 4][..]));
+    assert_eq!((c.unused_vertices.as_slice(), c.degenerate_faces.as_slice(), c.closed), (&[6][..], &[3][..], false));
+    let thin = Soup::new(vec![[0.1; 3], [0.2; 3], [0.7; 3], [0.0, 0.0, 1e-9]], &[&[0, 1, 2], &[0, 1, 3]]);
+    assert_eq!(checked(&thin).zero_area_faces, [0]);
+    let far = Soup::new(vec![[1e8, 0.0, 0.0], [1e8 + 1.0, 0.0, 0.0], [1e8, 1.0, 0.0]], &[&[0, 1, 2]]);
+    assert!(checked(&far).zero_area_faces.is_empty());
+}
+
+/// A set of lists up to rotation and reversal.
+fn canonical(face: &[u32]) -> Vec<u32> {
+    let n = face.len();
+    let all = (0..n).flat_map(|s| [1, n - 1].map(|step| (0..n).map(|i| face[(s + i * step) % n]).collect::<Vec<_>>()));
+    all.min().unwrap()
+}
+
+fn is_simple(face: &[u32]) -> bool {
+    face.iter().collect::<HashSet<_>>().len() == face.len()
+}
+
+proptest! {
+    #[test]
+    fn any_simple_faces(faces in prop::collection::vec(prop::collection::vec(0u32..8, 3..5), 1..20)) {
+        let faces: Vec<Vec<u32>> = faces.into_iter().filter(|f| is_simple(f)).chain([vec![0, 1, 2]]).collect();
+        let list: Vec<&[u32]> = faces.iter().map(Vec::as_slice).collect();
+        let soup = Soup::flat(8, &list);
+        let c = checked(&soup);
+        let counts = edge_counts(soup.faces());
+        prop_assert_eq!(c.edges as usize, counts.len());
+        let with = |wanted: &dyn Fn(u32, u32) -> bool| counts.values().filter(|&&(a, b)| wanted(a, b)).count();
+        prop_assert_eq!(c.boundary_edges.len(), with(&|a, b| a + b == 1));
+        prop_assert_eq!(c.non_manifold_edges.len(), with(&|a, b| a + b > 2));
+        prop_assert_eq!(c.orientation_conflicts.len(), with(&|a, b| a + b == 2 && a != b));
+        prop_assert_eq!(c.euler, euler(soup.faces()));
+
+        let mut seen = HashSet::new();
+        let twins: Vec<u32> = (0..).zip(&faces).filter(|(_, f)| !seen.insert(canonical(f))).map(|(i, _)| i).collect();
+        prop_assert_eq!(&c.duplicate_faces, &twins);
+
+        // Fans by flooding: faces at v, joined where they share an edge at v that has exactly two faces.
+        let mut ties = Vec::new();
+        for v in 0..8u32 {
+            let at: Vec<usize> = (0..faces.len()).filter(|&f| faces[f].contains(&v)).collect();
+            let mut group: HashMap<usize, usize> = at.iter().map(|&f| (f, f)).collect();
+            for _ in 0..at.len() {
+                for &f in &at {
+                    for &g in &at {
+                        let shared = (0..8u32).any(|u| {
+                            let two = counts.get(&(u.min(v), u.max(v))).is_some_and(|&(a, b)| a + b == 2);
+                            two && [f, g].iter().all(|&k| edge_counts(std::iter::once(faces[k].as_slice()))
+                                .contains_key(&(u.min(v), u.max(v))))
+                        });
+                        if shared {
+                            let low = group[&f].min(group[&g]);
+                            group.insert(f, low);
+                            group.insert(g, low);
+                        }
+                    }
+                }
+            }
+            if group.values().collect::<HashSet<_>>().len() > 1 {
+                ties.push(v);
+            }
+        }
+        prop_assert_eq!(&c.bow_ties, &ties);
+    }
+}

@@ -1,0 +1,20 @@
+//! Meshes: boundaries, checks, welding, orienting, stitching, assembling, filling.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod adversarial;
+mod assemble;
+mod boundary;
+mod check;
+mod concatenate;
+mod cuts;
+mod errata;
+mod facing;
+mod fill;
+mod orient;
+mod pieces;
+mod rows;
+mod stitch;
+mod weld;
+mod winged;

@@ -1,0 +1,28 @@
+//! Nets of quads: gluing, shapes, fields, conversion, streams.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod analyse;
+mod arrange;
+mod closure;
+mod complex;
+mod complexes;
+mod concat;
+mod convert;
+mod duplicates;
+mod field;
+mod grids;
+mod measure;
+mod nets;
+mod normals;
+mod oracle;
+mod primitive;
+mod reformat;
+mod resample;
+mod scene;
+mod space;
+mod stream;
+mod topology;
+mod transform;
+mod validate;
