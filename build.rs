@@ -1,6 +1,7 @@
-//! Generates the C headers into OUT_DIR (a test compares the committed ones with them) and sets what the linker must know.
+//! Generates the C headers (a test compares the committed ones with them) and the texts of statuses into OUT_DIR, and sets what the
+//! linker must know.
 
-use std::{env, path::PathBuf};
+use std::{env, fmt::Write, fs, path::PathBuf};
 
 fn main() {
     println!("cargo:rerun-if-changed=src");
@@ -30,6 +31,9 @@ fn main() {
             .write_to_file(out.join(name));
     }
 
+    let statuses = fs::read_to_string(root.join("src/ffi/status.rs")).expect("the list of statuses can be read");
+    fs::write(out.join("status_text.rs"), status_text(&statuses)).expect("OUT_DIR can be written to");
+
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "linux") {
         // Threads that still run when a host closes the library would run into unmapped code: never unmap it.
         println!("cargo:rustc-cdylib-link-arg=-Wl,-z,nodelete");
@@ -37,4 +41,22 @@ fn main() {
             println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libgusset.so.{major}.{minor}");
         }
     }
+}
+
+/// A function from each number of the enum `gusset_status` to the first sentence of its comment.
+fn status_text(source: &str) -> String {
+    let listed = source.split_once("pub enum gusset_status {").expect("the enum is in the file").1;
+    let (mut code, mut text) = (String::new(), String::new());
+    for line in listed.split_once("\n}").expect("the enum ends").0.lines().map(str::trim) {
+        if let Some(comment) = line.strip_prefix("/// ") {
+            text = comment.split(". ").next().expect("a part").trim_end_matches('.').to_owned();
+        } else if let Some((_, number)) = line.split_once(" = ") {
+            let (first, rest) = text.split_at(1);
+            let number = number.trim_end_matches(',');
+            writeln!(code, "        {number} => c\"{}{rest}\",", first.to_lowercase()).expect("a String takes all");
+        }
+    }
+    format!(
+        "fn status_text(status: i32) -> &'static std::ffi::CStr {{\n    match status {{\n{code}        _ => c\"unknown status\",\n    }}\n}}\n"
+    )
 }

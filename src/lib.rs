@@ -37,7 +37,7 @@
 //! | [`surface`] | surfaces through nets of curves, and what can be asked of them |
 //! | [`filters`] | the table of named filters with typed parameters, for hosts |
 //! | [`job`] | progress, cancel and threads of a computation |
-//! | [`error`] | what can go wrong, each cause with the element it is about |
+//! | [`error`] | causes of failure, each with the element it is about |
 //! | [`ffi`] | the C interface |
 //!
 //! Data flows one way: host arrays, view, core, result. Nothing is global, nothing is printed, no file is touched, and the same
@@ -65,5 +65,5 @@ pub mod stitch;
 pub mod surface;
 pub mod winged;
 
-pub use error::{Error, Result, Side};
+pub use error::{Element, Error, Result, Side};
 pub use job::{Job, Progress};

@@ -1,6 +1,9 @@
 //! Status codes. Numbers are fixed for ever: 1-999 mistakes of the caller, 1000-1999 data, 2000-2999 environment.
+//!
+//! The comment of each code is its text too: the build script makes `status_text` of the first sentences. Each error of the core
+//! becomes a code with an element in one place, `From<Error>`.
 
-use crate::error::{Error, Side};
+use crate::error::{Element, Error, Side};
 use std::borrow::Cow;
 
 /// What a function returns; `GUSSET_OK` is 0.
@@ -204,162 +207,110 @@ impl Failure {
     }
 }
 
-impl From<Error> for Failure {
-    fn from(error: Error) -> Self {
-        let at = |status, element, index: u32| (status, element, u64::from(index), 0.0);
-        let count = |status, count| (status, GUSSET_ELEMENT_COUNT, count, 0.0);
-        let none = |status| (status, GUSSET_ELEMENT_NONE, 0, 0.0);
-        let (status, element, index, value) = match error {
-            Error::TooLarge { count: n, limit, .. } => (GUSSET_ERROR_TOO_LARGE, GUSSET_ELEMENT_COUNT, n, limit as f64),
-            Error::SizeOverflow { count: n, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, n),
-            Error::ArrayTooShort { needed, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, needed),
-            Error::StrideTooSmall { stride, .. } => count(GUSSET_ERROR_BAD_STRIDE, stride),
-            Error::EmptyMesh { .. } => none(GUSSET_ERROR_EMPTY_MESH),
-            Error::BadOffsets { entry, value } => {
-                (GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, entry.into(), f64::from(value))
-            }
-            Error::FaceTooSmall { face, corners } => {
-                (GUSSET_ERROR_FACE_TOO_SMALL, GUSSET_ELEMENT_FACE, face.into(), f64::from(corners))
-            }
-            Error::IndexOutOfRange { corner, vertex, .. } => {
-                (GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, corner.into(), f64::from(vertex))
-            }
-            Error::NotFinite { vertex, value } => {
-                (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_VERTEX, vertex.into(), value)
-            }
-            Error::PointNotFinite { place, value, .. } => {
-                (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_LOOP_PLACE, place.into(), value)
-            }
-            Error::OutlineNotFinite { point, value } => {
-                (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_POINT, point.into(), value)
-            }
-            Error::QueryNotFinite { query, value } => {
-                (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_POINT, query.into(), value)
-            }
-            Error::SectionsDiffer { section, count, .. } => {
-                (GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section.into(), f64::from(count))
-            }
-            Error::NoNode { section, column } => {
-                (GUSSET_ERROR_NO_NODE, GUSSET_ELEMENT_SECTION, section.into(), f64::from(column))
-            }
-            Error::CurveNotClosed => none(GUSSET_ERROR_CURVE_NOT_CLOSED),
-            Error::CurveNotPlane { point } => at(GUSSET_ERROR_CURVE_NOT_PLANE, GUSSET_ELEMENT_POINT, point),
-            Error::EmptyCurve => none(GUSSET_ERROR_EMPTY_CURVE),
-            Error::NoSuchPlace { index, t, .. } => {
-                (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_PLACE, index.into(), t)
-            }
-            Error::NoSuchPoint { constraint, point } => {
-                (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_CONSTRAINT, constraint.into(), f64::from(point))
-            }
-            Error::MixedScalars => none(GUSSET_ERROR_MIXED_SCALARS),
-            Error::NoLoop { .. } => none(GUSSET_ERROR_NO_LOOP),
-            Error::LoopTooShort { count: n, .. } => count(GUSSET_ERROR_LOOP_TOO_SHORT, n.into()),
-            Error::LoopRepeatsVertex { vertex, .. } => {
-                at(GUSSET_ERROR_LOOP_REPEATS_VERTEX, GUSSET_ELEMENT_VERTEX, vertex)
-            }
-            Error::LoopEdgeNotFree { place, vertex, .. } => {
-                (GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, place.into(), f64::from(vertex))
-            }
-            Error::LoopsShareVertex { vertex } => at(GUSSET_ERROR_LOOPS_SHARE_VERTEX, GUSSET_ELEMENT_VERTEX, vertex),
-            Error::PlanesUndecided { .. } => none(GUSSET_ERROR_PLANES_UNDECIDED),
-            Error::LoopNotOriented { face, .. } => at(GUSSET_ERROR_LOOP_NOT_ORIENTED, GUSSET_ELEMENT_FACE, face),
-            Error::OrientationConflict { face } => at(GUSSET_ERROR_ORIENTATION_CONFLICT, GUSSET_ELEMENT_FACE, face),
-            Error::NoStrip { vertex } => at(GUSSET_ERROR_NO_STRIP, GUSSET_ELEMENT_VERTEX, vertex),
-            Error::NetTooSmall { rows, columns } => count(GUSSET_ERROR_NET_TOO_SMALL, rows.min(columns)),
-            Error::CrossingCell { cell } => at(GUSSET_ERROR_CROSSING_CELL, GUSSET_ELEMENT_CELL, cell),
-            Error::BadSeam { seam } => at(GUSSET_ERROR_BAD_SEAM, GUSSET_ELEMENT_SEAM, seam),
-            Error::NoSuchNode { node } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_NODE, node, 0.0),
-            Error::NoSuchLink { link } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_LINK, link, 0.0),
-            Error::NoSuchCell { cell } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_CELL, cell, 0.0),
-            Error::NoSuchBridge { bridge } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_BRIDGE, bridge, 0.0),
-            Error::NoSuchEntry { entry } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_ENTRY, entry, 0.0),
-            Error::NodeNotFinite { node, value } => (GUSSET_ERROR_NOT_FINITE, GUSSET_ELEMENT_NODE, node.into(), value),
-            Error::SidesDiffer { a, b } => (GUSSET_ERROR_SIDES_DIFFER, GUSSET_ELEMENT_COUNT, a.into(), f64::from(b)),
-            Error::SidesApart { place, distance } => {
-                (GUSSET_ERROR_SIDES_DIFFER, GUSSET_ELEMENT_SIDE_PLACE, place.into(), distance)
-            }
-            Error::WrongKnotCount { given, .. } => count(GUSSET_ERROR_BAD_KNOTS, given),
-            Error::BadKnot { knot, value, .. } => (GUSSET_ERROR_BAD_KNOTS, GUSSET_ELEMENT_KNOT, knot.into(), value),
-            Error::CurvesApart { row, distance, .. } => {
-                (GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_ROW, row.into(), distance)
-            }
-            Error::CurvesOutOfOrder { row, .. } => at(GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_ROW, row),
-            Error::NoSuchSurfacePlace { index } => (GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_PLACE, index, 0.0),
-            Error::NetsOpposed => none(GUSSET_ERROR_ORIENTATION_CONFLICT),
-            Error::NoGrid { face } => at(GUSSET_ERROR_NO_GRID, GUSSET_ELEMENT_FACE, face),
-            Error::BadStream { byte, .. } => (GUSSET_ERROR_BAD_STREAM, GUSSET_ELEMENT_BYTE, byte, 0.0),
-            Error::SceneCycle { entry } => at(GUSSET_ERROR_SCENE_CYCLE, GUSSET_ELEMENT_ENTRY, entry),
-            Error::EmptyScene => none(GUSSET_ERROR_EMPTY_SCENE),
-            Error::FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node),
-            Error::GluedInside => none(GUSSET_ERROR_GLUED_INSIDE),
-            Error::BadLine { line, value } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, line, value),
-            Error::SheetOutOfRange { sheet, value } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, sheet, value),
-            Error::InputCount { given, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, given as f64),
-            Error::InputUnfit { input, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, f64::from(input)),
-            Error::OptionOutOfRange { value, .. } => (GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_NONE, 0, value),
-            Error::OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
-            Error::Cancelled => none(GUSSET_ERROR_CANCELLED),
-        };
-        let input = u32::from(error.side() == Some(Side::B));
-        Failure { status, message: error.to_string().into(), element, index, value, input }
+impl Failure {
+    /// A failure that is about element `index`.
+    fn at(status: gusset_status, element: gusset_element, index: impl Into<u64>, value: impl Into<f64>) -> Self {
+        Failure { element, index: index.into(), value: value.into(), ..Failure::new(status, "") }
     }
 }
+
+impl From<Element> for gusset_element {
+    fn from(element: Element) -> Self {
+        match element {
+            Element::Vertex => GUSSET_ELEMENT_VERTEX,
+            Element::LoopPoint(_) => GUSSET_ELEMENT_LOOP_PLACE,
+            Element::Point | Element::Query => GUSSET_ELEMENT_POINT,
+            Element::Place => GUSSET_ELEMENT_PLACE,
+            Element::Node => GUSSET_ELEMENT_NODE,
+            Element::Link => GUSSET_ELEMENT_LINK,
+            Element::Cell => GUSSET_ELEMENT_CELL,
+            Element::Bridge => GUSSET_ELEMENT_BRIDGE,
+            Element::Entry => GUSSET_ELEMENT_ENTRY,
+        }
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        use Error::*;
+        let at = |status, element, index: u32, value: f64| Failure::at(status, element, index, value);
+        let plain = |status, value: f64| Failure::at(status, GUSSET_ELEMENT_NONE, 0_u64, value);
+        let count = |status, count: u64| Failure::at(status, GUSSET_ELEMENT_COUNT, count, 0.0);
+        let failure = match error {
+            TooLarge { count: n, limit, .. } => Failure { value: limit as f64, ..count(GUSSET_ERROR_TOO_LARGE, n) },
+            SizeOverflow { count: n, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, n),
+            ArrayTooShort { needed, .. } => count(GUSSET_ERROR_SIZE_OVERFLOW, needed),
+            StrideTooSmall { stride, .. } => count(GUSSET_ERROR_BAD_STRIDE, stride),
+            EmptyMesh { .. } => plain(GUSSET_ERROR_EMPTY_MESH, 0.0),
+            BadOffsets { entry, value } => at(GUSSET_ERROR_BAD_OFFSETS, GUSSET_ELEMENT_OFFSET, entry, value.into()),
+            FaceTooSmall { face, corners } => {
+                at(GUSSET_ERROR_FACE_TOO_SMALL, GUSSET_ELEMENT_FACE, face, corners.into())
+            }
+            IndexOutOfRange { corner, vertex, .. } => {
+                at(GUSSET_ERROR_INDEX_OUT_OF_RANGE, GUSSET_ELEMENT_HALF_EDGE, corner, vertex.into())
+            }
+            NotFinite { element, index, value } => Failure::at(GUSSET_ERROR_NOT_FINITE, element.into(), index, value),
+            NoSuch { element, index } => Failure::at(GUSSET_ERROR_NO_SUCH_ELEMENT, element.into(), index, 0.0),
+            SectionsDiffer { section, count, .. } => {
+                at(GUSSET_ERROR_SECTIONS_DIFFER, GUSSET_ELEMENT_SECTION, section, count.into())
+            }
+            NoNode { section, column } => at(GUSSET_ERROR_NO_NODE, GUSSET_ELEMENT_SECTION, section, column.into()),
+            CurveNotClosed => plain(GUSSET_ERROR_CURVE_NOT_CLOSED, 0.0),
+            CurveNotPlane { point } => at(GUSSET_ERROR_CURVE_NOT_PLANE, GUSSET_ELEMENT_POINT, point, 0.0),
+            EmptyCurve => plain(GUSSET_ERROR_EMPTY_CURVE, 0.0),
+            NoSuchPlace { index, t, .. } => at(GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_PLACE, index, t),
+            BadConstraint { constraint, point } => {
+                at(GUSSET_ERROR_NO_SUCH_ELEMENT, GUSSET_ELEMENT_CONSTRAINT, constraint, point.into())
+            }
+            MixedScalars => plain(GUSSET_ERROR_MIXED_SCALARS, 0.0),
+            NoLoop { .. } => plain(GUSSET_ERROR_NO_LOOP, 0.0),
+            LoopTooShort { count: n, .. } => count(GUSSET_ERROR_LOOP_TOO_SHORT, n.into()),
+            LoopRepeatsVertex { vertex, .. } => {
+                at(GUSSET_ERROR_LOOP_REPEATS_VERTEX, GUSSET_ELEMENT_VERTEX, vertex, 0.0)
+            }
+            LoopEdgeNotFree { place, vertex, .. } => {
+                at(GUSSET_ERROR_LOOP_EDGE_NOT_FREE, GUSSET_ELEMENT_LOOP_PLACE, place, vertex.into())
+            }
+            LoopsShareVertex { vertex } => at(GUSSET_ERROR_LOOPS_SHARE_VERTEX, GUSSET_ELEMENT_VERTEX, vertex, 0.0),
+            PlanesUndecided { .. } => plain(GUSSET_ERROR_PLANES_UNDECIDED, 0.0),
+            LoopNotOriented { face, .. } => at(GUSSET_ERROR_LOOP_NOT_ORIENTED, GUSSET_ELEMENT_FACE, face, 0.0),
+            OrientationConflict { face } => at(GUSSET_ERROR_ORIENTATION_CONFLICT, GUSSET_ELEMENT_FACE, face, 0.0),
+            NoStrip { vertex } => at(GUSSET_ERROR_NO_STRIP, GUSSET_ELEMENT_VERTEX, vertex, 0.0),
+            NetTooSmall { rows, columns } => count(GUSSET_ERROR_NET_TOO_SMALL, rows.min(columns)),
+            CrossingCell { cell } => at(GUSSET_ERROR_CROSSING_CELL, GUSSET_ELEMENT_CELL, cell, 0.0),
+            BadSeam { seam } => at(GUSSET_ERROR_BAD_SEAM, GUSSET_ELEMENT_SEAM, seam, 0.0),
+            SidesDiffer { a, b } => at(GUSSET_ERROR_SIDES_DIFFER, GUSSET_ELEMENT_COUNT, a, b.into()),
+            SidesApart { place, distance } => at(GUSSET_ERROR_SIDES_DIFFER, GUSSET_ELEMENT_SIDE_PLACE, place, distance),
+            WrongKnotCount { given, .. } => count(GUSSET_ERROR_BAD_KNOTS, given),
+            BadKnot { knot, value, .. } => at(GUSSET_ERROR_BAD_KNOTS, GUSSET_ELEMENT_KNOT, knot, value),
+            CurvesApart { row, distance, .. } => at(GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_ROW, row, distance),
+            CurvesOutOfOrder { row, .. } => at(GUSSET_ERROR_CURVES_APART, GUSSET_ELEMENT_ROW, row, 0.0),
+            NetsOpposed => plain(GUSSET_ERROR_ORIENTATION_CONFLICT, 0.0),
+            NoGrid { face } => at(GUSSET_ERROR_NO_GRID, GUSSET_ELEMENT_FACE, face, 0.0),
+            BadStream { byte, .. } => Failure::at(GUSSET_ERROR_BAD_STREAM, GUSSET_ELEMENT_BYTE, byte, 0.0),
+            SceneCycle { entry } => at(GUSSET_ERROR_SCENE_CYCLE, GUSSET_ELEMENT_ENTRY, entry, 0.0),
+            EmptyScene => plain(GUSSET_ERROR_EMPTY_SCENE, 0.0),
+            FieldUndefined { node } => at(GUSSET_ERROR_FIELD_UNDEFINED, GUSSET_ELEMENT_NODE, node, 0.0),
+            GluedInside => plain(GUSSET_ERROR_GLUED_INSIDE, 0.0),
+            BadLine { line: item, value } | SheetOutOfRange { sheet: item, value } => {
+                Failure::at(GUSSET_ERROR_OUT_OF_RANGE, GUSSET_ELEMENT_ITEM, item, value)
+            }
+            InputCount { given, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, given as f64),
+            InputUnfit { input, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, input.into()),
+            OptionOutOfRange { value, .. } => plain(GUSSET_ERROR_OUT_OF_RANGE, value),
+            OutOfMemory { bytes } => count(GUSSET_ERROR_OUT_OF_MEMORY, bytes),
+            Cancelled => plain(GUSSET_ERROR_CANCELLED, 0.0),
+        };
+        let input = u32::from(error.side() == Some(Side::B));
+        Failure { message: error.to_string().into(), input, ..failure }
+    }
+}
+
+include!(concat!(env!("OUT_DIR"), "/status_text.rs"));
 
 /// What a status means, in a few English words. status: any number; for one that is no status, "unknown status". Never
 /// NULL; static. O(1). From any thread.
 #[unsafe(no_mangle)]
 pub extern "C" fn gusset_status_text(status: i32) -> *const libc::c_char {
-    let text = match status {
-        0 => c"success",
-        1 => c"a pointer that must not be NULL is NULL",
-        2 => c"a pointer is misaligned",
-        3 => c"struct_size is too small",
-        4 => c"a field has an unknown value",
-        5 => c"an option is out of range",
-        6 => c"the buffer is too small",
-        7 => c"the context is in use",
-        8 => c"there is no such element",
-        9 => c"a stride does not fit",
-        10 => c"exactly one of face_offsets and face_size must be given",
-        11 => c"arrays overlap",
-        1000 => c"an input is too large",
-        1001 => c"an array exceeds the address space",
-        1002 => c"the mesh is empty",
-        1003 => c"offsets are not monotone from 0 to their elements",
-        1004 => c"a face has fewer than three corners",
-        1005 => c"a vertex index is out of range",
-        1006 => c"a coordinate is not finite",
-        1007 => c"the scalar types of the meshes cannot be combined",
-        1100 => c"there is no loop to stitch",
-        1101 => c"a loop has fewer than three vertices",
-        1102 => c"a loop passes a vertex twice",
-        1103 => c"a loop runs along an edge that is not free",
-        1104 => c"the loops share a vertex",
-        1105 => c"the faces along a loop disagree in orientation",
-        1106 => c"the second piece is oriented against the first",
-        1107 => c"no strip avoids the edges that the mesh already has",
-        1108 => c"the planes through the centres cannot tell which vertices face each other",
-        1200 => c"a closed curve does not end where it begins",
-        1201 => c"the curve is not in the plane z = 0",
-        1202 => c"the curve is empty",
-        1210 => c"the sections have different numbers of points",
-        1211 => c"a section does not meet a column",
-        1300 => c"a net has fewer than two rows or columns",
-        1301 => c"opposite corners of a cell are glued crosswise",
-        1302 => c"a seam is empty or leaves the net",
-        1303 => c"the sides of the nets do not fit",
-        1304 => c"the faces are no rectangular grid of quads",
-        1305 => c"the stream is damaged",
-        1306 => c"a group would contain itself",
-        1307 => c"the scene has no nets",
-        1320 => c"field not defined at a node",
-        1321 => c"glued elsewhere than along sides",
-        1410 => c"knots do not fit",
-        1411 => c"curves of a net do not meet",
-        2000 => c"out of memory",
-        2001 => c"cancelled",
-        9999 => c"internal error",
-        _ => c"unknown status",
-    };
-    text.as_ptr()
+    status_text(status).as_ptr()
 }

@@ -1,7 +1,7 @@
 //! What goes into a filter and what comes out.
 
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::mesh::{Mesh, MeshView, PositionBuffer};
 use glam::DVec3;
 
@@ -146,13 +146,13 @@ impl Curves {
     /// The points of each curve, and whether it is closed.
     ///
     /// # Errors
-    /// [`Error::BadOffsets`], [`Error::OutlineNotFinite`] with a place among all points.
+    /// [`Error::BadOffsets`], [`Error::NotFinite`] with a place among all points.
     pub(super) fn each(&self) -> Result<Vec<Polyline<'_>>> {
         let value = |entry: usize| self.offsets.get(entry).copied().unwrap_or(0);
         let bad = |entry: usize| Error::BadOffsets { entry: entry as u32, value: value(entry) };
         if let Some(entry) = self.points.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
             let value = self.points[entry].into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::OutlineNotFinite { point: entry as u32, value });
+            return Err(Error::NotFinite { element: Element::Point, index: entry as u64, value });
         }
         if self.offsets.first().is_some_and(|&start| start != 0) {
             return Err(bad(0));

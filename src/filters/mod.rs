@@ -183,7 +183,7 @@ impl Filter {
     pub fn check_input_count(&self, count: usize) -> Result<()> {
         let fits = (self.min_inputs..=self.max_inputs).contains(&count);
         let [least, most] = [self.min_inputs, self.max_inputs].map(|count| count as u64);
-        if fits { Ok(()) } else { Err(Error::InputCount { given: count as u64, least, most }) }
+        if fits { Ok(()) } else { Err(Error::InputCount { given: count as u64, min: least, max: most }) }
     }
 
     /// Whether input `place` may be of this kind.

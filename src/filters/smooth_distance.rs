@@ -6,7 +6,7 @@ use super::distances;
 use super::param::{Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::mesh::{MeshView, PositionBuffer};
 use crate::par;
@@ -72,7 +72,11 @@ fn nearest(mesh: &MeshView<'_>, surface: &Surface<'_>, job: &Job<'_>) -> Result<
         let parts = par::chunks(job.threads(), ROUND.min(positions.len() - first), TAKEN, |range| {
             let closest = |v: usize| {
                 let query = positions.get((first + v) as u32);
-                let bad = Error::NotFinite { vertex: (first + v) as u32, value: query.element_sum() };
+                let bad = Error::NotFinite {
+                    element: Element::Vertex,
+                    index: (first + v) as u64,
+                    value: query.element_sum(),
+                };
                 let found = if query.is_finite() { surface.closest(query, f64::INFINITY) } else { None };
                 found.map(|found| found.point).ok_or(bad)
             };

@@ -6,7 +6,7 @@ use super::distances;
 use super::param::Values;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use glam::DVec3;
 
@@ -43,7 +43,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         let end = |k: usize| (k * ROUND).min(queries.len()) as f64 / queries.len() as f64;
         let found = surface.closest_all(round, f64::INFINITY, &job.part(end(k), end(k + 1)))?;
         for (n, (&query, found)) in round.iter().zip(found).enumerate() {
-            let bad = Error::QueryNotFinite { query: (k * ROUND + n) as u32, value: query.element_sum() };
+            let bad =
+                Error::NotFinite { element: Element::Query, index: (k * ROUND + n) as u64, value: query.element_sum() };
             let found = found.ok_or(bad)?;
             ways.add([query, found.point].into_iter(), false)?;
             all.push(found.distance);

@@ -1,7 +1,7 @@
 //! The borrowed, validated view of a polygon mesh.
 
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
@@ -67,7 +67,7 @@ impl<'a> Positions<'a> {
             return Err(Error::TooLarge { what: "vertices", count: count as u64, limit: MAX_ELEMENTS });
         }
         if stride != 0 && stride < size {
-            return Err(Error::StrideTooSmall { stride: stride as u64, least: size as u64 });
+            return Err(Error::StrideTooSmall { stride: stride as u64, min: size as u64 });
         }
         let stride = if stride == 0 { size } else { stride };
         if count == 0 {
@@ -425,7 +425,7 @@ impl<'a> MeshView<'a> {
                 let vertex = faces.corner(h as u32);
                 let p = positions.get(vertex).to_array();
                 let value = p.into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-                return Err(Error::NotFinite { vertex, value });
+                return Err(Error::NotFinite { element: Element::Vertex, index: vertex.into(), value });
             }
         }
         job.step(1.0, "checking the mesh")?;

@@ -11,7 +11,7 @@ use super::hidden::Hidden;
 use super::topology::{GluingType, Links, classify_node};
 use super::{Classes, Net, Planes, Real, Topology, each, fold, pieces};
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use glam::{DMat3, DVec3};
 
@@ -95,12 +95,12 @@ pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Jo
 /// Follow it with [`snap`](super::field::snap).
 ///
 /// # Errors
-/// [`Error::NoSuchLink`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
+/// [`Error::NoSuch`], [`Error::CrossingCell`], [`Error::OutOfMemory`].
 pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>) -> Result<Topology> {
     let (shape, mut matrix) = (topology.shape(), topology.matrix()?);
     for link in links {
         if link as usize >= 2 * shape.node_count() {
-            return Err(Error::NoSuchLink { link: link.into() });
+            return Err(Error::NoSuch { element: Element::Link, index: link.into() });
         }
         matrix.set(link, true);
     }

@@ -1,6 +1,6 @@
 //! The size of a net, and the numbering of its nodes, links and cells.
 
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 
 /// The largest number of nodes of a net: links, of which there are two a node, are counted in 32 bits.
 pub const MAX_NODES: u64 = (1 << 31) - 1;
@@ -113,8 +113,12 @@ impl Shape {
         Shape { rows: self.columns, columns: self.rows }
     }
 
-    /// [`Error::NoSuchNode`] unless there is such a node.
+    /// [`Error::NoSuch`] unless there is such a node.
     pub(crate) fn check_node(self, node: u32) -> Result<()> {
-        if (node as usize) < self.node_count() { Ok(()) } else { Err(Error::NoSuchNode { node: node.into() }) }
+        if (node as usize) < self.node_count() {
+            Ok(())
+        } else {
+            Err(Error::NoSuch { element: Element::Node, index: node.into() })
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! A curve: Bézier segments one after another, of any degrees.
 
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use glam::DVec3;
 
 /// The highest degree of a segment.
@@ -17,10 +17,10 @@ pub struct CurveView<'a> {
 }
 
 /// # Errors
-/// [`Error::OutlineNotFinite`].
+/// [`Error::NotFinite`].
 pub(super) fn check_finite(point: usize, p: DVec3) -> Result<()> {
     match p.to_array().into_iter().find(|x| !x.is_finite()) {
-        Some(value) => Err(Error::OutlineNotFinite { point: point as u32, value }),
+        Some(value) => Err(Error::NotFinite { element: Element::Point, index: point as u64, value }),
         None => Ok(()),
     }
 }
@@ -39,7 +39,7 @@ impl<'a> CurveView<'a> {
     /// `closed`: the last control point is the first one again.
     ///
     /// # Errors [`Error::BadOffsets`] (they do not start at 0, do not rise, or end elsewhere), [`Error::OptionOutOfRange`] (a
-    /// degree above [`MAX_DEGREE`]), [`Error::OutlineNotFinite`], [`Error::CurveNotClosed`].
+    /// degree above [`MAX_DEGREE`]), [`Error::NotFinite`], [`Error::CurveNotClosed`].
     pub fn new(points: &'a [DVec3], ends: &'a [u32], closed: bool) -> Result<Self> {
         let bad =
             |entry: usize| Error::BadOffsets { entry: entry as u32, value: ends.get(entry).copied().unwrap_or(0) };
@@ -161,7 +161,10 @@ mod tests {
         assert!(bad(&[]) && bad(&[1, 2]) && bad(&[0, 0, 2]) && bad(&[0, 1]) && bad(&[0, 3]) && bad(&[0, 2, 1]));
         assert_eq!(CurveView::new(&points, &[0, 2], true).unwrap_err(), Error::CurveNotClosed);
         let nan = [DVec3::ZERO, DVec3::new(0.0, f64::NAN, 0.0)];
-        assert!(matches!(CurveView::new(&nan, &[0, 1], false), Err(Error::OutlineNotFinite { point: 1, .. })));
+        assert!(matches!(
+            CurveView::new(&nan, &[0, 1], false),
+            Err(Error::NotFinite { element: Element::Point, index: 1, .. })
+        ));
         let many = vec![DVec3::ZERO; 66];
         assert!(matches!(CurveView::new(&many, &[0, 65], false), Err(Error::OptionOutOfRange { .. })));
     }

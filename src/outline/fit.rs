@@ -139,8 +139,8 @@ impl Fit {
 ///
 /// Composite, blended and cubic curves take linear time and memory. No memory is allocated for an outline but for the result.
 ///
-/// # Errors [`Error::BadOffsets`], [`Error::OptionOutOfRange`], [`Error::OutlineNotFinite`], [`Error::TooLarge`],
-/// [`Error::NoSuchPoint`] (a constraint names a point that there is not, or is out of order), [`Error::OutOfMemory`],
+/// # Errors [`Error::BadOffsets`], [`Error::OptionOutOfRange`], [`Error::NotFinite`], [`Error::TooLarge`],
+/// [`Error::BadConstraint`] (a constraint names a point that there is not, or is out of order), [`Error::OutOfMemory`],
 /// [`Error::Cancelled`].
 ///
 /// Source: Nadopta; the composite and blended readings of the set of sections are ours.
@@ -200,7 +200,7 @@ pub(super) fn check(outlines: &Outlines<'_>) -> Result<usize> {
     for (k, constraint) in outlines.constraints.iter().enumerate() {
         let follows = k == 0 || constraint.point > outlines.constraints[k - 1].point;
         if constraint.point as usize >= count || !follows {
-            return Err(Error::NoSuchPoint { constraint: k as u32, point: constraint.point });
+            return Err(Error::BadConstraint { constraint: k as u32, point: constraint.point });
         }
         if let Demand::Tangent(tangent) = constraint.demand {
             check_finite(constraint.point as usize, tangent)?;

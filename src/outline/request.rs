@@ -43,7 +43,7 @@ impl<'a> Points<'a> {
         }
         let size = 8 * dimension;
         if stride != 0 && stride < size {
-            return Err(Error::StrideTooSmall { stride: stride as u64, least: size as u64 });
+            return Err(Error::StrideTooSmall { stride: stride as u64, min: size as u64 });
         }
         let stride = if stride == 0 { size } else { stride };
         let bytes = count.saturating_sub(1).checked_mul(stride).and_then(|n| n.checked_add(size * count.min(1)));

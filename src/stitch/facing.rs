@@ -13,7 +13,7 @@
 //!   of vertices is taken, or the longest.
 
 use crate::alloc;
-use crate::error::{Error, Result, Side};
+use crate::error::{Element, Error, Result, Side};
 use crate::geom::kd_tree::KdTree;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
@@ -127,7 +127,7 @@ pub struct Facing {
 /// Finds the runs of vertices of loop `a` and of loop `b` that face the other loop; O((N + M) log M).
 ///
 /// # Errors
-/// [`Error::LoopTooShort`] for a loop without vertices, [`Error::PointNotFinite`], [`Error::OptionOutOfRange`] for a tolerance
+/// [`Error::LoopTooShort`] for a loop without vertices, [`Error::NotFinite`], [`Error::OptionOutOfRange`] for a tolerance
 /// that is negative or not finite; [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the
 /// centres are no farther apart than that; [`Error::OutOfMemory`].
 pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options) -> Result<Facing> {
@@ -161,13 +161,13 @@ pub(crate) fn facing_cancellable(a: &[DVec3], b: &[DVec3], options: &Options, jo
 }
 
 /// # Errors
-/// [`Error::PointNotFinite`].
+/// [`Error::NotFinite`].
 pub(super) fn check_points(side: Side, points: &[DVec3]) -> Result<()> {
     match points.iter().position(|p| !p.is_finite()) {
         None => Ok(()),
         Some(i) => {
             let value = points[i].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            Err(Error::PointNotFinite { side, place: i as u32, value })
+            Err(Error::NotFinite { element: Element::LoopPoint(side), index: i as u64, value })
         }
     }
 }

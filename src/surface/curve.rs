@@ -4,7 +4,7 @@ use super::axis::{Axis, TAPS};
 use super::cells::Cells;
 use super::{Scheme, Sheet, each_sheet};
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::outline::{Curve, CurveView};
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ use glam::DVec3;
 /// `closed`: the last node is the first one again, and the curve goes on there.
 ///
 /// # Errors
-/// [`Error::NodeNotFinite`]; [`Error::NetTooSmall`] below two nodes, or for a closed curve four; [`Error::CurveNotClosed`];
+/// [`Error::NotFinite`]; [`Error::NetTooSmall`] below two nodes, or for a closed curve four; [`Error::CurveNotClosed`];
 /// [`Error::TooLarge`], [`Error::OutOfMemory`]. O(nodes).
 pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Curve> {
     let limit = u64::from(u32::MAX / 3);
@@ -25,7 +25,7 @@ pub fn curve_through(nodes: &[DVec3], closed: bool, scheme: Scheme) -> Result<Cu
     }
     for (node, at) in nodes.iter().enumerate() {
         if let Some(value) = at.to_array().into_iter().find(|x| !x.is_finite()) {
-            return Err(Error::NodeNotFinite { node: node as u32, value });
+            return Err(Error::NotFinite { element: Element::Node, index: node as u64, value });
         }
     }
     if closed && nodes.first() != nodes.last() {

@@ -2,7 +2,7 @@
 
 use super::{Jet, Normal, NormalKind, Place, Sheet, Surface};
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
@@ -95,10 +95,10 @@ impl Surface<'_> {
     /// on it.
     ///
     /// # Errors
-    /// [`Error::NoSuchSurfacePlace`] if there is no such sheet, or the parameters are not finite.
+    /// [`Error::NoSuch`] if there is no such sheet, or the parameters are not finite.
     pub fn place(&self, sheet: usize, [u, v]: [f64; 2]) -> Result<Place> {
         let found = if sheet < self.len() { self.sheet(sheet).locate(u, v) } else { None };
-        let ([i, j], [u, v]) = found.ok_or(Error::NoSuchSurfacePlace { index: 0 })?;
+        let ([i, j], [u, v]) = found.ok_or(Error::NoSuch { element: Element::Place, index: 0 })?;
         Ok(Place { sheet: sheet as u32, cell: [i as u32, j as u32], u, v })
     }
 
@@ -124,10 +124,10 @@ impl Surface<'_> {
     /// The same for many places. O(1) each, but O(cells of the side) at a collapsed side.
     ///
     /// # Errors
-    /// [`Error::NoSuchSurfacePlace`] with the first place that there is not, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::NoSuch`] with the first place that there is not, [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn evaluate(&self, places: &[Place], job: &Job<'_>) -> Result<Vec<Local>> {
         if let Some(index) = places.iter().position(|place| !self.has(place)) {
-            return Err(Error::NoSuchSurfacePlace { index: index as u64 });
+            return Err(Error::NoSuch { element: Element::Place, index: index as u64 });
         }
         let mut all = alloc::with_capacity(places.len())?;
         for round in places.chunks(CHUNK * ROUND) {

@@ -7,7 +7,7 @@ use super::index::Bounds;
 use super::subdivision::Field;
 use super::tangents::Tangents;
 use super::{Patch, Scheme};
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -78,7 +78,7 @@ impl<'a> Nodes<'a> {
         };
         if column_stride < 3 || row_stride < width {
             let (stride, least) = if column_stride < 3 { (column_stride, 3) } else { (row_stride, width) };
-            return Err(Error::StrideTooSmall { stride: stride as u64, least: least as u64 });
+            return Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 });
         }
         if data.len() < span {
             let (needed, given) = (8 * span as u64, 8 * data.len() as u64);
@@ -142,12 +142,16 @@ impl<'a> Nodes<'a> {
         (self.column_stride == 3).then(|| &self.data[at..at + 3 * self.columns])
     }
 
-    /// [`Error::NodeNotFinite`] for the first node with a coordinate that is NaN or infinite.
+    /// [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.
     pub(crate) fn check_finite(&self) -> Result<()> {
         for i in 0..self.rows {
             for j in 0..self.columns {
                 if let Some(&value) = self.get(i, j).to_array().iter().find(|value| !value.is_finite()) {
-                    return Err(Error::NodeNotFinite { node: (i * self.columns + j) as u32, value });
+                    return Err(Error::NotFinite {
+                        element: Element::Node,
+                        index: (i * self.columns + j) as u64,
+                        value,
+                    });
                 }
             }
         }
@@ -169,7 +173,7 @@ impl<'a> Grid<'a> {
     /// `closed`: whether the surface is closed in u (the last row of nodes is the first one again) and in v (columns).
     ///
     /// # Errors
-    /// [`Error::NodeNotFinite`]; [`Error::NetTooSmall`] for a closed direction of fewer than three nodes and the repeated one;
+    /// [`Error::NotFinite`]; [`Error::NetTooSmall`] for a closed direction of fewer than three nodes and the repeated one;
     /// [`Error::SidesApart`] if a closed direction does not end where it begins, with the place of the largest gap.
     pub fn new(nodes: Nodes<'a>, closed: [bool; 2], scheme: Scheme) -> Result<Self> {
         let (rows, columns) = (nodes.rows(), nodes.columns());

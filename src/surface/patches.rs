@@ -4,7 +4,7 @@ use super::Patch;
 use super::cells::{BLOCK, Cells};
 use super::index::Bounds;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use glam::DVec3;
 use std::ops::Range;
 use std::sync::Arc;
@@ -28,7 +28,7 @@ impl<const N: usize> Patches<N> {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a degree of 0 or above N - 1, [`Error::EmptyMesh`] without patches, [`Error::ArrayTooShort`],
-    /// [`Error::TooLarge`], [`Error::PointNotFinite`] with the control point, [`Error::OutOfMemory`].
+    /// [`Error::TooLarge`], [`Error::NotFinite`] with the control point, [`Error::OutOfMemory`].
     pub fn new(points: &[DVec3], degrees: [usize; 2], rows: usize, columns: usize) -> Result<Self> {
         for degree in degrees {
             if !(1..N).contains(&degree) {
@@ -50,7 +50,7 @@ impl<const N: usize> Patches<N> {
         };
         if let Some(at) = points.iter().position(|point| !point.is_finite()) {
             let value = points[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::NodeNotFinite { node: at as u32, value });
+            return Err(Error::NotFinite { element: Element::Node, index: at as u64, value });
         }
         let patches = alloc::collect(points.chunks_exact(each).map(|net| Patch::raised(net, degrees)))?;
         Ok(Self::of(patches, rows, columns))

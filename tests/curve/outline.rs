@@ -6,7 +6,7 @@ use gusset::outline::{
     Constraint, CurveView, Demand, Ends, Fit, FitStatus, Joint, Method, Mode, Options, Outlines, Place, PointStatus,
     Points, fit, tangent_of_angle,
 };
-use gusset::{Error, Job};
+use gusset::{Element, Error, Job};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -407,7 +407,10 @@ fn what_is_no_outline_is_refused() {
     }
     let refused = |outlines: Outlines<'_>, options: Options| fit(&outlines, &options, &Job::default()).unwrap_err();
     let plain = Options::default();
-    assert!(matches!(refused(outlines(&points, None, &[]), plain), Error::OutlineNotFinite { point: 2, .. }));
+    assert!(matches!(
+        refused(outlines(&points, None, &[]), plain),
+        Error::NotFinite { element: Element::Point, index: 2, .. }
+    ));
     for offsets in [&[][..], &[1, 3], &[0, 2], &[0, 4], &[0, 2, 1, 3]] {
         assert!(
             matches!(refused(outlines(&points, Some(offsets), &[]), plain), Error::BadOffsets { .. }),
@@ -416,7 +419,7 @@ fn what_is_no_outline_is_refused() {
     }
     let corner = |point| Constraint { point, demand: Demand::Corner };
     for constraints in [&[corner(3)][..], &[corner(1), corner(1)], &[corner(1), corner(0)]] {
-        assert!(matches!(refused(outlines(&points, None, constraints), plain), Error::NoSuchPoint { .. }));
+        assert!(matches!(refused(outlines(&points, None, constraints), plain), Error::BadConstraint { .. }));
     }
     let good = &points[..2];
     for (option, options) in [

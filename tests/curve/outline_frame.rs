@@ -3,7 +3,7 @@
 use glam::DVec3;
 use gusset::outline::frame::{Correspondence, Frame, FrameOptions, Measure, frame, measures, slice};
 use gusset::outline::{Mode, Options, Outlines, Points};
-use gusset::{Error, Job};
+use gusset::{Element, Error, Job};
 use std::f64::consts::{PI, TAU};
 
 const CUBIC: Options = Options {
@@ -245,7 +245,7 @@ fn what_makes_no_frame_is_refused() {
     assert_eq!(made.grid.max_gap, 0.0);
     // NaN in the plane of a cut.
     let cut = slice(&made.along, DVec3::NAN, DVec3::Z, true, &CUBIC, &Job::default());
-    assert!(matches!(cut.unwrap_err(), Error::OutlineNotFinite { .. }));
+    assert!(matches!(cut.unwrap_err(), Error::NotFinite { element: Element::Point, .. }));
 }
 
 #[test]

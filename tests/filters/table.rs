@@ -5,7 +5,7 @@ use crate::editor::{Given, given, inputs, pieces, polylines, run_on, run_on_curv
 use gusset::filters::data::{Curves, Input, InputKind, Output};
 use gusset::filters::param::{Param, ParamKind};
 use gusset::filters::{FILTERS, Filter};
-use gusset::{Error, Job, Progress};
+use gusset::{Element, Error, Job, Progress};
 use std::cell::Cell;
 use std::collections::HashSet;
 use std::ops::ControlFlow;
@@ -329,7 +329,7 @@ fn degenerate_inputs_are_answered_or_refused_clearly() {
                     all[k] = Input::Curves(&nan);
                     let refused = run(&all);
                     assert!(
-                        matches!(refused, Err(Error::OutlineNotFinite { point: 0, .. })),
+                        matches!(refused, Err(Error::NotFinite { element: Element::Point, index: 0, .. })),
                         "{}: {refused:?}",
                         filter.id
                     );
@@ -357,5 +357,5 @@ fn what_is_no_grid_is_refused_by_filters_of_grids() {
         }
     }
     let twice = run_on_curves("outline", &[Curves::default(), Curves::default()], &[]);
-    assert_eq!(twice, Err(Error::InputCount { given: 2, least: 1, most: 1 }));
+    assert_eq!(twice, Err(Error::InputCount { given: 2, min: 1, max: 1 }));
 }

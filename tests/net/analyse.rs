@@ -10,7 +10,7 @@ use gusset::net::field::*;
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::transform::{Affine, Axis, Sense, transform};
 use gusset::net::*;
-use gusset::{Error, Job};
+use gusset::{Element, Error, Job};
 use std::f64::consts::TAU;
 
 fn whole(field: &dyn Field) -> Step<'_> {
@@ -87,7 +87,7 @@ fn poles_and_collapsed_cells_are_found_with_their_types() {
     let mut again = net.copied().unwrap();
     again.set_topology(glued);
     assert!(analyse(&again, &after, 0.0, &Job::default()).unwrap().contracted.is_empty());
-    assert_eq!(absorb(net.topology(), [60]).unwrap_err(), Error::NoSuchLink { link: 60 });
+    assert_eq!(absorb(net.topology(), [60]).unwrap_err(), Error::NoSuch { element: Element::Link, index: 60 });
 }
 
 #[test]

@@ -2,13 +2,13 @@
 
 use crate::nets::{Surface, any_topology, job, numbered, same, shape, sphere, torus};
 use glam::DVec3;
-use gusset::Error;
 use gusset::mesh::Scalar;
 use gusset::net::topology::{Gluing, Links};
 use gusset::net::{
     BridgeKind, BridgeMode, Classes, Direction, JoinOptions, Net, Replication, Sides, Topology, concatenate,
     concatenate_all,
 };
+use gusset::{Element, Error};
 use proptest::prelude::*;
 
 const DIRECTIONS: [Direction; 2] = [Direction::Right, Direction::Down];
@@ -225,12 +225,12 @@ fn refusals() {
     assert_eq!(refused(&a, &a, &twist), Error::OptionOutOfRange { option: "twist", value: 2.0 });
     let weld = JoinOptions { mode: BridgeMode::Weld, tolerance: f64::NAN, ..strict };
     assert!(matches!(refused(&a, &a, &weld), Error::OptionOutOfRange { option: "tolerance", .. }));
-    assert_eq!(a.split(0, &job()).unwrap_err(), Error::NoSuchBridge { bridge: 0 });
+    assert_eq!(a.split(0, &job()).unwrap_err(), Error::NoSuch { element: Element::Bridge, index: 0 });
     // A bridge within a part of a net only: the other is to be taken apart first.
     let once = concatenate(&a, &a, &strict, &job()).unwrap();
     let wide = sphere(4, 18, Scalar::F32, DVec3::ZERO);
     let twice = concatenate(&once, &wide, &JoinOptions::new(Direction::Down), &job()).unwrap();
-    assert_eq!(twice.split(0, &job()).unwrap_err(), Error::NoSuchBridge { bridge: 0 });
+    assert_eq!(twice.split(0, &job()).unwrap_err(), Error::NoSuch { element: Element::Bridge, index: 0 });
     assert!(!twice.is_hidden(2, 8) && twice.bridges()[0].has_cell(2, 8) && !twice.bridges()[0].has_cell(5, 8));
     assert_eq!(concatenate_all(&[], &strict, &job()).unwrap_err(), Error::EmptyScene);
 }

@@ -2,10 +2,10 @@
 
 use crate::nets::{Surface, any_topology, job, numbered, same, shape, sphere, torus};
 use glam::{DAffine3, DVec3};
-use gusset::Error;
 use gusset::mesh::Scalar;
 use gusset::net::scene::{Instance, MAX_INSTANCES, Scene};
 use gusset::net::{BridgeMode, Direction, JoinOptions, Net, Sides, Topology, concatenate};
+use gusset::{Element, Error};
 use proptest::prelude::*;
 use std::sync::Arc;
 use std::time::Instant;
@@ -194,11 +194,14 @@ fn where_things_are() {
     assert_eq!(scene.flatten(&hidden(Direction::Down), &job()).unwrap_err(), Error::EmptyScene);
     scene.remove(pair).unwrap();
     assert!(scene.children(left).unwrap().is_empty());
-    assert_eq!(scene.content(pair).unwrap_err(), Error::NoSuchEntry { entry: pair.into() });
+    assert_eq!(scene.content(pair).unwrap_err(), Error::NoSuch { element: Element::Entry, index: pair.into() });
     assert_eq!(scene.counts().unwrap().instances, 5);
-    assert_eq!(scene.net(left).unwrap_err(), Error::NoSuchEntry { entry: left.into() });
-    assert_eq!(scene.add_child(ball, ring).unwrap_err(), Error::NoSuchEntry { entry: ball.into() });
-    assert_eq!(scene.remove_child(all, ball).unwrap_err(), Error::NoSuchEntry { entry: ball.into() });
+    assert_eq!(scene.net(left).unwrap_err(), Error::NoSuch { element: Element::Entry, index: left.into() });
+    assert_eq!(scene.add_child(ball, ring).unwrap_err(), Error::NoSuch { element: Element::Entry, index: ball.into() });
+    assert_eq!(
+        scene.remove_child(all, ball).unwrap_err(),
+        Error::NoSuch { element: Element::Entry, index: ball.into() }
+    );
     assert!(scene.set_transform(all, along_x(f64::NAN)).is_err());
 }
 

@@ -6,7 +6,7 @@ use gusset::mesh::Scalar;
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::topology::{Diagonal, Gluing, Links, Matrix, Run};
 use gusset::net::{Classes, FindingKind, Net, Seam, Shape, Sides, Topology, closure, derive};
-use gusset::{Error, Job};
+use gusset::{Element, Error, Job};
 
 fn sphere() -> Net<'static> {
     Request { rows: 7, columns: 9, ..Request::new(Primitive::Sphere { radius: 1.0 }) }.net(&Job::default()).unwrap()
@@ -119,11 +119,14 @@ fn batches_are_done_as_a_whole_or_not_at_all() {
     let diagonal = |diagonal| Gluing::Diagonal { cell: 3, diagonal };
     let before = net.topology().clone();
     let bad = [
-        (Gluing::Link(48), Error::NoSuchLink { link: 48 }),
-        (Gluing::Star { node: 24, mask: 1 }, Error::NoSuchNode { node: 24 }),
+        (Gluing::Link(48), Error::NoSuch { element: Element::Link, index: 48 }),
+        (Gluing::Star { node: 24, mask: 1 }, Error::NoSuch { element: Element::Node, index: 24 }),
         (Gluing::Star { node: 0, mask: 16 }, Error::OptionOutOfRange { option: "mask", value: 16.0 }),
-        (Gluing::Cell { cell: 15, mask: 1 }, Error::NoSuchCell { cell: 15 }),
-        (Gluing::Diagonal { cell: 15, diagonal: Diagonal::Rising }, Error::NoSuchCell { cell: 15 }),
+        (Gluing::Cell { cell: 15, mask: 1 }, Error::NoSuch { element: Element::Cell, index: 15 }),
+        (
+            Gluing::Diagonal { cell: 15, diagonal: Diagonal::Rising },
+            Error::NoSuch { element: Element::Cell, index: 15 },
+        ),
         (seam(7), Error::BadSeam { seam: 1 }),
         (diagonal(Diagonal::Rising), Error::CrossingCell { cell: 3 }),
     ];

@@ -6,7 +6,7 @@ use gusset::outline::frame::{Correspondence, FrameOptions, frame};
 use gusset::outline::{Curve, CurveView, Mode, Options, Outlines, Points};
 use gusset::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, Tangents, Twists};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet};
-use gusset::{Error, Job};
+use gusset::{Element, Error, Job};
 use std::f64::consts::TAU;
 
 /// The largest errors of position, and of the normal if it is asked for, at 5 x 5 places of every cell.
@@ -96,9 +96,9 @@ fn tangents_that_do_not_fit() {
     let mut bad = v.clone();
     bad[5].z = f64::NAN;
     let found = Sheet::from_tangents(&Tangents { v: &bad, ..given }, &job);
-    assert!(matches!(found, Err(Error::NodeNotFinite { node: 5, .. })));
+    assert!(matches!(found, Err(Error::NotFinite { element: Element::Node, index: 5, .. })));
     let found = Sheet::from_tangents(&Tangents { twists: Twists::Given(&bad), ..given }, &job);
-    assert!(matches!(found, Err(Error::NodeNotFinite { node: 5, .. })));
+    assert!(matches!(found, Err(Error::NotFinite { element: Element::Node, index: 5, .. })));
     let found = Sheet::from_tangents(&Tangents { closed: [true, false], ..given }, &job);
     assert!(matches!(found, Err(Error::NetTooSmall { .. })));
 }
@@ -242,7 +242,7 @@ fn splines_that_are_none() {
     assert!(matches!(make(good, &points[1..]), Err(Error::ArrayTooShort { .. })));
     let mut bad = points.clone();
     bad[7].y = f64::INFINITY;
-    assert!(matches!(make(good, &bad), Err(Error::NodeNotFinite { node: 7, .. })));
+    assert!(matches!(make(good, &bad), Err(Error::NotFinite { element: Element::Node, index: 7, .. })));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use glam::DVec3;
 use gusset::Job;
 use gusset::surface::contour::{Between, Planes};
 use gusset::surface::{Grid, Nodes, Paths, Scheme, Sheet, Surface};
-use gusset::{Error, Progress};
+use gusset::{Element, Error, Progress};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::ControlFlow;
@@ -407,7 +407,10 @@ fn what_is_refused() {
     assert!(matches!(surface.contours(&values[1..], &[0.1], Between::Auto, &job), Err(Error::ArrayTooShort { .. })));
     let mut bad = values.clone();
     bad[77] = f64::NAN;
-    assert!(matches!(surface.contours(&bad, &[0.1], Between::Auto, &job), Err(Error::NodeNotFinite { node: 77, .. })));
+    assert!(matches!(
+        surface.contours(&bad, &[0.1], Between::Auto, &job),
+        Err(Error::NotFinite { element: Element::Node, index: 77, .. })
+    ));
     bad.push(0.0);
     assert!(matches!(surface.contours(&bad, &[0.1], Between::Auto, &job), Err(Error::TooLarge { .. })));
     let around = |angles: &[f64], unsigned| {

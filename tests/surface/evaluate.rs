@@ -5,7 +5,7 @@ use glam::DVec3;
 use gusset::surface::{
     Grid, Nodes, NormalKind, Patches, Place, Scheme, Sheet, Surface, SurfaceMesh, SurfaceMeshOptions,
 };
-use gusset::{Error, Job};
+use gusset::{Element, Error, Job};
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
@@ -146,11 +146,11 @@ fn curvatures_of_a_torus() {
     assert_eq!(surface.evaluate(&places[7..8], &job()).unwrap()[0], found[7]);
     let mut bad = places.clone();
     bad[3].u = 1.0 + 1e-15;
-    assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuchSurfacePlace { index: 3 })));
+    assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuch { element: Element::Place, index: 3 })));
     bad[2].v = f64::NAN;
-    assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuchSurfacePlace { index: 2 })));
+    assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuch { element: Element::Place, index: 2 })));
     bad[1].cell[1] = 128;
-    assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuchSurfacePlace { index: 1 })));
+    assert!(matches!(surface.evaluate(&bad, &job()), Err(Error::NoSuch { element: Element::Place, index: 1 })));
 }
 
 struct Silent;
@@ -333,7 +333,7 @@ fn grids_that_are_none_and_repeated_nodes() {
     data[14] = f64::NAN;
     let nodes = Nodes::strided(data, 3, 3, 0, 0).unwrap();
     let found = Grid::new(nodes, [false, false], Scheme::SixTap).map(|_| ());
-    assert!(matches!(found, Err(Error::NodeNotFinite { node: 4, .. })));
+    assert!(matches!(found, Err(Error::NotFinite { element: Element::Node, index: 4, .. })));
     // A row twice: the surface folds back to a line there; everything still answers.
     let data: Vec<f64> = (0..30).flat_map(|k: i32| [f64::from((k / 5).min(4)), f64::from(k % 5), 0.0]).collect();
     let nodes = Nodes::strided(data, 6, 5, 0, 0).unwrap();

@@ -4,7 +4,7 @@ use crate::shapes::{Random, SHAPES, Shape, grid};
 use glam::DVec3;
 use gusset::surface::construct::{Spline, SplineAxis};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
-use gusset::{Error, Job, Progress};
+use gusset::{Element, Error, Job, Progress};
 use std::ops::ControlFlow;
 
 /// The smallest distance of many points of every cell, each improved by steps of alternating search: an upper bound, near the truth.
@@ -290,7 +290,7 @@ fn questions_that_are_none() {
     let queries = [DVec3::ZERO, DVec3::new(0.0, f64::NAN, 0.0)];
     assert!(matches!(
         surface.closest_all(&queries, 1.0, &job),
-        Err(Error::QueryNotFinite { query: 1, value }) if value.is_nan()
+        Err(Error::NotFinite { element: Element::Query, index: 1, value }) if value.is_nan()
     ));
     assert!(surface.closest_all(&queries[..1], -1.0, &job).is_err());
     assert!(surface.closest_all(&queries[..1], f64::NAN, &job).is_err());

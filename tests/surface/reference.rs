@@ -8,7 +8,7 @@ use gusset::surface::reference::{
     incidence, integer_diameter, normal_by_sections, slanted, swings_by_cones, swings_by_curvature,
 };
 use gusset::surface::{Grid, MAX_DEGREE, Nodes, Patches, Scheme, Sheet};
-use gusset::{Error, Job, Progress};
+use gusset::{Element, Error, Job, Progress};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
@@ -364,7 +364,7 @@ fn chains_and_integer_diameters() {
     }
     let region = Scale::empty(Lattice { cells: [2, 2], closed: [false; 2] }).unwrap();
     assert_eq!(integer_diameter(&region, &job), Ok(Some(0)));
-    assert_eq!(chain(&region, [0, 0], [1, 1], &job), Err(Error::NoSuchCell { cell: 0 }));
+    assert_eq!(chain(&region, [0, 0], [1, 1], &job), Err(Error::NoSuch { element: Element::Cell, index: 0 }));
     assert!(chain(&region, [0, 2], [1, 1], &job).is_err());
 }
 

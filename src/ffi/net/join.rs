@@ -1,7 +1,7 @@
 //! Joining nets and taking them apart, as C sees it.
 
 use crate::alloc;
-use crate::error::Error;
+use crate::error::{Element, Error};
 use crate::ffi::context::gusset_context;
 use crate::ffi::guard::{create, guard};
 use crate::ffi::input::flag;
@@ -256,7 +256,7 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
 ) -> gusset_status {
     guard(ptr::null(), |_| {
         let out = input::output_struct(bridge, "bridge")?;
-        let no_such = Error::NoSuchBridge { bridge: index as u64 };
+        let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         out.write(read(net)?.bridges().get(index).ok_or(no_such)?.into());
         Ok(())
     })

@@ -233,7 +233,7 @@ fn values<T: Real>(shape: Shape, heights: &gusset_heights) -> Result<Vec<T>, Fai
     let row = shape.columns() * size_of::<T>();
     let stride = if heights.row_stride == 0 { row } else { heights.row_stride };
     if stride < row {
-        return Err(Error::StrideTooSmall { stride: stride as u64, least: row as u64 }.into());
+        return Err(Error::StrideTooSmall { stride: stride as u64, min: row as u64 }.into());
     }
     let span = (shape.rows() - 1).checked_mul(stride).and_then(|n| n.checked_add(row));
     let bytes = input::bytes(heights.values, span.unwrap_or(usize::MAX), 1, "values")?;

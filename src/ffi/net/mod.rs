@@ -137,7 +137,7 @@ impl Layout {
             let span = extent(shape.rows(), row, width)?;
             return if span <= isize::MAX as usize { Ok(Layout { row, column, span }) } else { Err(overflow()) };
         };
-        Err(Error::StrideTooSmall { stride: stride as u64, least: least as u64 }.into())
+        Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 }.into())
     }
 
     /// Where number (i, j) begins.

@@ -6,7 +6,7 @@ use super::descriptor::{
 };
 use super::run::Fault;
 use crate::alloc;
-use crate::error::Error;
+use crate::error::{Element, Error};
 use crate::ffi::input;
 use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64, gusset_mesh_view};
 use crate::ffi::status::Failure;
@@ -123,7 +123,7 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
         }
         let point = points.get(p as u32).to_array();
         if let Some(&value) = point.iter().find(|coordinate| !coordinate.is_finite()) {
-            return Err(Error::OutlineNotFinite { point: p as u32, value }.into());
+            return Err(Error::NotFinite { element: Element::Point, index: p as u64, value }.into());
         }
         found.points.push(point);
     }

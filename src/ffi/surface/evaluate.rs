@@ -1,7 +1,7 @@
 //! Points, normals and curvatures of a surface at places, as C sees them.
 
 use crate::alloc;
-use crate::error::Error;
+use crate::error::{Element, Error};
 use crate::ffi::context::gusset_context;
 use crate::ffi::curve::times;
 use crate::ffi::guard::guard;
@@ -153,7 +153,9 @@ pub unsafe extern "C" fn gusset_surface_locate(
                 job.step(k as f64 / count as f64, "locating")?;
             }
             let place = surface.place(sheet as usize, bytemuck::pod_read_unaligned(pair));
-            found.push(gusset_surface_place::from(place.map_err(|_| Error::NoSuchSurfacePlace { index: k as u64 })?));
+            found.push(gusset_surface_place::from(
+                place.map_err(|_| Error::NoSuch { element: Element::Place, index: k as u64 })?,
+            ));
         }
         places.copy_from_slice(&found);
         Ok(())

@@ -2,7 +2,7 @@
 //! documented reference; to ask questions, use the index of a surface.
 
 use crate::alloc;
-use crate::error::Error;
+use crate::error::{Element, Error};
 use crate::ffi::context::gusset_context;
 use crate::ffi::guard::guard;
 use crate::ffi::input::{self, Versioned};
@@ -406,7 +406,7 @@ fn normals_at(sheet: &Sheet<'_>, places: &[Place], out: &mut [[f64; 3]], job: &J
             job.step(k as f64 / places.len() as f64, "normals")?;
         }
         // As a surface says it: one place in the array is wrong, whichever of its numbers it is.
-        let missing = |_| Error::NoSuchSurfacePlace { index: k as u64 };
+        let missing = |_| Error::NoSuch { element: Element::Place, index: k as u64 };
         *out = normal_by_sections(sheet, place.cell.map(|k| k as usize), place.u, place.v).map_err(missing)?.to_array();
     }
     Ok(())

@@ -80,7 +80,7 @@ impl Layout {
         };
         if column < 3 * size || row < width {
             let (stride, least) = if column < 3 * size { (column, 3 * size) } else { (row, width) };
-            return Err(Error::StrideTooSmall { stride: stride as u64, least: least as u64 }.into());
+            return Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 }.into());
         }
         let span = (rows - 1).checked_mul(row).and_then(|n| n.checked_add(width)).ok_or_else(overflow)?;
         if span <= isize::MAX as usize { Ok(Layout { row, column, span }) } else { Err(overflow()) }

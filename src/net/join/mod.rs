@@ -14,7 +14,7 @@ mod split;
 
 use super::{Bridge, BridgeMode, BridgeProperties, Direction, Net, Replication, Shape};
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::geom::scale::distance;
 use crate::job::Job;
 use glam::DVec3;
@@ -193,10 +193,10 @@ impl Net<'_> {
     /// apart, where nets are welded. O(nodes) if welding begins or ends, else O(1).
     ///
     /// # Errors
-    /// [`Error::NoSuchBridge`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance, [`Error::CrossingCell`],
+    /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance, [`Error::CrossingCell`],
     /// [`Error::OutOfMemory`]; the net is then as it was.
     pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
-        let no_such = Error::NoSuchBridge { bridge: index as u64 };
+        let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).ok_or(no_such)?.clone();
         check_tolerance(tolerance)?;
         let (welded, weld) = (bridge.mode == BridgeMode::Weld, mode == BridgeMode::Weld);

@@ -2,7 +2,7 @@
 
 use super::prepare::restored;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::net::arrange::{Rearrange, rearranged};
 use crate::net::{Bridge, BridgeMode, Direction, Net, Real, Shape, Topology};
@@ -15,10 +15,10 @@ impl Net<'_> {
     /// across the bridge is cut. O(nodes).
     ///
     /// # Errors
-    /// [`Error::NoSuchBridge`], also for a bridge within a part of the net only; [`Error::CrossingCell`] if only what was glued
+    /// [`Error::NoSuch`], also for a bridge within a part of the net only; [`Error::CrossingCell`] if only what was glued
     /// across the bridge made the opposite corners of a cell one; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
-        let no_such = Error::NoSuchBridge { bridge: index as u64 };
+        let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).filter(|bridge| bridge.is_whole(self.shape())).ok_or(no_such)?;
         let mut parts = cut(self, bridge.direction, &[bridge.at as usize], &[index], job)?;
         let second = parts.pop().ok_or(no_such)?;

@@ -15,7 +15,7 @@ pub use world::{Instance, MAX_INSTANCES};
 
 use super::Net;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::mesh::NONE;
 use cycle::Marks;
 use glam::DAffine3;
@@ -99,7 +99,7 @@ impl Scene {
     /// or a group in no group; at most O(entries below the one or above the other, whichever are fewer).
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`], [`Error::SceneCycle`], [`Error::OutOfMemory`].
+    /// [`Error::NoSuch`], [`Error::SceneCycle`], [`Error::OutOfMemory`].
     pub fn add_child(&mut self, group: u32, child: u32) -> Result<()> {
         self.children(group)?;
         self.entry(child)?;
@@ -117,9 +117,9 @@ impl Scene {
     /// Takes an entry out of a group: the first one, if it is in it several times. O(children + groups that it is in).
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`], also if it is not in the group.
+    /// [`Error::NoSuch`], also if it is not in the group.
     pub fn remove_child(&mut self, group: u32, child: u32) -> Result<()> {
-        let no_such = Error::NoSuchEntry { entry: child.into() };
+        let no_such = Error::NoSuch { element: Element::Entry, index: child.into() };
         let at = self.children(group)?.iter().position(|&other| other == child).ok_or(no_such)?;
         if let Content::Group(children) = &mut self.entry_mut(group)?.content {
             children.remove(at);
@@ -135,9 +135,9 @@ impl Scene {
     /// groups + groups of its children).
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`].
+    /// [`Error::NoSuch`].
     pub fn remove(&mut self, index: u32) -> Result<()> {
-        let no_such = Error::NoSuchEntry { entry: index.into() };
+        let no_such = Error::NoSuch { element: Element::Entry, index: index.into() };
         let entry = self.entries.get_mut(index as usize).and_then(Option::take).ok_or(no_such)?;
         let mut groups = entry.parents;
         groups.sort_unstable();
@@ -159,7 +159,7 @@ impl Scene {
     /// Places an entry in the space of the groups that it is in. Finite, or the transform is refused.
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`], [`Error::OptionOutOfRange`].
+    /// [`Error::NoSuch`], [`Error::OptionOutOfRange`].
     pub fn set_transform(&mut self, index: u32, local: DAffine3) -> Result<()> {
         let entry = self.entry_mut(index)?;
         if let Some(&value) = local.to_cols_array().iter().find(|value| !value.is_finite()) {
@@ -172,11 +172,11 @@ impl Scene {
     /// Puts another net in the place of one: it keeps its index, its groups and its transform.
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`], also for a group.
+    /// [`Error::NoSuch`], also for a group.
     pub fn set_net(&mut self, index: u32, net: Arc<Net<'static>>) -> Result<()> {
         match &mut self.entry_mut(index)?.content {
             Content::Net(place) => *place = net,
-            Content::Group(_) => return Err(Error::NoSuchEntry { entry: index.into() }),
+            Content::Group(_) => return Err(Error::NoSuch { element: Element::Entry, index: index.into() }),
         }
         Ok(())
     }
@@ -184,7 +184,7 @@ impl Scene {
     /// Shows an entry, or hides it and all that is in it.
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`].
+    /// [`Error::NoSuch`].
     pub fn set_visible(&mut self, index: u32, visible: bool) -> Result<()> {
         self.entry_mut(index)?.visible = visible;
         Ok(())
@@ -193,7 +193,7 @@ impl Scene {
     /// Where an entry is in the space of its groups.
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`].
+    /// [`Error::NoSuch`].
     pub fn transform(&self, index: u32) -> Result<DAffine3> {
         Ok(self.entry(index)?.local)
     }
@@ -201,7 +201,7 @@ impl Scene {
     /// True if the entry is shown; a group that it is in may still hide it.
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`].
+    /// [`Error::NoSuch`].
     pub fn is_visible(&self, index: u32) -> Result<bool> {
         Ok(self.entry(index)?.visible)
     }
@@ -209,7 +209,7 @@ impl Scene {
     /// What an entry is.
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`].
+    /// [`Error::NoSuch`].
     pub fn content(&self, index: u32) -> Result<&Content> {
         Ok(&self.entry(index)?.content)
     }
@@ -217,22 +217,22 @@ impl Scene {
     /// A net.
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`], also for a group.
+    /// [`Error::NoSuch`], also for a group.
     pub fn net(&self, index: u32) -> Result<&Arc<Net<'static>>> {
         match self.content(index)? {
             Content::Net(net) => Ok(net),
-            Content::Group(_) => Err(Error::NoSuchEntry { entry: index.into() }),
+            Content::Group(_) => Err(Error::NoSuch { element: Element::Entry, index: index.into() }),
         }
     }
 
     /// What is in a group, in order.
     ///
     /// # Errors
-    /// [`Error::NoSuchEntry`], also for a net.
+    /// [`Error::NoSuch`], also for a net.
     pub fn children(&self, index: u32) -> Result<&[u32]> {
         match self.content(index)? {
             Content::Group(children) => Ok(children),
-            Content::Net(_) => Err(Error::NoSuchEntry { entry: index.into() }),
+            Content::Net(_) => Err(Error::NoSuch { element: Element::Entry, index: index.into() }),
         }
     }
 
@@ -247,12 +247,12 @@ impl Scene {
     }
 
     fn entry(&self, index: u32) -> Result<&Entry> {
-        let no_such = Error::NoSuchEntry { entry: index.into() };
+        let no_such = Error::NoSuch { element: Element::Entry, index: index.into() };
         self.entries.get(index as usize).and_then(Option::as_ref).ok_or(no_such)
     }
 
     fn entry_mut(&mut self, index: u32) -> Result<&mut Entry> {
-        let no_such = Error::NoSuchEntry { entry: index.into() };
+        let no_such = Error::NoSuch { element: Element::Entry, index: index.into() };
         self.entries.get_mut(index as usize).and_then(Option::as_mut).ok_or(no_such)
     }
 }

@@ -6,7 +6,7 @@
 use super::gluing::{cell_links, star_links};
 use super::{GluingType, Links, Matrix, Run, Seam, Topology};
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::net::Shape;
 
 /// Which corners of a cell a diagonal joins (type c(1,2)).
@@ -77,7 +77,7 @@ impl Gluing {
         };
         match self {
             Gluing::Link(number) if number as usize >= 2 * shape.node_count() => {
-                Err(Error::NoSuchLink { link: number.into() })
+                Err(Error::NoSuch { element: Element::Link, index: number.into() })
             }
             Gluing::Link(number) => link(number),
             Gluing::Star { node, mask } => {
@@ -109,7 +109,7 @@ impl Topology {
     /// The same with more nodes glued. O(nodes).
     ///
     /// # Errors
-    /// [`Error::NoSuchNode`], [`Error::NoSuchLink`], [`Error::NoSuchCell`], [`Error::OptionOutOfRange`] (a mask above
+    /// [`Error::NoSuch`], [`Error::NoSuch`], [`Error::OptionOutOfRange`] (a mask above
     /// 15), [`Error::BadSeam`] (its place in the batch), [`Error::CrossingCell`], [`Error::OutOfMemory`].
     pub fn glued(&self, gluings: &[Gluing]) -> Result<Self> {
         let (mut matrix, mut seams) = (self.matrix()?, alloc::copied(self.seams())?);
@@ -179,6 +179,6 @@ pub(super) fn place_of_cell(shape: Shape, cell: u32) -> Result<(usize, usize)> {
     if (cell as usize) < shape.cell_count() {
         Ok(shape.cell_place(cell))
     } else {
-        Err(Error::NoSuchCell { cell: cell.into() })
+        Err(Error::NoSuch { element: Element::Cell, index: cell.into() })
     }
 }

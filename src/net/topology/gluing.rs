@@ -154,7 +154,7 @@ impl Topology {
     /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the [`Classes`].
     ///
     /// # Errors
-    /// [`Error::NoSuchNode`](crate::Error::NoSuchNode), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    /// [`Error::NoSuch`](crate::Error::NoSuch), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn node_type(&self, node: u32, cyclic: bool) -> Result<Option<GluingType>> {
         self.shape().check_node(node)?;
         let (i, j) = self.shape().place(node);
@@ -164,7 +164,7 @@ impl Topology {
     /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the [`Classes`].
     ///
     /// # Errors
-    /// [`Error::NoSuchCell`](crate::Error::NoSuchCell), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    /// [`Error::NoSuch`](crate::Error::NoSuch), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn cell_type(&self, cell: u32) -> Result<Option<GluingType>> {
         let (i, j) = place_of_cell(self.shape(), cell)?;
         Ok(classify_cell(&Classes::of(self)?, i, j))

@@ -22,7 +22,7 @@ pub struct Slice {
 /// Cuts the curves along a body by the plane through `point` across `normal`, and draws a curve through the crossings in the
 /// order of the columns, `closed` or not. O(segments) for crossings.
 ///
-/// # Errors [`Error::OptionOutOfRange`] (the normal), [`Error::OutlineNotFinite`] (point 0 is `point`, 1 is `normal`),
+/// # Errors [`Error::OptionOutOfRange`] (the normal), [`Error::NotFinite`] (point 0 is `point`, 1 is `normal`),
 /// [`Error::NoNode`] (section 0, and the curve that the plane does not cross), those of [`fit`](super::super::fit()).
 pub fn slice(
     along: &Fit,

@@ -26,7 +26,7 @@ impl CurveView<'_> {
     /// O(points) and O(degree^2) for each crossing.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::OutlineNotFinite`] (point 0 is `point`, 1 is `normal`),
+    /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::NotFinite`] (point 0 is `point`, 1 is `normal`),
     /// [`Error::OutOfMemory`].
     pub fn crossings_with_plane(&self, point: DVec3, normal: DVec3) -> Result<Crossings> {
         check_finite(0, point)?;

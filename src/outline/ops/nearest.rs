@@ -46,7 +46,7 @@ impl CurveView<'_> {
     /// The nearest point of the curve to each of `queries`. About O(log segments + degree^2) for each query, on the job's
     /// threads; memory O(points).
     ///
-    /// # Errors [`Error::EmptyCurve`] (no segments), [`Error::OutlineNotFinite`] (a query), [`Error::OutOfMemory`],
+    /// # Errors [`Error::EmptyCurve`] (no segments), [`Error::NotFinite`] (a query), [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn nearest(&self, queries: &[DVec3], job: &Job<'_>) -> Result<Vec<Nearest>> {
         job.step(0.0, STAGE)?;
@@ -61,7 +61,7 @@ impl CurveView<'_> {
 /// The nearest point of any of some curves to each of `queries`, and the curve that it is on, of equally near ones the first; a
 /// curve without segments is its point. As [`CurveView::nearest`] for one curve after the other, but for curves whose boxes are too far.
 ///
-/// # Errors [`Error::EmptyCurve`] (no curve has a point, and there are queries), [`Error::OutlineNotFinite`] (a query),
+/// # Errors [`Error::EmptyCurve`] (no curve has a point, and there are queries), [`Error::NotFinite`] (a query),
 /// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub(crate) fn nearest_of_any(
     curves: &[CurveView<'_>],

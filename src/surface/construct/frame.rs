@@ -24,7 +24,7 @@ impl Sheet<'static> {
     /// The surface of a frame: u runs along the body, from section to section, and v round it. `closed`: whether the sections are followed by the
     /// first one, as in a ring, and whether each of them is closed.
     ///
-    /// # Errors [`Error::NetTooSmall`]; with curves those of [`Sheet::from_curves`], and [`Error::CurveNotClosed`]; [`Error::NodeNotFinite`],
+    /// # Errors [`Error::NetTooSmall`]; with curves those of [`Sheet::from_curves`], and [`Error::CurveNotClosed`]; [`Error::NotFinite`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_frame(frame: &Frame, closed: [bool; 2], kind: FrameSurface, job: &Job<'_>) -> Result<Self> {
         let NodeGrid { rows, columns, nodes, .. } = &frame.grid;

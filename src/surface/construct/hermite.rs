@@ -1,7 +1,7 @@
 //! Nodes with given tangents.
 
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::surface::axis::Axis;
 use crate::surface::grid::check_closed;
@@ -42,7 +42,7 @@ impl Sheet<'static> {
     ///
     /// O(nodes); 384 bytes a cell.
     ///
-    /// # Errors [`Error::NodeNotFinite`] with the node, also for its tangents and twist; [`Error::ArrayTooShort`]; [`Error::NetTooSmall`] for a
+    /// # Errors [`Error::NotFinite`] with the node, also for its tangents and twist; [`Error::ArrayTooShort`]; [`Error::NetTooSmall`] for a
     /// closed direction of fewer than three nodes and the repeated one; [`Error::SidesApart`]; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn from_tangents(given: &Tangents<'_>, job: &Job<'_>) -> Result<Self> {
         let hermite = Hermite::new(given)?;
@@ -159,11 +159,11 @@ fn check(what: &'static str, vectors: &[DVec3], count: usize) -> Result<()> {
         return Err(Error::ArrayTooShort { what, needed, given });
     }
     let bad = vectors[..count].iter().enumerate().find_map(|(node, vector)| {
-        vector
-            .to_array()
-            .into_iter()
-            .find(|x| !x.is_finite())
-            .map(|value| Error::NodeNotFinite { node: node as u32, value })
+        vector.to_array().into_iter().find(|x| !x.is_finite()).map(|value| Error::NotFinite {
+            element: Element::Node,
+            index: node as u64,
+            value,
+        })
     });
     bad.map_or(Ok(()), Err)
 }

@@ -4,7 +4,7 @@
 //! that gives the spline when all its arguments are equal. Point k of the span [a, b] takes p - k arguments a and k arguments b.
 
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::surface::{MAX_DEGREE, MAX_NODES, Patch, Patches, Sheet};
 use glam::DVec3;
@@ -48,7 +48,7 @@ impl Sheet<'static> {
     ///
     /// # Errors [`Error::OptionOutOfRange`] for a degree of 0 or above 7; [`Error::NetTooSmall`] for fewer control points than degree + 1;
     /// [`Error::WrongKnotCount`]; [`Error::BadKnot`] with the first knot that is not finite, that is less than the one before, or that is repeated
-    /// too often; [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NodeNotFinite`] with the control point, [`Error::OutOfMemory`],
+    /// too often; [`Error::ArrayTooShort`], [`Error::TooLarge`], [`Error::NotFinite`] with the control point, [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn from_spline(spline: &Spline<'_>, job: &Job<'_>) -> Result<Self> {
         let [rows, columns] = spline.counts;
@@ -70,7 +70,7 @@ impl Sheet<'static> {
         };
         if let Some(at) = points.iter().position(|point| !point.is_finite()) {
             let value = points[at].to_array().into_iter().find(|x| !x.is_finite()).unwrap_or(f64::NAN);
-            return Err(Error::NodeNotFinite { node: at as u32, value });
+            return Err(Error::NotFinite { element: Element::Node, index: at as u64, value });
         }
         let [u, v] = [spline.axes[0].spans(rows, 0)?, spline.axes[1].spans(columns, 1)?];
         if spline.axes.iter().all(|axis| axis.degree <= 3) {

@@ -28,7 +28,7 @@ use super::axis::{Axis, Scheme};
 use super::cells::BLOCK;
 use super::{Paths, Place, Sheet, Surface, each_sheet};
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use chain::{Strands, chain};
 use glam::DVec3;
@@ -142,7 +142,7 @@ impl Surface<'_> {
     /// closed direction repeats the first and is not read. For the rest, as [`Surface::section`].
     ///
     /// # Errors
-    /// [`Error::ArrayTooShort`], or [`Error::TooLarge`] if there are too many; [`Error::NodeNotFinite`] with the number of the value;
+    /// [`Error::ArrayTooShort`], or [`Error::TooLarge`] if there are too many; [`Error::NotFinite`] with the number of the value;
     /// [`Error::OptionOutOfRange`] for levels that are not finite or do not rise; [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn contours(&self, values: &[f64], levels: &[f64], between: Between, job: &Job<'_>) -> Result<Paths> {
         rising(levels, "levels")?;
@@ -191,7 +191,7 @@ impl Surface<'_> {
             return Err(Error::TooLarge { what: "values", count: given, limit: count });
         }
         match values.iter().position(|value| !value.is_finite()) {
-            Some(node) => Err(Error::NodeNotFinite { node: node as u32, value: values[node] }),
+            Some(node) => Err(Error::NotFinite { element: Element::Node, index: node as u64, value: values[node] }),
             None => Ok(()),
         }
     }

@@ -4,7 +4,7 @@ use super::Closest;
 use super::hunt::Hunt;
 use super::region::unfit;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::par;
 use crate::surface::Surface;
@@ -22,7 +22,7 @@ impl Surface<'_> {
     /// any order and any number of threads.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::QueryNotFinite`],
+    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::NotFinite`],
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn closest_all(&self, queries: &[DVec3], limit: f64, job: &Job<'_>) -> Result<Vec<Option<Closest>>> {
         let mut found = alloc::filled(None, queries.len())?;
@@ -43,7 +43,7 @@ impl Surface<'_> {
             return Err(Error::OptionOutOfRange { option: "limit", value: limit });
         }
         if let Some((at, value)) = queries.iter().enumerate().find_map(|(k, &query)| Some((k, unfit(query)?))) {
-            return Err(Error::QueryNotFinite { query: at as u32, value });
+            return Err(Error::NotFinite { element: Element::Query, index: at as u64, value });
         }
         let order = alloc::with_capacity(queries.len().min(SORTED))?;
         let mut order: Vec<(u64, u32)> = order;

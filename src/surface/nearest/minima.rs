@@ -82,7 +82,7 @@ impl Surface<'_> {
     /// With `most`, cells farther than the last one are not looked at; without, all cells within the limit are.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::QueryNotFinite`], [`Error::OutOfMemory`],
+    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::NotFinite`], [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn local_minima(&self, query: DVec3, limit: f64, most: usize, job: &Job<'_>) -> Result<Minima> {
         check("limit", query, limit)?;

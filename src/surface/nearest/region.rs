@@ -3,7 +3,7 @@
 use super::cell::{Workspace, nearest};
 use super::search::Block;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 use crate::surface::cells::Cells;
 use crate::surface::index::Pyramid;
@@ -40,7 +40,7 @@ impl Surface<'_> {
     /// more than the tolerance, unless that cannot be proved.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a radius that is negative or NaN, [`Error::QueryNotFinite`], [`Error::OutOfMemory`],
+    /// [`Error::OptionOutOfRange`] for a radius that is negative or NaN, [`Error::NotFinite`], [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn region(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<Region> {
         check("radius", query, radius)?;
@@ -73,10 +73,10 @@ pub(super) fn unfit(query: DVec3) -> Option<f64> {
     query.to_array().into_iter().find(|x| x.is_nan() || x.abs() > LARGEST)
 }
 
-/// [`Error::QueryNotFinite`], or [`Error::OptionOutOfRange`] for a distance that is negative or NaN.
+/// [`Error::NotFinite`], or [`Error::OptionOutOfRange`] for a distance that is negative or NaN.
 pub(super) fn check(option: &'static str, query: DVec3, distance: f64) -> Result<()> {
     if let Some(value) = unfit(query) {
-        return Err(Error::QueryNotFinite { query: 0, value });
+        return Err(Error::NotFinite { element: Element::Query, index: 0, value });
     }
     if distance >= 0.0 { Ok(()) } else { Err(Error::OptionOutOfRange { option, value: distance }) }
 }

@@ -26,7 +26,7 @@ const DEPTH: u32 = 60;
 /// It uses the lines of the surface only; [`Sheet::normal`] is of third order as well, with a smaller constant, and faster.
 ///
 /// # Errors
-/// [`Error::NoSuchCell`]; [`Error::OptionOutOfRange`] for parameters outside 0 to 1.
+/// [`Error::NoSuch`]; [`Error::OptionOutOfRange`] for parameters outside 0 to 1.
 pub fn normal_by_sections(sheet: &Sheet<'_>, cell: [usize; 2], u: f64, v: f64) -> Result<DVec3> {
     Lattice::of(sheet).check(cell)?;
     for (option, value) in [("u", u), ("v", v)] {

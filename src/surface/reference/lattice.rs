@@ -1,6 +1,6 @@
 //! How the cells of a sheet lie next to each other.
 
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::surface::Sheet;
 
 /// Rows and columns of cells, and which directions are closed.
@@ -82,14 +82,14 @@ impl Lattice {
         [0, 1].map(|k| self.cells[k] + usize::from(!self.closed[k]))
     }
 
-    /// [`Error::NoSuchCell`] unless the cell exists.
+    /// [`Error::NoSuch`] unless the cell exists.
     pub(crate) fn check(&self, [i, j]: [usize; 2]) -> Result<()> {
         let [rows, columns] = self.cells;
         if i < rows && j < columns {
             return Ok(());
         }
         let cell = (i as u64).saturating_mul(columns as u64).saturating_add(j as u64);
-        Err(Error::NoSuchCell { cell })
+        Err(Error::NoSuch { element: Element::Cell, index: cell.into() })
     }
 
     /// The intervals `line - steps .. line + steps - 1` of one direction, as far as they exist.

@@ -3,7 +3,7 @@
 use super::lattice::{Lattice, Span};
 use super::scale::Scale;
 use crate::alloc;
-use crate::error::{Error, Result};
+use crate::error::{Element, Error, Result};
 use crate::job::Job;
 
 /// Steps of chains from a cell; those that no chain reaches have none.
@@ -19,13 +19,13 @@ const CELLS: usize = 1 << 17;
 /// any of the last one, within the chain (3).
 ///
 /// # Errors
-/// [`Error::NoSuchCell`] for an end that is not of the region, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::NoSuch`] for an end that is not of the region, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn chain(region: &Scale, from: [usize; 2], to: [usize; 2], job: &Job<'_>) -> Result<Option<Vec<[usize; 2]>>> {
     let lattice = region.lattice();
     for end in [from, to] {
         lattice.check(end)?;
         if !region.get(end) {
-            return Err(Error::NoSuchCell { cell: lattice.index(end) as u64 });
+            return Err(Error::NoSuch { element: Element::Cell, index: lattice.index(end) as u64 });
         }
     }
     let mut walk = Walk::new(lattice)?;

@@ -1,10 +1,10 @@
-//! What can go wrong, one variant for each cause, each naming the element it is about.
-
-mod text;
+//! Causes of failure: a variant for each kind of cause, with its text and the element that it is about.
+//!
+//! `ffi::status` has the other list, of the numbers that C sees, and maps this one to it.
 
 use std::fmt;
 
-/// Which of two pieces an error is about.
+/// One of two pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
     /// The first piece.
@@ -22,11 +22,69 @@ impl fmt::Display for Side {
     }
 }
 
+/// Kinds of elements that share a cause of failure. Places are those that a caller gave, counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Element {
+    /// A vertex of a mesh.
+    Vertex,
+    /// A point of a loop.
+    LoopPoint(Side),
+    /// A point of an outline or a curve, counted over all of them, or a tangent there.
+    Point,
+    /// A query point.
+    Query,
+    /// A place on a surface.
+    Place,
+    /// A node of a net.
+    Node,
+    /// A link of a net.
+    Link,
+    /// A cell of a net.
+    Cell,
+    /// A bridge of a net.
+    Bridge,
+    /// An entry of a scene.
+    Entry,
+}
+
+impl fmt::Display for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Element::Vertex => "vertex",
+            Element::LoopPoint(Side::A) => "loop A, point",
+            Element::LoopPoint(Side::B) => "loop B, point",
+            Element::Point => "point",
+            Element::Query => "query",
+            Element::Place => "place",
+            Element::Node => "node",
+            Element::Link => "link",
+            Element::Cell => "cell",
+            Element::Bridge => "bridge",
+            Element::Entry => "entry",
+        })
+    }
+}
+
+/// A number in a message: with an exponent where it would have many digits before or after the point.
+struct Number<'a>(&'a f64);
+
+impl fmt::Display for Number<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let value = *self.0;
+        if value == 0.0 || !value.is_finite() || (1e-4..1e9).contains(&value.abs()) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}
+
 /// The causes of failure. Indices count from 0 and refer to the caller's own arrays.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A count is above the limit of this version.
+    #[error("{count} {what}: this version takes at most {limit}")]
     TooLarge {
         /// What is counted.
         what: &'static str,
@@ -36,6 +94,7 @@ pub enum Error {
         limit: u64,
     },
     /// The bytes of an array, count times stride, exceed what the machine can address.
+    #[error("{count} {what} exceed the address space")]
     SizeOverflow {
         /// Which array.
         what: &'static str,
@@ -43,6 +102,7 @@ pub enum Error {
         count: u64,
     },
     /// An array has fewer bytes than its count and stride need.
+    #[error("the array of {what} needs {needed} bytes and has {given}")]
     ArrayTooShort {
         /// Which array.
         what: &'static str,
@@ -52,18 +112,21 @@ pub enum Error {
         given: u64,
     },
     /// The distance between positions is smaller than one position.
+    #[error("a position stride of {stride} bytes: one position takes {min}")]
     StrideTooSmall {
         /// The stride given, in bytes.
         stride: u64,
-        /// The least stride, in bytes.
-        least: u64,
+        /// The smallest stride accepted, in bytes.
+        min: u64,
     },
     /// A mesh without vertices or without faces.
+    #[error("the mesh has no {what}")]
     EmptyMesh {
         /// `"vertices"` or `"faces"`.
         what: &'static str,
     },
     /// Offsets, of faces, outlines or segments, that do not start at 0, decrease, or end elsewhere than their elements.
+    #[error("offset {entry} is {value}{}", if *.entry == 0 { " instead of 0" } else { ", which is out of order or out of range" })]
     BadOffsets {
         /// The first offending entry.
         entry: u32,
@@ -71,6 +134,7 @@ pub enum Error {
         value: u32,
     },
     /// A face of fewer than three corners.
+    #[error("face {face} has {corners} corners; it needs three")]
     FaceTooSmall {
         /// The face.
         face: u32,
@@ -78,6 +142,7 @@ pub enum Error {
         corners: u32,
     },
     /// A face names a vertex that does not exist.
+    #[error("face {face}, corner {corner}: there is no vertex {vertex}")]
     IndexOutOfRange {
         /// The face.
         face: u32,
@@ -86,37 +151,18 @@ pub enum Error {
         /// The vertex index found there.
         vertex: u32,
     },
-    /// A vertex used by a face has a coordinate that is NaN or infinite.
+    /// An element has a coordinate that is NaN or infinite: a vertex that a face uses, a point or a tangent there, a node.
+    #[error("{element} {index} has a coordinate that is {value}")]
     NotFinite {
-        /// The vertex.
-        vertex: u32,
-        /// The coordinate.
-        value: f64,
-    },
-    /// A point of a loop has a coordinate that is NaN or infinite.
-    PointNotFinite {
-        /// The loop.
-        side: Side,
-        /// The place of the point.
-        place: u32,
-        /// The coordinate.
-        value: f64,
-    },
-    /// A point of an outline or a curve, or a tangent there, has a coordinate that is NaN or infinite.
-    OutlineNotFinite {
-        /// The point, counted over all outlines.
-        point: u32,
-        /// The coordinate.
-        value: f64,
-    },
-    /// A point that was asked about has a coordinate that is NaN or infinite.
-    QueryNotFinite {
-        /// Its number.
-        query: u32,
+        /// Its kind.
+        element: Element,
+        /// Its index.
+        index: u64,
         /// The coordinate.
         value: f64,
     },
     /// A section of a frame has another number of points than the first one.
+    #[error("section {section} has {count} points and the first one {expected}")]
     SectionsDiffer {
         /// The section.
         section: u32,
@@ -126,6 +172,7 @@ pub enum Error {
         expected: u32,
     },
     /// A section of a frame, or a plane, has no node on a column: they do not meet, or the section is no curve.
+    #[error("section {section} has no node in column {column}")]
     NoNode {
         /// The section, or the plane.
         section: u32,
@@ -133,15 +180,19 @@ pub enum Error {
         column: u32,
     },
     /// A closed curve does not end where it begins.
+    #[error("a closed curve ends where it begins; this one does not")]
     CurveNotClosed,
     /// A plane curve is asked for, and a control point has z other than 0.
+    #[error("control point {point} is not in the plane z = 0")]
     CurveNotPlane {
         /// The control point.
         point: u32,
     },
     /// A curve without segments, or without points, where one is needed.
+    #[error("the curve is empty")]
     EmptyCurve,
     /// There is no such place on the curve.
+    #[error("place {index}: there is no segment {segment} with parameter {}", Number(.t))]
     NoSuchPlace {
         /// Which of the places given.
         index: u32,
@@ -151,20 +202,24 @@ pub enum Error {
         t: f64,
     },
     /// A constraint names a point that does not exist, or that the one before it names or passes.
-    NoSuchPoint {
+    #[error("constraint {constraint} is on point {point}, which does not exist or comes earlier")]
+    BadConstraint {
         /// The constraint.
         constraint: u32,
         /// The point.
         point: u32,
     },
     /// The second mesh has `f64` positions and the first `f32`: the result, in the first one's type, would round them.
+    #[error("the inputs have coordinates of different types, where the result would round those of one: convert it")]
     MixedScalars,
     /// There is no boundary loop that could be stitched.
+    #[error("mesh {side} has no boundary loop that can be stitched")]
     NoLoop {
         /// The piece without one.
         side: Side,
     },
     /// A loop of fewer than three vertices.
+    #[error("loop {side} has {count} vertices; it needs three")]
     LoopTooShort {
         /// The piece.
         side: Side,
@@ -172,6 +227,7 @@ pub enum Error {
         count: u32,
     },
     /// A loop passes a vertex twice.
+    #[error("loop {side} passes vertex {vertex} twice")]
     LoopRepeatsVertex {
         /// The piece.
         side: Side,
@@ -179,6 +235,7 @@ pub enum Error {
         vertex: u32,
     },
     /// Two consecutive loop vertices are not the ends of a free edge: an edge with exactly one face.
+    #[error("loop {side}: the edge that leaves place {place} (vertex {vertex}) is no free edge of the mesh")]
     LoopEdgeNotFree {
         /// The piece.
         side: Side,
@@ -188,17 +245,20 @@ pub enum Error {
         vertex: u32,
     },
     /// Both loops pass the same vertex of the same mesh.
+    #[error("both loops pass vertex {vertex}")]
     LoopsShareVertex {
         /// The vertex.
         vertex: u32,
     },
     /// No vertex of a loop is clearly on the other loop's side of the plane through its centre, or the centres coincide: the
     /// paper's planes cannot tell which vertices face each other. Such loops are joined whole.
+    #[error("no vertex of loop {side} is clearly on the other loop's side of the plane through its centre")]
     PlanesUndecided {
         /// The loop.
         side: Side,
     },
     /// The faces along one loop disagree in orientation.
+    #[error("the faces along loop {side} disagree in orientation, face {face} among them")]
     LoopNotOriented {
         /// The piece.
         side: Side,
@@ -206,17 +266,20 @@ pub enum Error {
         face: u32,
     },
     /// The second piece is oriented against the first, and the options refuse to turn it over.
+    #[error("piece B (face {face} and the rest) is oriented against piece A")]
     OrientationConflict {
         /// A face of the second piece.
         face: u32,
     },
     /// Every strip through the first meridian, or the strip of the chosen rule, would use an edge twice that the mesh already
     /// has.
+    #[error("no strip between the loops avoids the edges that the mesh already has (vertex {vertex})")]
     NoStrip {
         /// The vertex of the first loop where the rule's meridian starts, if one is to blame.
         vertex: u32,
     },
     /// A net of fewer than two rows or columns.
+    #[error("{rows} rows and {columns} columns of nodes: a net has two of each at least")]
     NetTooSmall {
         /// The rows given.
         rows: u64,
@@ -224,43 +287,27 @@ pub enum Error {
         columns: u64,
     },
     /// A gluing makes both pairs of opposite corners of a cell one each: no surface does that.
+    #[error("cell {cell}: both pairs of opposite corners would be glued, which no surface allows")]
     CrossingCell {
         /// The first such cell.
         cell: u32,
     },
     /// A seam without nodes, or with nodes outside the net.
+    #[error("seam {seam} is empty or leaves the net")]
     BadSeam {
         /// The seam.
         seam: u32,
     },
-    /// There is no such node.
-    NoSuchNode {
-        /// Its index.
-        node: u64,
-    },
-    /// There is no such link.
-    NoSuchLink {
-        /// Its index.
-        link: u64,
-    },
-    /// There is no such cell.
-    NoSuchCell {
-        /// Its index.
-        cell: u64,
-    },
-    /// There is no such bridge.
-    NoSuchBridge {
-        /// Its index.
-        bridge: u64,
-    },
-    /// A node has a coordinate that is NaN or infinite, where all must be finite.
-    NodeNotFinite {
-        /// The node.
-        node: u32,
-        /// The coordinate.
-        value: f64,
+    /// An element that does not exist, or that is of another kind.
+    #[error("there is no {element} {index}")]
+    NoSuch {
+        /// Its kind.
+        element: Element,
+        /// The index given.
+        index: u64,
     },
     /// Sides of nets that are to be joined have different numbers of nodes, and the options refuse to equalise them.
+    #[error("the sides to be joined have {a} and {b} nodes")]
     SidesDiffer {
         /// Nodes of the first net's side.
         a: u32,
@@ -268,6 +315,7 @@ pub enum Error {
         b: u32,
     },
     /// Sides of nets that are to be welded do not lie on each other.
+    #[error("the sides to be welded are {} apart at place {place}", Number(.distance))]
     SidesApart {
         /// The place along the side.
         place: u32,
@@ -275,6 +323,7 @@ pub enum Error {
         distance: f64,
     },
     /// A direction of a spline has another number of knots than its control points and degree need.
+    #[error("direction {direction} has {given} knots; its control points and degree need {needed}")]
     WrongKnotCount {
         /// 0 for u, 1 for v.
         direction: u32,
@@ -284,6 +333,7 @@ pub enum Error {
         needed: u64,
     },
     /// A knot of a spline is not finite, less than the one before, or repeated too often; or the spline has no range.
+    #[error("knot {knot} of direction {direction}, {}, is out of order or repeated too often", Number(.value))]
     BadKnot {
         /// 0 for u, 1 for v.
         direction: u32,
@@ -293,6 +343,7 @@ pub enum Error {
         value: f64,
     },
     /// A row and a column of a net of curves do not meet.
+    #[error("row {row} and column {column} of the net are {} apart where they are nearest", Number(.distance))]
     CurvesApart {
         /// The row.
         row: u32,
@@ -302,25 +353,24 @@ pub enum Error {
         distance: f64,
     },
     /// A curve of a net meets the others in another order than they are given in.
+    #[error("row {row} and column {column} of the net meet out of order")]
     CurvesOutOfOrder {
         /// The row at the first crossing out of order.
         row: u32,
         /// The column.
         column: u32,
     },
-    /// There is no such place on the surface.
-    NoSuchSurfacePlace {
-        /// Which of the places given.
-        index: u64,
-    },
     /// Two nets cannot be joined, as faces of the one are to be taken the other way round.
+    #[error("faces of the second net are taken the other way round than those of the first: flip it")]
     NetsOpposed,
     /// Faces of a mesh are no rectangular grid of quads.
+    #[error("the faces are no rectangular grid of quads, face {face} among them")]
     NoGrid {
         /// The first face that shows it.
         face: u32,
     },
     /// A stream is damaged, cut off, or none of ours.
+    #[error("the stream is damaged at byte {byte}: {what}")]
     BadStream {
         /// What is wrong.
         what: &'static str,
@@ -328,25 +378,25 @@ pub enum Error {
         byte: u64,
     },
     /// A group of a scene would contain itself.
+    #[error("entry {entry} of the scene would contain itself")]
     SceneCycle {
         /// The entry.
         entry: u32,
     },
-    /// There is no such entry in the scene, or it is of the other kind.
-    NoSuchEntry {
-        /// Its index.
-        entry: u64,
-    },
     /// A scene without nets, where one is needed.
+    #[error("the scene has no nets")]
     EmptyScene,
     /// A field of deformation is not defined at a node: the centre of a sphere, the plane of the eye of a projection.
+    #[error("at node {node} the field is not defined, or what it gives is too large")]
     FieldUndefined {
         /// The first such node.
         node: u32,
     },
     /// A net is glued elsewhere than along whole sides, or has bridges: rows and columns cannot be added or left out evenly.
+    #[error("the net is glued elsewhere than along whole sides, or has bridges")]
     GluedInside,
     /// A line is not finite, has no direction, or ends before it begins.
+    #[error("line {line} is not finite, has no direction, or ends before it begins: {}", Number(.value))]
     BadLine {
         /// Which of the lines given.
         line: u64,
@@ -354,6 +404,7 @@ pub enum Error {
         value: f64,
     },
     /// The greatest absolute coordinate of a sheet is too large or too small for a surface.
+    #[error("sheet {sheet}: its greatest coordinate, {}, is not 0 nor from 1e-30 to 1e37", Number(.value))]
     SheetOutOfRange {
         /// Which of the sheets given.
         sheet: u64,
@@ -361,15 +412,17 @@ pub enum Error {
         value: f64,
     },
     /// A filter takes another number of inputs.
+    #[error("the number of inputs is {given}, and the filter takes {}", if .min == .max { min.to_string() } else { format!("{min} to {max}") })]
     InputCount {
-        /// How many there are.
+        /// The number given.
         given: u64,
-        /// The least number.
-        least: u64,
-        /// The greatest number.
-        most: u64,
+        /// The smallest number accepted.
+        min: u64,
+        /// The largest number accepted.
+        max: u64,
     },
     /// An input is not such as a filter takes.
+    #[error("input {input}: {why}")]
     InputUnfit {
         /// Which of the inputs.
         input: u32,
@@ -377,6 +430,7 @@ pub enum Error {
         why: &'static str,
     },
     /// An option is outside its range.
+    #[error("option {option} is out of range: {}", Number(.value))]
     OptionOutOfRange {
         /// The option's name.
         option: &'static str,
@@ -384,21 +438,21 @@ pub enum Error {
         value: f64,
     },
     /// Memory for an array could not be had.
+    #[error("{bytes} bytes of memory could not be had")]
     OutOfMemory {
         /// Bytes asked for.
         bytes: u64,
     },
     /// The host asked to stop.
+    #[error("cancelled by the host")]
     Cancelled,
 }
-
-impl std::error::Error for Error {}
 
 impl Error {
     /// Which of two pieces it is about, if it is about one of two.
     pub fn side(&self) -> Option<Side> {
         match *self {
-            Error::PointNotFinite { side, .. }
+            Error::NotFinite { element: Element::LoopPoint(side), .. }
             | Error::NoLoop { side }
             | Error::LoopTooShort { side, .. }
             | Error::LoopRepeatsVertex { side, .. }
