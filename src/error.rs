@@ -466,4 +466,4 @@ impl Error {
 }
 
 /// The result type of the library.
-pub type Result<T> = std::result::Result<T, Error>;
+pub type Result<T, E = Error> = std::result::Result<T, E>;

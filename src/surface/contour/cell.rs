@@ -10,13 +10,15 @@
 //!   reported.
 
 use super::side::{crossings, positive};
+use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
 use crate::surface::subdivision::Field;
 use glam::DVec2;
+use std::convert::Infallible;
 
-/// Halvings before a part is given up.
-const DEPTH: u32 = 26;
-/// Parts that may be looked at for one cell.
-const PARTS: u32 = 1024;
+/// Halvings of each parameter before a part is given up.
+const MAX_SUBDIVISION_DEPTH: u32 = 26;
+/// Parts examined for one cell.
+const MAX_PARTS: usize = 1024;
 
 /// The sides of a cell or part: v low, u high, v high, u low, which is once round it, counter-clockwise.
 pub(super) const SIDES: usize = 4;
@@ -71,7 +73,6 @@ pub(super) struct Part<const M: usize> {
     corners: [bool; 4],
     from: DVec2,
     size: f64,
-    depth: u32,
 }
 
 /// Keys of marks inside cells.
@@ -84,14 +85,14 @@ impl Keys {
     }
 }
 
-/// Finds the arcs of a cell whose marks and signs at corners are given. Values up to `noise` may be 0. Returns where something is left
+/// Finds the arcs of a cell whose marks and signs at corners are given. Values up to `rounding_error` may be 0. Returns where something is left
 /// unresolved.
 #[inline]
 pub(super) fn arcs<const M: usize>(
     field: &Field<M>,
     marks: &mut Vec<Mark>,
     corners: [bool; 4],
-    noise: f64,
+    rounding_error: f64,
     keys: &mut Keys,
     mut add: impl FnMut(Link),
 ) -> Option<DVec2> {
@@ -99,41 +100,64 @@ pub(super) fn arcs<const M: usize>(
     if marks.is_empty() && one_sign(field) {
         return None;
     }
-    if let Some(over) = graph(field, noise) {
+    if let Some(over) = graph(field, rounding_error) {
         in_order(marks, Graph { over, range: [0.0, 1.0] }, &mut add);
         return None;
     }
     let marks = std::mem::take(marks);
-    by_parts(Part { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0, depth: 0 }, noise, keys, add)
+    let whole = Part { field: *field, marks, corners, from: DVec2::ZERO, size: 1.0 };
+    let mut search = Search { rounding_error, keys, add, unresolved: None };
+    let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
+    let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
+    search.unresolved.map(|(_, place)| place)
 }
 
-/// As [`arcs`], cutting the cell into parts.
-fn by_parts<const M: usize>(cell: Part<M>, noise: f64, keys: &mut Keys, mut add: impl FnMut(Link)) -> Option<DVec2> {
-    let mut waiting = vec![cell];
-    let mut unresolved: Option<(f64, DVec2)> = None;
-    let mut looked_at = 0;
-    while let Some(mut part) = waiting.pop() {
-        looked_at += 1;
-        if part.marks.is_empty() && one_sign(&part.field) {
-            continue;
-        }
-        if let Some(over) = graph(&part.field, noise) {
-            let low = part.from[1 - over];
-            in_order(&mut part.marks, Graph { over, range: [low, low + part.size] }, &mut add);
-            continue;
-        }
-        let [low, high] = part.field.range();
-        if (low >= -noise && high <= noise) || part.depth == DEPTH || looked_at >= PARTS {
-            let middle = part.field.at(0.5, 0.5).value;
-            if unresolved.is_none_or(|(least, _)| middle.abs() < least) {
-                unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
-            }
-            by_middle(&part.marks, positive(middle), &mut add);
-            continue;
-        }
-        waiting.extend(cut(part, keys));
+/// The search of one cell.
+struct Search<'a, F> {
+    rounding_error: f64,
+    keys: &'a mut Keys,
+    add: F,
+    /// The middle of the unresolved part with the least value there, and that value.
+    unresolved: Option<(f64, DVec2)>,
+}
+
+impl<F: FnMut(Link), const M: usize> Subdivision<Part<M>, 4> for Search<'_, F> {
+    /// The parameter over which the zero set is a graph.
+    type Solution = usize;
+    type Split = ();
+    type Stop = Infallible;
+
+    #[inline]
+    fn classify(&mut self, part: &Part<M>) -> Result<BoxTest<usize, ()>, Infallible> {
+        Ok(if part.marks.is_empty() && one_sign(&part.field) {
+            BoxTest::Empty
+        } else if let Some(over) = graph(&part.field, self.rounding_error) {
+            BoxTest::Unique(over)
+        } else {
+            let [low, high] = part.field.range();
+            let vanishes = low >= -self.rounding_error && high <= self.rounding_error;
+            if vanishes { BoxTest::Unresolved } else { BoxTest::Undecided(()) }
+        })
     }
-    unresolved.map(|(_, place)| place)
+
+    fn accept(&mut self, mut part: Part<M>, over: usize) -> Result<(), Infallible> {
+        let low = part.from[1 - over];
+        in_order(&mut part.marks, Graph { over, range: [low, low + part.size] }, &mut self.add);
+        Ok(())
+    }
+
+    fn give_up(&mut self, part: Part<M>, _exhausted: bool) -> Result<(), Infallible> {
+        let middle = part.field.at(0.5, 0.5).value;
+        if self.unresolved.is_none_or(|(min, _)| middle.abs() < min) {
+            self.unresolved = Some((middle.abs(), part.from + 0.5 * part.size));
+        }
+        by_middle(&part.marks, positive(middle), &mut self.add);
+        Ok(())
+    }
+
+    fn split(&mut self, part: Part<M>, (): ()) -> [Part<M>; 4] {
+        part.quarters(self.keys)
+    }
 }
 
 /// True if the field is nowhere 0, as its coefficients show.
@@ -146,12 +170,12 @@ pub(super) fn one_sign<const M: usize>(field: &Field<M>) -> bool {
 /// The parameter, u (0) or v (1), over which the zero set is a graph, the field being monotone in the other one; the one in which it
 /// rises more steeply, if both will do.
 #[inline]
-fn graph<const M: usize>(field: &Field<M>, noise: f64) -> Option<usize> {
+fn graph<const M: usize>(field: &Field<M>, rounding_error: f64) -> Option<usize> {
     // Slopes are differences of coefficients, times the degree.
-    let play = noise * (M - 1) as f64;
+    let slack = rounding_error * (M - 1) as f64;
     let steep = |[low, high]: [f64; 2]| {
-        let rises = low >= -play && high > 16.0 * play;
-        let falls = high <= play && low < -16.0 * play;
+        let rises = low >= -slack && high > 16.0 * slack;
+        let falls = high <= slack && low < -16.0 * slack;
         (rises || falls).then_some(low.abs().min(high.abs()))
     };
     match field.slope_ranges().map(steep) {
@@ -194,52 +218,53 @@ fn by_middle(marks: &[Mark], middle: bool, add: &mut impl FnMut(Link)) {
     }
 }
 
-/// The four parts of a part: low u and low v, low u and high v, high u and low v, high u and high v.
-fn cut<const M: usize>(part: Part<M>, keys: &mut Keys) -> [Part<M>; 4] {
-    let half = 0.5 * part.size;
-    let middle = part.from + half;
-    // The signs amid the sides: those of the start, changed by the marks before.
-    let amid: [bool; SIDES] = std::array::from_fn(|side| {
-        let before = |mark: &&Mark| mark.side == side && mark.along() < middle[side % 2];
-        part.corners[CORNERS[side][0]] ^ (part.marks.iter().filter(before).count() % 2 == 1)
-    });
-    let fields = part.field.quarters();
-    let centre = positive(fields[0].c[M - 1][M - 1]);
-    let [c00, c01, c10, c11] = part.corners;
-    let corners = [
-        [c00, amid[3], amid[0], centre],
-        [amid[3], c01, centre, amid[2]],
-        [amid[0], centre, c10, amid[1]],
-        [centre, amid[2], amid[1], c11],
-    ];
-    let mut marks: [Vec<Mark>; 4] = std::array::from_fn(|_| Vec::new());
-    for mark in part.marks {
-        let high = mark.along() >= middle[mark.side % 2];
-        marks[[[0, 2], [2, 3], [1, 3], [0, 1]][mark.side][usize::from(high)]].push(mark);
-    }
-    // The lines between the parts: before, behind, and the side of the part before.
-    for (low, high, side) in [(0, 2, 1), (1, 3, 1), (0, 1, 2), (2, 3, 2)] {
-        let along = side % 2;
-        let c: [f64; M] = match side {
-            1 => fields[low].c[M - 1],
-            _ => fields[low].c.map(|row| row[M - 1]),
-        };
-        let start = if low == 0 { part.from[along] } else { middle[along] };
-        let ends = CORNERS[side].map(|corner| corners[low][corner]);
-        crossings(&c, ends, |crossing| {
-            let mut at = middle;
-            at[along] = start + half * crossing.t;
-            let mark = Mark { key: keys.next(), at, side, rising: crossing.rising };
-            marks[low].push(mark);
-            marks[high].push(Mark { side: (side + 2) % SIDES, ..mark });
+impl<const M: usize> Part<M> {
+    /// The four parts of a part: low u and low v, low u and high v, high u and low v, high u and high v.
+    fn quarters(self, keys: &mut Keys) -> [Part<M>; 4] {
+        let half = 0.5 * self.size;
+        let middle = self.from + half;
+        // The signs amid the sides: those of the start, changed by the marks before.
+        let amid: [bool; SIDES] = std::array::from_fn(|side| {
+            let before = |mark: &&Mark| mark.side == side && mark.along() < middle[side % 2];
+            self.corners[CORNERS[side][0]] ^ (self.marks.iter().filter(before).count() % 2 == 1)
         });
+        let fields = self.field.quarters();
+        let centre = positive(fields[0].c[M - 1][M - 1]);
+        let [c00, c01, c10, c11] = self.corners;
+        let corners = [
+            [c00, amid[3], amid[0], centre],
+            [amid[3], c01, centre, amid[2]],
+            [amid[0], centre, c10, amid[1]],
+            [centre, amid[2], amid[1], c11],
+        ];
+        let mut marks: [Vec<Mark>; 4] = std::array::from_fn(|_| Vec::new());
+        for mark in self.marks {
+            let high = mark.along() >= middle[mark.side % 2];
+            marks[[[0, 2], [2, 3], [1, 3], [0, 1]][mark.side][usize::from(high)]].push(mark);
+        }
+        // The lines between the parts: before, behind, and the side of the part before.
+        for (low, high, side) in [(0, 2, 1), (1, 3, 1), (0, 1, 2), (2, 3, 2)] {
+            let along = side % 2;
+            let c: [f64; M] = match side {
+                1 => fields[low].c[M - 1],
+                _ => fields[low].c.map(|row| row[M - 1]),
+            };
+            let start = if low == 0 { self.from[along] } else { middle[along] };
+            let ends = CORNERS[side].map(|corner| corners[low][corner]);
+            crossings(&c, ends, |crossing| {
+                let mut at = middle;
+                at[along] = start + half * crossing.t;
+                let mark = Mark { key: keys.next(), at, side, rising: crossing.rising };
+                marks[low].push(mark);
+                marks[high].push(Mark { side: (side + 2) % SIDES, ..mark });
+            });
+        }
+        std::array::from_fn(|quarter| Part {
+            field: fields[quarter],
+            marks: std::mem::take(&mut marks[quarter]),
+            corners: corners[quarter],
+            from: self.from + half * DVec2::new((quarter / 2) as f64, (quarter % 2) as f64),
+            size: half,
+        })
     }
-    std::array::from_fn(|quarter| Part {
-        field: fields[quarter],
-        marks: std::mem::take(&mut marks[quarter]),
-        corners: corners[quarter],
-        from: part.from + half * DVec2::new((quarter / 2) as f64, (quarter % 2) as f64),
-        size: half,
-        depth: part.depth + 1,
-    })
 }

@@ -412,7 +412,7 @@ impl<C> Sought<'_, C> {
                 for k in range {
                     let (corners, cells) = normals.block(lattice, blocks[first + k]);
                     for cell in cells {
-                        if let Some(roots) = normals.roots::<N, H>(&corners, cell, sign) {
+                        if let Some(roots) = normals.roots::<N, H>(&corners, cell, sign)? {
                             alloc::push(&mut all, (cell.map(|k| k as u32), roots))?;
                         }
                     }

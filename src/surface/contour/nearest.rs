@@ -11,6 +11,7 @@ use super::source::Sides;
 use super::{Lattice, direction, lattice};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
 use crate::job::Job;
 use crate::par;
 use crate::surface::cells::Cells;
@@ -19,13 +20,14 @@ use crate::surface::ranges::angles;
 use crate::surface::subdivision::Field;
 use crate::surface::{Place, Sheet, Surface, each_sheet};
 use glam::{DVec2, DVec3};
+use std::convert::Infallible;
 use std::f64::consts::PI;
 
 /// To which the answer is proved, in radians.
 const TOLERANCE: f64 = 1e-9;
-/// Halvings of a cell, and parts that may be looked at in one.
-const DEPTH: u32 = 40;
-const PARTS: u32 = 4096;
+/// Halvings of each parameter of a cell, and parts examined in one.
+const MAX_SUBDIVISION_DEPTH: u32 = 40;
+const MAX_PARTS: usize = 4096;
 /// Blocks that are one thread's work, and such works between two reports of progress.
 const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
@@ -121,16 +123,15 @@ struct Part<const H: usize> {
     normal: [Field<H>; 3],
     from: DVec2,
     size: f64,
-    depth: u32,
     /// What components of normals may be off by.
     noise: f64,
     deviation: f64,
 }
 
 impl<const H: usize> Part<H> {
-    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, depth: u32, noise: f64, goal: &Goal) -> Self {
+    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, noise: f64, goal: &Goal) -> Self {
         let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value), noise);
-        Part { normal, from, size, depth, noise, deviation }
+        Part { normal, from, size, noise, deviation }
     }
 
     fn quarters(&self, goal: &Goal) -> [Part<H>; 4] {
@@ -139,7 +140,7 @@ impl<const H: usize> Part<H> {
         [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
             let k = 2 * corner.x as usize + corner.y as usize;
             let from = self.from + half * corner;
-            Part::new([first[k], second[k], along[k]], from, half, self.depth + 1, self.noise, goal)
+            Part::new([first[k], second[k], along[k]], from, half, self.noise, goal)
         })
     }
 }
@@ -263,36 +264,64 @@ impl<C> Sought<'_, C> {
         let [i, j] = cell.map(|k| k as usize);
         let of = Hodographs::new(&self.normals.cells.patch(i, j), &self.normals.frame);
         let (normal, noise) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.noise(&of));
-        let mut waiting = vec![Part::new(normal, DVec2::ZERO, 1.0, 0, noise, &self.goal)];
-        let (mut bound, mut looked_at) = (f64::INFINITY, 0);
-        while let Some(part) = waiting.pop() {
-            looked_at += 1;
-            if part.deviation < best.deviation {
-                let at = part.from + 0.5 * part.size;
-                let place = Place { sheet: self.sheet, cell, u: at.x, v: at.y };
-                *best = Best { deviation: part.deviation, place: Some(place) };
-            }
-            let ranges = part.normal.map(|field| field.range());
-            if vanish(&ranges, noise) {
-                // Here is no normal.
-                continue;
-            }
-            let proved = (best.deviation - TOLERANCE).max(0.0);
-            let near = self.goal.bound(angles(&ranges, 0.0));
-            if near >= proved || self.goal.is_beyond::<H, M>(&part.normal, proved) {
-                bound = bound.min(near.max(proved));
-                continue;
-            }
-            if part.depth == DEPTH || looked_at >= PARTS {
-                bound = bound.min(near);
-                continue;
-            }
-            // The most promising last, to be taken first.
-            let mut quarters = part.quarters(&self.goal);
-            quarters.sort_by(|a, b| b.deviation.total_cmp(&a.deviation));
-            waiting.extend(quarters);
+        let whole = Part::new(normal, DVec2::ZERO, 1.0, noise, &self.goal);
+        let mut search = CellSearch::<M> { goal: &self.goal, sheet: self.sheet, cell, best, bound: f64::INFINITY };
+        let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
+        let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
+        search.bound
+    }
+}
+
+/// The search of one cell. M: one more than the degree of squares of normals.
+struct CellSearch<'a, const M: usize> {
+    goal: &'a Goal,
+    sheet: u32,
+    cell: [u32; 2],
+    best: &'a mut Best,
+    /// No angle of the parts that are done is nearer than this.
+    bound: f64,
+}
+
+impl<const H: usize, const M: usize> Subdivision<Part<H>, 4> for CellSearch<'_, M> {
+    type Solution = Infallible;
+    type Split = ();
+    type Stop = Infallible;
+
+    fn classify(&mut self, part: &Part<H>) -> Result<BoxTest<Infallible, ()>, Infallible> {
+        if part.deviation < self.best.deviation {
+            let at = part.from + 0.5 * part.size;
+            let place = Place { sheet: self.sheet, cell: self.cell, u: at.x, v: at.y };
+            *self.best = Best { deviation: part.deviation, place: Some(place) };
         }
-        bound
+        let ranges = part.normal.map(|field| field.range());
+        if vanish(&ranges, part.noise) {
+            // Here is no normal.
+            return Ok(BoxTest::Empty);
+        }
+        let proved = (self.best.deviation - TOLERANCE).max(0.0);
+        let near = self.goal.bound(angles(&ranges, 0.0));
+        if near >= proved || self.goal.is_beyond::<H, M>(&part.normal, proved) {
+            self.bound = self.bound.min(near.max(proved));
+            return Ok(BoxTest::Empty);
+        }
+        Ok(BoxTest::Undecided(()))
+    }
+
+    fn accept(&mut self, _: Part<H>, solution: Infallible) -> Result<(), Infallible> {
+        Err(solution)
+    }
+
+    fn give_up(&mut self, part: Part<H>, _exhausted: bool) -> Result<(), Infallible> {
+        let ranges = part.normal.map(|field| field.range());
+        self.bound = self.bound.min(self.goal.bound(angles(&ranges, 0.0)));
+        Ok(())
+    }
+
+    /// The most promising last, to be taken first.
+    fn split(&mut self, part: Part<H>, (): ()) -> [Part<H>; 4] {
+        let mut quarters = part.quarters(self.goal);
+        quarters.sort_by(|a, b| b.deviation.total_cmp(&a.deviation));
+        quarters
     }
 }
 

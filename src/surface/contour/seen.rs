@@ -3,6 +3,8 @@
 use super::Lattice;
 use super::normals::Hodographs;
 use super::source::Sides;
+use crate::alloc;
+use crate::error::Result;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::Pyramid;
 use crate::surface::ranges::cross;
@@ -95,25 +97,26 @@ impl<C> Normals<'_, C> {
         corners: &Corners,
         cell: [usize; 2],
         sign: f64,
-    ) -> Option<(Vec<DVec2>, Vec<DVec2>)>
+    ) -> Result<Option<(Vec<DVec2>, Vec<DVec2>)>>
     where
         C: Cells<N>,
     {
         let zero = |[low, high]: [f64; 2], noise: f64| low <= noise && high >= -noise;
         let [x, y, _] = corners.ranges(cell);
         if !(zero(x, 0.0) && zero(y, 0.0)) {
-            return None;
+            return Ok(None);
         }
         let of = self.hodographs::<N>(cell);
         let noise = self.noise(&of);
         let [x, y, along] = of.ranges();
         let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
         if !(zero(x, noise) && zero(y, noise) && right) {
-            return None;
+            return Ok(None);
         }
         let mut found = Roots::default();
-        roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found);
-        Some((found.simple, found.unresolved.into_iter().map(|(place, _)| place).collect()))
+        roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found)?;
+        let unresolved = found.unresolved.iter().map(|cluster| cluster.best.middle.truncate());
+        Ok(Some((found.simple, alloc::collect(unresolved)?)))
     }
 
     /// By what components of normals may be wrong for rounding.

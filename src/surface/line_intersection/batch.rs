@@ -38,7 +38,7 @@ impl Surface<'_> {
         let each = |lines: &[Line], workspace: &mut Workspace| {
             let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
             for line in lines {
-                self.strike(line, which, workspace);
+                self.strike(line, which, workspace)?;
                 counts.push(workspace.hits.len() as u64);
                 alloc::append(&mut hits, &workspace.hits)?;
             }
@@ -60,10 +60,12 @@ impl Surface<'_> {
     pub fn first_hits(&self, lines: &[Line], job: &Job<'_>) -> Result<Vec<Option<Hit>>> {
         let mut all = alloc::with_capacity(lines.len())?;
         let each = |lines: &[Line], workspace: &mut Workspace| {
-            alloc::collect(lines.iter().map(|line| {
-                self.strike(line, Which::First, workspace);
-                workspace.hits.first().copied()
-            }))
+            let mut hits = alloc::with_capacity(lines.len())?;
+            for line in lines {
+                self.strike(line, Which::First, workspace)?;
+                hits.push(workspace.hits.first().copied());
+            }
+            Ok(hits)
         };
         batches(lines, job, each, |hits| alloc::append(&mut all, &hits))?;
         Ok(all)

@@ -104,10 +104,12 @@ impl Surface<'_> {
             let to = count.min(from + round);
             for part in par::chunks(job.threads(), to - from, BATCH, |range| {
                 let mut finder = Finder::default();
-                range.for_each(|k| self.segment(from + k, curve.segment(from + k), &mut finder));
-                finder.finds
+                for k in range {
+                    self.segment(from + k, curve.segment(from + k), &mut finder)?;
+                }
+                Ok(finder.finds)
             }) {
-                alloc::append(&mut finds, &part)?;
+                alloc::append(&mut finds, &part?)?;
             }
             if which != Which::All && !finds.is_empty() {
                 break;
@@ -117,10 +119,10 @@ impl Surface<'_> {
     }
 
     /// Adds the finds of segment k.
-    fn segment(&self, k: usize, controls: &[DVec3], finder: &mut Finder) {
+    fn segment(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
         if controls.iter().all(|&point| point == controls[0]) {
             // No more than the ends of its neighbours.
-            return;
+            return Ok(());
         }
         match controls.len() {
             2 => self.straight(k, [controls[0], controls[1]], finder),
@@ -129,11 +131,11 @@ impl Surface<'_> {
         }
     }
 
-    fn straight(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) {
-        self.strike(&Line::segment(a, b), Which::All, &mut finder.lines);
+    fn straight(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) -> Result<()> {
+        self.strike(&Line::segment(a, b), Which::All, &mut finder.lines)?;
         for hit in &finder.lines.hits {
             let ends = hit.span.map(|t| a.lerp(b, t));
-            finder.finds.push(Find {
+            let find = Find {
                 at: k as f64 + hit.t,
                 span: hit.span.map(|t| k as f64 + t),
                 ends,
@@ -144,19 +146,22 @@ impl Surface<'_> {
                 tangent: hit.tangent,
                 runs_inside: false,
                 touches: hit.tangent && hit.span[0] == hit.span[1],
-            });
+            };
+            alloc::push(&mut finder.finds, find)?;
         }
+        Ok(())
     }
 
-    fn curved<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) {
+    fn curved<const M: usize>(&self, k: usize, controls: &[DVec3], finder: &mut Finder) -> Result<()> {
         let part = Part::whole(raised::<M>(controls));
         for sheet in 0..self.len() {
             let (kind, index) = self.indexed(sheet);
             each_sheet!(kind, cells => {
                 let search = Search { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
-                search.run(&part, &mut Work::default(), &mut finder.finds);
-            });
+                search.run(&part, &mut Work::default(), &mut finder.finds)
+            })?;
         }
+        Ok(())
     }
 
     /// Makes hits of finds: each once, in the order of the curve.

@@ -127,16 +127,16 @@ impl Surface<'_> {
     pub fn line(&self, line: &Line, which: Which) -> Result<Vec<Hit>> {
         line.check()?;
         let mut workspace = Workspace::default();
-        self.strike(line, which, &mut workspace);
+        self.strike(line, which, &mut workspace)?;
         Ok(workspace.hits)
     }
 
     /// Leaves the hits of a line that was checked in the workspace, by rising t.
-    fn strike(&self, line: &Line, which: Which, workspace: &mut Workspace) {
+    fn strike(&self, line: &Line, which: Which, workspace: &mut Workspace) -> Result<()> {
         workspace.hits.clear();
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
-            each_sheet!(sheet, cells => search(cells, index, k as u32, line, which, self.tolerance(), workspace));
+            each_sheet!(sheet, cells => search(cells, index, k as u32, line, which, self.tolerance(), workspace))?;
             if which == Which::Any && !workspace.hits.is_empty() {
                 break;
             }
@@ -144,16 +144,12 @@ impl Surface<'_> {
         self.settle(line, &mut workspace.hits);
         if which == Which::First && workspace.hits.first().is_some_and(|hit| hit.tangent) {
             // What belongs to the spot may begin beyond it.
-            return self.meet_first_of_all(line, workspace);
+            self.strike(line, Which::All, workspace)?;
         }
         if which != Which::All {
             workspace.hits.truncate(1);
         }
-    }
-
-    fn meet_first_of_all(&self, line: &Line, workspace: &mut Workspace) {
-        self.strike(line, Which::All, workspace);
-        workspace.hits.truncate(1);
+        Ok(())
     }
 }
 

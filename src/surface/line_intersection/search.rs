@@ -1,9 +1,12 @@
 //! The search of the index for a line.
 
 use super::{Hit, Line, Which};
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::subdivision::UnresolvedCluster;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::{Pyramid, Slab};
-use crate::surface::subdivision::{Crossings, CurveWorkspace, Roots, Spot, crossings, simple_roots};
+use crate::surface::subdivision::{Crossings, CurveWorkspace, Roots, crossings, simple_roots};
 use crate::surface::{Patch, Place};
 use glam::{DVec2, DVec3};
 
@@ -124,7 +127,7 @@ pub(super) fn search<const N: usize>(
     which: Which,
     tolerance: f64,
     workspace: &mut impl Solve<N>,
-) {
+) -> Result<()> {
     let (solver, hits) = workspace.parts();
     let ray = Ray::new(line, index);
     let play = ray.noise;
@@ -155,10 +158,10 @@ pub(super) fn search<const N: usize>(
         let (row, column) = (row as usize, column as usize);
         if level == 0 {
             let known = hits.len();
-            leaf.search(row, column, hits);
+            leaf.search(row, column, hits)?;
             if hits.len() > known {
                 if which == Which::Any {
-                    return;
+                    return Ok(());
                 }
                 farthest = first(farthest, &hits[known..]);
             }
@@ -185,6 +188,7 @@ pub(super) fn search<const N: usize>(
             count += 1;
         }
     }
+    Ok(())
 }
 
 /// What the search of a block needs.
@@ -198,7 +202,7 @@ struct Leaf<'a, C, const N: usize> {
 }
 
 impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
-    fn search(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) {
+    fn search(&mut self, row: usize, column: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let [rows, columns] = self.cells.counts();
         let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
         let (left, right) = (column * BLOCK, columns.min((column + 1) * BLOCK));
@@ -214,13 +218,14 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
             for (c, j) in (left..right).enumerate() {
                 let quad = [corners[r][c], corners[r][c + 1], corners[r + 1][c + 1], corners[r + 1][c]];
                 if may_hold_origin(&quad, deviation) {
-                    self.cell(i, j, hits);
+                    self.cell(i, j, hits)?;
                 }
             }
         }
+        Ok(())
     }
 
-    fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) {
+    fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
         self.solver.roots.simple.clear();
         if !simple_roots(fields, self.ray.noise, self.tolerance, &mut self.solver.roots) {
@@ -229,28 +234,30 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         if !self.solver.roots.simple.is_empty() {
             let patch = self.cells.patch(i, j);
             for k in 0..self.solver.roots.simple.len() {
-                self.add(&patch, [i, j], self.solver.roots.simple[k], None, hits);
+                self.add(&patch, [i, j], self.solver.roots.simple[k], None, hits)?;
             }
         }
+        Ok(())
     }
 
     /// Where the fields cannot tell: the part of the line in the cell's box as a curve.
-    fn touching(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) {
+    fn touching(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let patch = self.cells.patch(i, j);
-        let Some(segment) = self.segment(&patch) else { return };
+        let Some(segment) = self.segment(&patch) else { return Ok(()) };
         let [start, end] = segment;
         let found = &mut self.solver.crossings;
         found.simple.clear();
         found.unresolved.clear();
-        crossings(&segment, &patch, self.ray.noise, self.tolerance, &mut self.solver.workspace, found);
+        crossings(&segment, &patch, self.ray.noise, self.tolerance, &mut self.solver.workspace, found)?;
         for k in 0..self.solver.crossings.simple.len() {
-            self.add(&patch, [i, j], self.solver.crossings.simple[k].place, None, hits);
+            self.add(&patch, [i, j], self.solver.crossings.simple[k].place, None, hits)?;
         }
         for k in 0..self.solver.crossings.unresolved.len() {
-            let Spot { place, low, high } = self.solver.crossings.unresolved[k];
+            let UnresolvedCluster { best, low, high } = self.solver.crossings.unresolved[k];
             let span = [low.x, high.x].map(|at| self.ray.parameter(start.lerp(end, at.clamp(0.0, 1.0))));
-            self.add(&patch, [i, j], DVec2::new(place.y, place.z), Some(span), hits);
+            self.add(&patch, [i, j], DVec2::new(best.middle.y, best.middle.z), Some(span), hits)?;
         }
+        Ok(())
     }
 
     /// The part of the line that is as far along as the patch.
@@ -265,12 +272,19 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     }
 
     /// Adds a hit, if the line goes so far.
-    fn add(&self, patch: &Patch<N>, [i, j]: [usize; 2], at: DVec2, span: Option<[f64; 2]>, hits: &mut Vec<Hit>) {
+    fn add(
+        &self,
+        patch: &Patch<N>,
+        [i, j]: [usize; 2],
+        at: DVec2,
+        span: Option<[f64; 2]>,
+        hits: &mut Vec<Hit>,
+    ) -> Result<()> {
         let (ray, jet) = (self.ray, patch.jet(at.x, at.y));
         let t = ray.parameter(jet.point);
         let play = ray.noise / ray.length;
         if t < ray.line.from - play || t > ray.line.to + play {
-            return;
+            return Ok(());
         }
         let t = t.clamp(ray.line.from, ray.line.to);
         let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
@@ -279,7 +293,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         let is_off = miss > self.tolerance.max(4.0 * ray.noise);
         let span = span.or_else(|| is_off.then(|| [t - miss / ray.length, t + miss / ray.length]));
         let tangent = span.is_some();
-        hits.push(Hit {
+        let hit = Hit {
             t,
             // What is nearest to the line may be beyond, by the tolerance.
             span: span
@@ -290,7 +304,8 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
             normal: jet.regular_normal(patch.noise()).unwrap_or(DVec3::ZERO),
             tangent,
             multiplicity: if tangent { 2 } else { 1 },
-        });
+        };
+        alloc::push(hits, hit)
     }
 }
 

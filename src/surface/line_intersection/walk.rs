@@ -2,10 +2,12 @@
 
 use super::curve::Find;
 use super::search::FARTHEST;
+use crate::alloc;
+use crate::error::Result;
 use crate::surface::Place;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::{Bounds, Pyramid};
-use crate::surface::subdivision::{Crossings, CurveWorkspace, Spot, crossings, halved};
+use crate::surface::subdivision::{Crossings, CurveWorkspace, crossings, halved};
 use glam::{DVec2, DVec3};
 
 /// What the cells of a segment need again and again.
@@ -72,7 +74,8 @@ impl<C> Search<'_, C> {
         whole: &Part<M>,
         work: &mut Work<M, N>,
         finds: &mut Vec<Find>,
-    ) where
+    ) -> Result<()>
+    where
         C: Cells<N>,
     {
         let origin = self.index.origin();
@@ -102,7 +105,7 @@ impl<C> Search<'_, C> {
                     }
                 }
             } else if level == 0 {
-                self.block(&part, [row, column], work, finds);
+                self.block(&part, [row, column], work, finds)?;
             } else {
                 for child in 0..4 {
                     let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
@@ -114,6 +117,7 @@ impl<C> Search<'_, C> {
                 }
             }
         }
+        Ok(())
     }
 
     /// False if the part is apart from the boxes of block (row, column) of a level.
@@ -132,7 +136,8 @@ impl<C> Search<'_, C> {
         [row, column]: [usize; 2],
         work: &mut Work<M, N>,
         finds: &mut Vec<Find>,
-    ) where
+    ) -> Result<()>
+    where
         C: Cells<N>,
     {
         let [rows, columns] = self.cells.counts();
@@ -146,10 +151,11 @@ impl<C> Search<'_, C> {
                     cell.add(self.cells.corner(corner.0, corner.1) - origin);
                 }
                 if cell.grown(deviation).meets(&along) {
-                    self.cell(part, [i, j], work, finds);
+                    self.cell(part, [i, j], work, finds)?;
                 }
             }
         }
+        Ok(())
     }
 
     /// Adds what one cell has.
@@ -159,7 +165,8 @@ impl<C> Search<'_, C> {
         [i, j]: [usize; 2],
         work: &mut Work<M, N>,
         finds: &mut Vec<Find>,
-    ) where
+    ) -> Result<()>
+    where
         C: Cells<N>,
     {
         let origin = self.index.origin();
@@ -169,15 +176,16 @@ impl<C> Search<'_, C> {
         let Work { workspace, found, noise } = work;
         found.simple.clear();
         found.unresolved.clear();
-        crossings(&part.points, &local, *noise, self.tolerance, workspace, found);
+        crossings(&part.points, &local, *noise, self.tolerance, workspace, found)?;
         let along = |t: f64| self.segment as f64 + (part.from + part.size * t).clamp(0.0, 1.0);
         let simple = found.simple.iter().map(|crossing| (crossing.t, [crossing.t; 2], crossing.place, false));
-        let spots = found.unresolved.iter().map(|Spot { place, low, high }| {
-            (place.x, [low.x, high.x].map(|t| t.clamp(0.0, 1.0)), DVec2::new(place.y, place.z), true)
+        let unresolved = found.unresolved.iter().map(|cluster| {
+            let (at, span) = (cluster.best.middle, [cluster.low.x, cluster.high.x].map(|t| t.clamp(0.0, 1.0)));
+            (at.x, span, DVec2::new(at.y, at.z), true)
         });
-        for (t, span, at, tangent) in simple.chain(spots) {
+        for (t, span, at, tangent) in simple.chain(unresolved) {
             let ends = span.map(|t| part.point(t) + origin);
-            finds.push(Find {
+            let find = Find {
                 at: along(t),
                 span: span.map(along),
                 ends,
@@ -188,8 +196,10 @@ impl<C> Search<'_, C> {
                 tangent,
                 runs_inside: false,
                 touches: false,
-            });
+            };
+            alloc::push(finds, find)?;
         }
+        Ok(())
     }
 }
 

@@ -1,26 +1,32 @@
-//! Where a Bézier curve meets a patch: all (t, u, v) with C(t) = S(u, v).
+//! All common points of a Bézier curve and a patch: all (t, u, v) with C(t) = S(u, v), by [`subdivide`] of pairs of a part
+//! of the curve and a part of the patch, across the longest of the three directions.
 //!
-//! A pair of a part of the curve and a part of the patch is done when one of three proofs holds, else the longest of its three directions
-//! is halved:
-//! * *none*: the control points of the two are apart, along an axis, along the patch's normal, or along one of three directions that
+//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see [`crate::geom::subdivision`]:
+//! * *empty*: the control points of the two are apart, along an axis, along the patch's normal, or along one of three directions that
 //!   make the middle Jacobian of C - S the identity. As C - S is a sum of a function of t and one of (u, v), its bounds are those
 //!   of its two parts;
-//! * *at most one*: after the same change of directions the Jacobian has a dominant diagonal all over the pair, so that C - S takes no value
-//!   twice; then Newton's method finds the meeting, if it stays;
-//! * *too small*: seen along the normal, both are within the tolerance. Pairs that touch are reported as one unresolved spot: there the
-//!   curve touches the surface, or runs in it, or passes where the surface is not regular.
+//! * *unique*: after the same change of directions the Jacobian has a dominant diagonal all over the pair, so that C - S takes no value
+//!   twice; then Newton's method finds the common point, if it stays;
+//! * *unresolved*: along the normal, both are within the tolerance. There the curve touches the surface, or runs in it, or
+//!   passes where the surface is not regular.
+//!
+//! Cost: O(M^2 + N^2) a test and O(N^3) a split, [`MAX_PAIRS`] pairs at most.
 
-use super::spots::{Open, Spot, add_spots};
+use crate::error::Result;
+use crate::geom::subdivision::{
+    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+};
 use crate::surface::Patch;
 use glam::{DMat3, DVec2, DVec3};
+use std::convert::Infallible;
 
 /// Halvings, of all three directions together, before a pair is given up.
-const DEPTH: u32 = 96;
-/// Pairs that may be looked at: a curve in a surface would take them without end.
-const PAIRS: usize = 2048;
+const MAX_SUBDIVISION_DEPTH: u32 = 96;
+/// Pairs examined: a curve in a surface would take them without end.
+const MAX_PAIRS: usize = 2048;
 /// Pairs with more of the curve than this are halved even if they are flat: to tell where a common part begins and ends.
-const WIDE: f64 = 1.0 / 16.0;
-/// How far outside a pair a meeting may be found, as a fraction of it, besides rounding: those on borders are found from both sides.
+const MAX_UNRESOLVED_LENGTH: f64 = 1.0 / 16.0;
+/// How far outside a pair a common point may be found, as a fraction of it, besides rounding: those on borders are found from both sides.
 const MARGIN: f64 = 1e-12;
 
 /// A point that a curve and a patch have in common, where the one passes through the other.
@@ -31,7 +37,7 @@ pub(crate) struct Crossing {
     /// On the patch.
     pub(crate) place: DVec2,
     /// How far rounding may have moved the parameters.
-    pub(crate) play: f64,
+    slack: f64,
 }
 
 /// What was found.
@@ -39,8 +45,8 @@ pub(crate) struct Crossing {
 pub(crate) struct Crossings {
     /// Each once.
     pub(crate) simple: Vec<Crossing>,
-    /// Spots of (t, u, v) that could not be resolved.
-    pub(crate) unresolved: Vec<Spot>,
+    /// Clusters of (t, u, v) that could not be resolved; the middle of the best box is where curve and patch are nearest.
+    pub(crate) unresolved: Vec<UnresolvedCluster>,
 }
 
 /// A part of the curve and one of the patch.
@@ -48,83 +54,95 @@ pub(crate) struct Crossings {
 struct Pair<const M: usize, const N: usize> {
     curve: [DVec3; M],
     patch: Patch<N>,
-    /// The least t, u and v of the two, and how far they reach.
+    /// The least t, u and v of the two, and the lengths of their ranges.
     from: DVec3,
     size: DVec3,
-    depth: u32,
 }
 
-/// What searches need again and again.
+/// Memory for searches, used again and again.
 pub(crate) struct CurveWorkspace<const M: usize, const N: usize> {
-    pairs: Vec<Pair<M, N>>,
-    open: Vec<Open>,
+    stack: Stack<Pair<M, N>>,
+    boxes: Vec<UnresolvedBox>,
 }
 
 impl<const M: usize, const N: usize> Default for CurveWorkspace<M, N> {
     fn default() -> Self {
-        CurveWorkspace { pairs: Vec::new(), open: Vec::new() }
+        CurveWorkspace { stack: Vec::new(), boxes: Vec::new() }
     }
 }
 
-/// Adds all points that a curve of degree M - 1 and a patch have in common. `noise`: how far control points may be off; `tolerance`: nearer
-/// things need no resolving. At most [`PAIRS`] pairs are looked at, and as many again left as they are.
+/// The search of one curve and one patch.
+struct Search<'a, const M: usize, const N: usize> {
+    whole: Pair<M, N>,
+    rounding_error: f64,
+    tolerance: f64,
+    /// The crossings: those from `known` on are this search's.
+    simple: &'a mut Vec<Crossing>,
+    known: usize,
+    boxes: &'a mut Vec<UnresolvedBox>,
+}
+
+/// Adds all points that a curve of degree M - 1 and a patch have in common. Control points may be off by `rounding_error`; things
+/// within `tolerance` of each other need no resolving. At most [`MAX_PAIRS`] pairs are examined and split, and as many again left as they are.
 pub(crate) fn crossings<const M: usize, const N: usize>(
     curve: &[DVec3; M],
     patch: &Patch<N>,
-    noise: f64,
+    rounding_error: f64,
     tolerance: f64,
     workspace: &mut CurveWorkspace<M, N>,
     found: &mut Crossings,
-) {
+) -> Result<()> {
     // Near the origin, where rounding is small.
     let origin = patch.points[0][0];
     let curve = curve.map(|point| point - origin);
     let patch = Patch { points: patch.points.map(|row| row.map(|point| point - origin)) };
-    let reach = patch.points.as_flattened().iter().map(|point| point.length_squared()).fold(0.0, f64::max).sqrt();
-    let noise = noise + 8.0 * f64::EPSILON * reach;
-    let least = tolerance.max(4.0 * noise);
-    let whole = Pair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE, depth: 0 };
-    let known = found.simple.len();
-    workspace.open.clear();
-    workspace.pairs.clear();
-    workspace.pairs.push(whole.clone());
-    let mut looked_at = 0;
-    while let Some(pair) = workspace.pairs.pop() {
-        looked_at += 1;
-        match pair.decide(&whole, noise, least) {
-            Verdict::None => {}
-            Verdict::One(crossing) => {
-                let same = |other: &Crossing| {
-                    let apart = (other.place - crossing.place).abs().max_element().max((other.t - crossing.t).abs());
-                    apart <= 2.0 * (other.play + crossing.play)
-                };
-                if !found.simple[known..].iter().any(same) {
-                    found.simple.push(crossing);
-                }
-            }
-            Verdict::Open { flat } => {
-                let done = flat && pair.size.x <= WIDE;
-                if done || pair.depth == DEPTH || looked_at >= PAIRS {
-                    workspace.open.push(pair.open());
-                } else {
-                    workspace.pairs.extend(pair.halves());
-                }
-            }
-        }
-    }
-    let spots = found.unresolved.len();
-    add_spots(&workspace.open, &mut found.unresolved);
-    found.unresolved[spots..].iter_mut().for_each(|spot| whole.settle(spot));
+    let radius = patch.points.as_flattened().iter().map(|point| point.length_squared()).fold(0.0, f64::max).sqrt();
+    let rounding_error = rounding_error + 8.0 * f64::EPSILON * radius;
+    let tolerance = tolerance.max(4.0 * rounding_error);
+    let whole = Pair { curve, patch, from: DVec3::ZERO, size: DVec3::ONE };
+    let (CurveWorkspace { stack, boxes }, known) = (workspace, found.simple.len());
+    boxes.clear();
+    let first = whole.clone();
+    let mut search = Search { whole, rounding_error, tolerance, simple: &mut found.simple, known, boxes };
+    let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PAIRS };
+    let Ok(()) = subdivide(&mut search, first, stack, limits);
+    let known = found.unresolved.len();
+    cluster(search.boxes, &mut found.unresolved)?;
+    found.unresolved[known..].iter_mut().for_each(|cluster| search.whole.refine_unresolved(cluster));
+    Ok(())
 }
 
-/// What can be said of a pair.
-enum Verdict {
-    None,
-    One(Crossing),
-    Open {
-        /// Seen along the normal, within the tolerance.
-        flat: bool,
-    },
+impl<const M: usize, const N: usize> Subdivision<Pair<M, N>, 2> for Search<'_, M, N> {
+    type Solution = Crossing;
+    type Split = ();
+    type Stop = Infallible;
+
+    #[inline]
+    fn classify(&mut self, pair: &Pair<M, N>) -> Result<BoxTest<Crossing, ()>, Infallible> {
+        Ok(pair.classify(&self.whole, self.rounding_error, self.tolerance))
+    }
+
+    fn accept(&mut self, _: Pair<M, N>, crossing: Crossing) -> Result<(), Infallible> {
+        let is_same = |other: &Crossing| {
+            let apart = (other.place - crossing.place).abs().max_element().max((other.t - crossing.t).abs());
+            apart <= 2.0 * (other.slack + crossing.slack)
+        };
+        if !self.simple[self.known..].iter().any(is_same) {
+            self.simple.push(crossing);
+        }
+        Ok(())
+    }
+
+    fn give_up(&mut self, pair: Pair<M, N>, _exhausted: bool) -> Result<(), Infallible> {
+        let residual = (point(&pair.curve, 0.5) - pair.patch.place(0.5, 0.5)).length_squared();
+        let half = 0.5 * pair.size;
+        self.boxes.push(UnresolvedBox { middle: pair.from + half, half, residual });
+        Ok(())
+    }
+
+    fn split(&mut self, pair: Pair<M, N>, (): ()) -> [Pair<M, N>; 2] {
+        pair.halves()
+    }
 }
 
 /// The least and the greatest of some numbers.
@@ -140,59 +158,61 @@ fn hull(points: &[DVec3]) -> [DVec3; 2] {
 }
 
 /// The greatest absolute values of the components.
-fn most(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
-    vectors.fold(DVec3::ZERO, |most, vector| most.max(vector.abs()))
+fn max_abs(vectors: impl Iterator<Item = DVec3>) -> DVec3 {
+    vectors.fold(DVec3::ZERO, |max, vector| max.max(vector.abs()))
 }
 
 impl<const M: usize, const N: usize> Pair<M, N> {
-    fn decide(&self, whole: &Self, noise: f64, least: f64) -> Verdict {
+    fn classify(&self, whole: &Self, rounding_error: f64, tolerance: f64) -> BoxTest<Crossing, ()> {
         let (along, across) = (hull(&self.curve), hull(self.patch.points.as_flattened()));
         let gap = (along[0] - across[1]).max(across[0] - along[1]);
-        if gap.max_element() > noise {
-            return Verdict::None;
+        if gap.max_element() > rounding_error {
+            return BoxTest::Empty;
         }
         let (tangent, [u, v]) = (velocity(&self.curve, 0.5), self.patch.slopes(0.5, 0.5));
         let jacobian = DMat3::from_cols(tangent, -u, -v);
         let normal = u.cross(v);
-        let flat = match normal.try_normalize() {
+        let is_flat = match normal.try_normalize() {
             Some(normal) => {
-                if self.apart(normal, noise) {
-                    return Verdict::None;
+                if self.apart(normal, rounding_error) {
+                    return BoxTest::Empty;
                 }
                 let heights = |points: &[DVec3]| range(points.iter().map(|point| point.dot(normal)));
                 let [one, other] = [heights(&self.curve), heights(self.patch.points.as_flattened())];
-                one[1].max(other[1]) - one[0].min(other[0]) <= least
+                one[1].max(other[1]) - one[0].min(other[0]) <= tolerance
             }
-            None => (along[1].max(across[1]) - along[0].min(across[0])).length() <= least,
+            None => (along[1].max(across[1]) - along[0].min(across[0])).length() <= tolerance,
         };
+        let is_resolved = is_flat && self.size.x <= MAX_UNRESOLVED_LENGTH;
+        let undecided = if is_resolved { BoxTest::Unresolved } else { BoxTest::Undecided(()) };
         let volume = tangent.length() * normal.length();
         if jacobian.determinant().abs() <= 1e-9 * volume || volume == 0.0 {
             // Nearly in one plane: the directions across their sides may keep them apart there.
             let sides = [normal.cross(u), normal.cross(v), normal.cross(tangent)];
-            let apart = sides.into_iter().filter_map(DVec3::try_normalize).any(|side| self.apart(side, noise));
-            return if apart { Verdict::None } else { Verdict::Open { flat } };
+            let apart = sides.into_iter().filter_map(DVec3::try_normalize).any(|side| self.apart(side, rounding_error));
+            return if apart { BoxTest::Empty } else { undecided };
         }
-        let found = self.resolve(whole, jacobian.inverse(), noise);
-        found.unwrap_or(Verdict::Open { flat })
+        let found = self.resolve(whole, jacobian.inverse(), rounding_error);
+        found.unwrap_or(undecided)
     }
 
     /// True if the two are apart along a direction.
-    fn apart(&self, direction: DVec3, noise: f64) -> bool {
+    fn apart(&self, direction: DVec3, rounding_error: f64) -> bool {
         let [low, high] = range(self.curve.iter().map(|point| point.dot(direction)));
         let [from, to] = range(self.patch.points.as_flattened().iter().map(|point| point.dot(direction)));
-        low > to + noise || from > high + noise
+        low > to + rounding_error || from > high + rounding_error
     }
 
     /// Whether there is none or one, seen in directions in which C - S is nearly (t, u, v), less its root.
-    fn resolve(&self, whole: &Self, inverse: DMat3, noise: f64) -> Option<Verdict> {
+    fn resolve(&self, whole: &Self, inverse: DMat3, rounding_error: f64) -> Option<BoxTest<Crossing, ()>> {
         let curve = self.curve.map(|point| inverse * point);
         let patch = Patch { points: self.patch.points.map(|row| row.map(|point| inverse * point)) };
-        // How far noise may move the root.
+        // How far rounding may move the root.
         let rows = inverse.transpose();
-        let play = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) * noise;
+        let slack = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) * rounding_error;
         let (along, across) = (hull(&curve), hull(patch.points.as_flattened()));
-        if ((along[0] - across[1]).max(across[0] - along[1]) - play).max_element() > 0.0 {
-            return Some(Verdict::None);
+        if ((along[0] - across[1]).max(across[0] - along[1]) - slack).max_element() > 0.0 {
+            return Some(BoxTest::Empty);
         }
         // All values of the derivatives are within those of their control points.
         let (m, n) = ((M - 1) as f64, (N - 1) as f64);
@@ -200,7 +220,7 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         let by_t = || (0..M - 1).map(|k| m * (curve[k + 1] - curve[k]));
         let by_u = || (0..N - 1).flat_map(|a| (0..N).map(move |b| n * (p[a][b] - p[a + 1][b])));
         let by_v = || (0..N).flat_map(|a| (0..N - 1).map(move |b| n * (p[a][b] - p[a][b + 1])));
-        let (t, u, v) = (most(by_t()), most(by_u()), most(by_v()));
+        let (t, u, v) = (max_abs(by_t()), max_abs(by_u()), max_abs(by_v()));
         let dominant =
             by_t().all(|by| by.x > u.x + v.x) && by_u().all(|by| by.y > t.y + v.y) && by_v().all(|by| by.z > t.z + u.z);
         if !dominant {
@@ -218,7 +238,7 @@ impl<const M: usize, const N: usize> Pair<M, N> {
                 break;
             }
         }
-        let margin = MARGIN + 4.0 * play;
+        let margin = MARGIN + 4.0 * slack;
         if !(at - 0.5).abs().cmple(0.5 + margin).all() {
             return None;
         }
@@ -229,8 +249,8 @@ impl<const M: usize, const N: usize> Pair<M, N> {
             place -= self.size * (inverse * miss);
         }
         let place = place.clamp(DVec3::ZERO, DVec3::ONE);
-        let play = (self.size * margin).max_element();
-        Some(Verdict::One(Crossing { t: place.x, place: DVec2::new(place.y, place.z), play }))
+        let slack = (self.size * margin).max_element();
+        Some(BoxTest::Unique(Crossing { t: place.x, place: DVec2::new(place.y, place.z), slack }))
     }
 
     /// The halves of the longest direction.
@@ -241,8 +261,7 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         let u = (0..N - 1).flat_map(|a| (0..N).map(move |b| p[a + 1][b] - p[a][b])).fold(0.0, longest);
         let v = (0..N).flat_map(|a| (0..N - 1).map(move |b| p[a][b + 1] - p[a][b])).fold(0.0, longest);
         let scale = ((N - 1) as f64 / (M - 1) as f64).powi(2);
-        let depth = self.depth + 1;
-        let (mut low, mut high) = (Pair { depth, ..self.clone() }, Pair { depth, ..self });
+        let (mut low, mut high) = (self.clone(), self);
         let axis = if t >= scale * u.max(v) {
             [low.curve, high.curve] = halved(&high.curve);
             0
@@ -259,16 +278,12 @@ impl<const M: usize, const N: usize> Pair<M, N> {
         [low, high]
     }
 
-    fn open(&self) -> Open {
-        let value = (point(&self.curve, 0.5) - self.patch.place(0.5, 0.5)).length_squared();
-        Open { middle: self.from + 0.5 * self.size, half: 0.5 * self.size, value }
-    }
-
-    /// Moves a spot's place to where the curve and the patch are nearest within the spot: damped Gauss-Newton steps.
-    fn settle(&self, spot: &mut Spot) {
-        let (low, high) = (spot.low.max(DVec3::ZERO), spot.high.min(DVec3::ONE));
+    /// Moves the best place of a cluster to where the curve and the patch are nearest within it: Levenberg's and Marquardt's
+    /// steps, each kept within the cluster.
+    fn refine_unresolved(&self, cluster: &mut UnresolvedCluster) {
+        let (low, high) = (cluster.low.max(DVec3::ZERO), cluster.high.min(DVec3::ONE));
         let miss = |at: DVec3| point(&self.curve, at.x) - self.patch.place(at.y, at.z);
-        let mut at = spot.place.clamp(low, high);
+        let mut at = cluster.best.middle.clamp(low, high);
         let mut gap = miss(at);
         let mut damping = 1e-6;
         for _ in 0..40 {
@@ -290,7 +305,7 @@ impl<const M: usize, const N: usize> Pair<M, N> {
                 damping *= 10.0;
             }
         }
-        spot.place = at;
+        cluster.best.middle = at;
     }
 }
 
@@ -360,7 +375,7 @@ mod tests {
 
     fn solve<const M: usize>(curve: &[DVec3; M], patch: &Patch<4>) -> Crossings {
         let mut found = Crossings::default();
-        crossings(curve, patch, 0.0, 1e-9, &mut CurveWorkspace::default(), &mut found);
+        crossings(curve, patch, 0.0, 1e-9, &mut CurveWorkspace::default(), &mut found).unwrap();
         found.simple.sort_by(|a, b| a.t.total_cmp(&b.t));
         found
     }
@@ -420,13 +435,17 @@ mod tests {
         let line = straight(DVec3::new(0.0, 0.5, 0.0), DVec3::new(1.0, 0.5, 0.0));
         let found = solve(&line, &sum(dip, [0.0; 4]));
         assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
-        assert!((found.unresolved[0].place.x - 0.37).abs() < 1e-4, "{found:?}");
+        assert!((found.unresolved[0].best.middle.x - 0.37).abs() < 1e-4, "{found:?}");
         // In a plane: the common part is from t = 0.25 to 0.75.
         let line = straight(DVec3::new(-0.5, 0.5, 0.0), DVec3::new(1.5, 0.5, 0.0));
         let found = solve(&line, &sum([0.0; 4], [0.0; 4]));
         assert!(found.simple.is_empty() && found.unresolved.len() == 1, "{found:?}");
-        let spot = found.unresolved[0];
-        assert!((spot.low.x - 0.25).abs() <= WIDE && (spot.high.x - 0.75).abs() <= WIDE, "{found:?}");
+        let cluster = found.unresolved[0];
+        assert!(
+            (cluster.low.x - 0.25).abs() <= MAX_UNRESOLVED_LENGTH
+                && (cluster.high.x - 0.75).abs() <= MAX_UNRESOLVED_LENGTH,
+            "{found:?}"
+        );
         // In the same plane, and past the patch.
         let past = straight(DVec3::new(0.6, -0.45, 0.0), DVec3::new(1.5, 0.45, 0.0));
         let found = solve(&past, &sum([0.0; 4], [0.0; 4]));
@@ -436,7 +455,7 @@ mod tests {
         let own: [DVec3; 4] = std::array::from_fn(|k| DVec3::new(k as f64 / 3.0, 0.3, wave[k]));
         let found = solve(&own, &sum(wave, [0.0; 4]));
         assert!(!found.unresolved.is_empty(), "{found:?}");
-        let covered: f64 = found.unresolved.iter().map(|spot| spot.high.x - spot.low.x).sum();
+        let covered: f64 = found.unresolved.iter().map(|cluster| cluster.high.x - cluster.low.x).sum();
         assert!(covered > 0.99, "{found:?}");
     }
 

@@ -1,13 +1,10 @@
-//! Equations over patches, in Bernstein form: what cannot be missed.
+//! Equations over patches in Bernstein form: common roots of two fields, and common points of a curve and a patch. None is
+//! missed; the engine is [`crate::geom::subdivision`].
 
 mod curve;
 mod field;
 mod roots;
-mod spots;
 
 pub(crate) use curve::{Crossings, CurveWorkspace, crossings, halved};
 pub(crate) use field::{Field, polynomial};
-#[allow(unused_imports, reason = "not every set of searches needs it")]
-pub(crate) use roots::roots;
-pub(crate) use roots::{Roots, simple_roots};
-pub(crate) use spots::Spot;
+pub(crate) use roots::{Roots, roots, simple_roots};

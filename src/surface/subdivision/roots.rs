@@ -1,34 +1,39 @@
-//! All common roots of two fields over a patch.
+//! All common roots of two fields over a patch, by [`subdivide`] into quarters.
 //!
-//! A part of the patch is done when one of three proofs holds, else it is cut into four:
-//! * *none*: a field, or a combination of the two that makes the middle Jacobian the identity, has coefficients of one sign;
-//! * *at most one*: the Jacobian of the combined fields has a dominant diagonal all over the part, so that they take no pair of values
-//!   twice; then Newton's method finds the root, if it stays;
-//! * *too small*: all values of a field are within the tolerance; parts that touch are reported as one unresolved spot. That is where
-//!   the two curves touch, or coincide.
+//! Proofs, after Mourrain and Pavone (2009) and Hanniel and Elber (2007), see [`crate::geom::subdivision`]:
+//! * *empty*: a field, or a combination of the two that makes the middle Jacobian the identity, has coefficients of one
+//!   sign;
+//! * *unique*: the Jacobian of the combined fields has a dominant diagonal all over the part, so that they take no pair of
+//!   values twice; then Newton's method finds the root, if it stays;
+//! * *unresolved*: all values of a field are within the tolerance. That is where the two curves touch, or coincide.
+//!
+//! Cost: O(N^3) a part, [`MAX_PARTS`] parts at most.
 
 use super::field::{Field, Slope};
-use super::spots::{Open, add_spots};
+use crate::error::Result;
+use crate::geom::subdivision::{
+    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+};
 use glam::DVec2;
 
-/// Halvings before a part is given up.
-const DEPTH: u32 = 22;
-/// Parts that may be looked at for one patch: curves that coincide would take them without end.
-const PARTS: usize = 4096;
-/// The same where something else is tried then.
-const FEW: usize = 256;
+/// Halvings of each parameter before a part is given up.
+const MAX_SUBDIVISION_DEPTH: u32 = 22;
+/// Parts examined for one patch: curves that coincide would take them without end.
+const MAX_PARTS: usize = 4096;
+/// The same where another method follows if they do not suffice.
+const MAX_PARTS_IF_SIMPLE: usize = 256;
 /// How far outside a part a root may be found, as a fraction of it, besides rounding: roots on borders are found from both sides.
 const MARGIN: f64 = 1e-12;
 
-/// What was found on patches, and room for the work.
+/// What was found on patches, and memory for the work.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Roots<const N: usize> {
     /// Parameters of simple roots, each once.
     pub(crate) simple: Vec<DVec2>,
-    /// Spots that could not be resolved: where the values are least, and how far the spot reaches.
-    pub(crate) unresolved: Vec<(DVec2, f64)>,
-    parts: Vec<Part<N>>,
-    open: Vec<Open>,
+    /// Where roots could not be told apart.
+    pub(crate) unresolved: Vec<UnresolvedCluster>,
+    stack: Stack<Part<N>>,
+    boxes: Vec<UnresolvedBox>,
 }
 
 #[derive(Debug, Clone)]
@@ -36,127 +41,141 @@ struct Part<const N: usize> {
     fields: [Field<N>; 2],
     from: DVec2,
     size: f64,
-    depth: u32,
 }
 
-impl<const N: usize> Part<N> {
-    /// True if all values of a field are within the tolerance: it cannot say any more where the other's roots are.
-    fn is_within(&self, tolerance: f64) -> bool {
-        self.fields.iter().any(|field| {
-            let [low, high] = field.range();
-            low >= -tolerance && high <= tolerance
-        })
-    }
+/// The search of one patch.
+struct Search<'a> {
+    rounding_error: f64,
+    tolerance: f64,
+    /// The simple roots: those from `known` on are this patch's.
+    simple: &'a mut Vec<DVec2>,
+    known: usize,
+    boxes: &'a mut Vec<UnresolvedBox>,
+    /// Whether to end with the first box that is unresolved.
+    simple_only: bool,
 }
 
-/// Adds the common roots of two fields. `noise`: values up to that, in absolute terms, may be 0; `tolerance`: parts that have no greater
-/// ones need no resolving.
-pub(crate) fn roots<const N: usize>(fields: [Field<N>; 2], noise: f64, tolerance: f64, found: &mut Roots<N>) {
-    if !search(fields, noise, tolerance, PARTS, found) {
-        let mut spots = Vec::new();
-        add_spots(&found.open, &mut spots);
-        found.unresolved.extend(spots.iter().map(|spot| {
-            let reach = (spot.high - spot.place).max(spot.place - spot.low);
-            (spot.place.truncate(), reach.length())
-        }));
-    }
+/// Adds the common roots of two fields. Values up to `rounding_error` may be 0; parts whose values are all within
+/// `tolerance` need no resolving.
+pub(crate) fn roots<const N: usize>(
+    fields: [Field<N>; 2],
+    rounding_error: f64,
+    tolerance: f64,
+    found: &mut Roots<N>,
+) -> Result<()> {
+    search(fields, rounding_error, tolerance, false, found);
+    cluster(&found.boxes, &mut found.unresolved)
 }
 
 /// Adds the common roots of two fields if all can be resolved with little work; else returns false, and what was found is of no use.
 pub(crate) fn simple_roots<const N: usize>(
     fields: [Field<N>; 2],
-    noise: f64,
+    rounding_error: f64,
     tolerance: f64,
     found: &mut Roots<N>,
 ) -> bool {
-    search(fields, noise, tolerance, FEW, found)
+    search(fields, rounding_error, tolerance, true, found)
 }
 
-/// Adds simple roots; false if parts were left open. With less than the usual patience it ends with the first of them.
+/// Adds simple roots; false if it ended early.
+#[inline]
 fn search<const N: usize>(
     fields: [Field<N>; 2],
-    noise: f64,
+    rounding_error: f64,
     tolerance: f64,
-    patience: usize,
+    simple_only: bool,
     found: &mut Roots<N>,
 ) -> bool {
-    let known = found.simple.len();
-    found.open.clear();
-    found.parts.clear();
-    let mut next = Some(Part { fields, from: DVec2::ZERO, size: 1.0, depth: 0 });
-    let mut looked_at = 0;
-    while let Some(part) = next.take().or_else(|| found.parts.pop()) {
-        looked_at += 1;
-        if part.fields.iter().any(|field| has_none(field, noise)) {
-            continue;
+    let Roots { simple, stack, boxes, .. } = found;
+    boxes.clear();
+    stack.clear();
+    let known = simple.len();
+    let mut search = Search { rounding_error, tolerance, simple, known, boxes, simple_only };
+    let whole = Part { fields, from: DVec2::ZERO, size: 1.0 };
+    let max_boxes = if simple_only { MAX_PARTS_IF_SIMPLE } else { MAX_PARTS };
+    subdivide(&mut search, whole, stack, Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes }).is_ok()
+}
+
+/// Stands for the end of a search for simple roots only.
+struct NotSimple;
+
+impl<const N: usize> Subdivision<Part<N>, 4> for Search<'_> {
+    /// The root, by the part's parameters, and how far outside the part it may be for rounding.
+    type Solution = [DVec2; 2];
+    type Split = ();
+    type Stop = NotSimple;
+
+    #[inline]
+    fn classify(&mut self, part: &Part<N>) -> Result<BoxTest<[DVec2; 2], ()>, NotSimple> {
+        if part.fields.iter().any(|field| has_none(field, self.rounding_error)) {
+            return Ok(BoxTest::Empty);
         }
-        match decide(&part.fields, noise) {
-            Verdict::None => {}
-            Verdict::One(place, margin) => {
-                let place = part.from + part.size * place;
-                // Found again on the border of parts, if it is within what rounding allows.
-                let near = 2.0 * part.size * margin.max_element() + 1e-11;
-                if !found.simple[known..].iter().any(|other| (*other - place).abs().max_element() <= near) {
-                    found.simple.push(place.clamp(DVec2::ZERO, DVec2::ONE));
-                }
-            }
-            Verdict::Open if part.depth == DEPTH || looked_at >= patience || part.is_within(tolerance) => {
-                let value = part.fields.iter().map(|field| field.at(0.5, 0.5).value.abs()).fold(0.0, f64::max);
-                let half = DVec2::splat(0.5 * part.size).extend(0.0);
-                found.open.push(Open { middle: part.from.extend(0.0) + half, half, value });
-                if patience < PARTS {
-                    return false;
-                }
-            }
-            Verdict::Open => {
-                let half = 0.5 * part.size;
-                let [f, g] = part.fields.map(|field| field.quarters());
-                let corners = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];
-                for ((f, g), corner) in f.into_iter().zip(g).zip(corners) {
-                    let from = part.from + half * corner;
-                    found.parts.push(Part { fields: [f, g], from, size: half, depth: part.depth + 1 });
-                }
-            }
-        }
+        let test = classify(&part.fields, self.rounding_error);
+        // Values within the tolerance cannot say any more where the other field's roots are.
+        let is_within = |field: &Field<N>| {
+            let [low, high] = field.range();
+            low >= -self.tolerance && high <= self.tolerance
+        };
+        let unresolved = matches!(test, BoxTest::Undecided(())) && part.fields.iter().any(is_within);
+        Ok(if unresolved { BoxTest::Unresolved } else { test })
     }
-    found.open.is_empty()
+
+    fn accept(&mut self, part: Part<N>, [place, margin]: [DVec2; 2]) -> Result<(), NotSimple> {
+        let place = part.from + part.size * place;
+        // Found again on the border of parts, if it is within what rounding allows.
+        let near = 2.0 * part.size * margin.max_element() + 1e-11;
+        if !self.simple[self.known..].iter().any(|other| (*other - place).abs().max_element() <= near) {
+            self.simple.push(place.clamp(DVec2::ZERO, DVec2::ONE));
+        }
+        Ok(())
+    }
+
+    fn give_up(&mut self, part: Part<N>, _exhausted: bool) -> Result<(), NotSimple> {
+        if self.simple_only {
+            return Err(NotSimple);
+        }
+        let residual = part.fields.iter().map(|field| field.at(0.5, 0.5).value.abs()).fold(0.0, f64::max);
+        let half = DVec2::splat(0.5 * part.size).extend(0.0);
+        self.boxes.push(UnresolvedBox { middle: part.from.extend(0.0) + half, half, residual });
+        Ok(())
+    }
+
+    fn split(&mut self, part: Part<N>, (): ()) -> [Part<N>; 4] {
+        let size = 0.5 * part.size;
+        let [f, g] = part.fields.map(|field| field.quarters());
+        let corners = [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE];
+        std::array::from_fn(|k| Part { fields: [f[k], g[k]], from: part.from + size * corners[k], size })
+    }
 }
 
-/// What can be said of a part.
-enum Verdict {
-    None,
-    /// A root, and how far outside the part it may be for rounding.
-    One(DVec2, DVec2),
-    Open,
-}
-
-fn has_none<const N: usize>(field: &Field<N>, noise: f64) -> bool {
+fn has_none<const N: usize>(field: &Field<N>, rounding_error: f64) -> bool {
     let [low, high] = field.range();
-    low > noise || high < -noise
+    low > rounding_error || high < -rounding_error
 }
 
-fn decide<const N: usize>(fields: &[Field<N>; 2], noise: f64) -> Verdict {
+/// Tests a pair of fields; a root is by the part's parameters, with how far outside the part it may be for rounding.
+fn classify<const N: usize>(fields: &[Field<N>; 2], rounding_error: f64) -> BoxTest<[DVec2; 2], ()> {
     let middle = fields.map(|field| field.at(0.5, 0.5));
     let determinant = middle[0].u * middle[1].v - middle[0].v * middle[1].u;
     let square = |slope: &Slope| slope.u * slope.u + slope.v * slope.v;
     let scale = square(&middle[0]) * square(&middle[1]);
     if determinant * determinant <= 1e-18 * scale || scale == 0.0 {
-        return Verdict::Open;
+        return BoxTest::Undecided(());
     }
     // The inverse of the Jacobian takes the fields to ones that are nearly u - u0 and v - v0.
     let [a, b] = [middle[1].v / determinant, -middle[0].v / determinant];
     let [c, d] = [-middle[1].u / determinant, middle[0].u / determinant];
     let first = fields[0].combined(a, &fields[1], b);
     let second = fields[0].combined(c, &fields[1], d);
-    let play = noise * DVec2::new(a.abs() + b.abs(), c.abs() + d.abs());
-    if has_none(&first, play.x) || has_none(&second, play.y) {
-        return Verdict::None;
+    let slack = rounding_error * DVec2::new(a.abs() + b.abs(), c.abs() + d.abs());
+    if has_none(&first, slack.x) || has_none(&second, slack.y) {
+        return BoxTest::Empty;
     }
     let [first_u, first_v] = first.slope_ranges();
     let [second_u, second_v] = second.slope_ranges();
-    let most = |range: [f64; 2]| range[0].abs().max(range[1].abs());
-    if first_u[0] <= most(first_v) || second_v[0] <= most(second_u) {
-        return Verdict::Open;
+    let max_abs = |range: [f64; 2]| range[0].abs().max(range[1].abs());
+    if first_u[0] <= max_abs(first_v) || second_v[0] <= max_abs(second_u) {
+        return BoxTest::Undecided(());
     }
     // Newton's steps with the middle Jacobian, which is the identity now, converge; with the true one, quickly.
     let mut place = DVec2::splat(0.5);
@@ -166,11 +185,11 @@ fn decide<const N: usize>(fields: &[Field<N>; 2], noise: f64) -> Verdict {
         let step = DVec2::new(f.value * g.v - g.value * f.v, g.value * f.u - f.value * g.u) / determinant;
         // A dominant diagonal keeps the determinant positive within the part.
         if !step.is_finite() {
-            return Verdict::Open;
+            return BoxTest::Undecided(());
         }
         let next = place - step;
         if next.clamp(DVec2::splat(-0.5), DVec2::splat(1.5)) != next {
-            return Verdict::Open;
+            return BoxTest::Undecided(());
         }
         place = next;
         // The steps shrink quadratically: the next one would be below rounding.
@@ -178,14 +197,15 @@ fn decide<const N: usize>(fields: &[Field<N>; 2], noise: f64) -> Verdict {
             break;
         }
     }
-    let margin = MARGIN + 4.0 * play;
+    let margin = MARGIN + 4.0 * slack;
     let inside = place.clamp(-margin, 1.0 + margin) == place;
-    if inside { Verdict::One(place, margin) } else { Verdict::Open }
+    if inside { BoxTest::Unique([place, margin]) } else { BoxTest::Undecided(()) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     /// The field (u - a) (v - b) - c and others, from values at the nodes of the Bernstein form of degree 1 raised to 3.
     fn of(f: impl Fn(f64, f64) -> f64) -> Field<4> {
@@ -202,7 +222,7 @@ mod tests {
 
     fn solve(f: impl Fn(f64, f64) -> f64, g: impl Fn(f64, f64) -> f64) -> Roots<4> {
         let mut found = Roots::default();
-        roots([of(f), of(g)], 1e-14, 1e-9, &mut found);
+        roots([of(f), of(g)], 1e-14, 1e-9, &mut found).unwrap();
         found.simple.sort_by(|a, b| a.x.total_cmp(&b.x));
         found
     }
@@ -230,11 +250,16 @@ mod tests {
         let touch = solve(|u, v| v - (u - 0.37) * (u - 0.37), |_, v| v);
         assert!(!touch.unresolved.is_empty());
         // What rounding makes a root there is in the spot.
-        let in_spot = |at: &DVec2| touch.unresolved.iter().any(|(place, reach)| place.distance(*at) <= *reach);
-        assert!(touch.simple.iter().all(in_spot), "{touch:?}");
-        assert!(touch.unresolved.iter().all(|(place, _)| (place.x - 0.37).abs() < 1e-3 && place.y < 1e-3));
+        let is_near = |at: DVec2, cluster: &UnresolvedCluster| {
+            let best = cluster.best.middle;
+            best.truncate().distance(at) <= (cluster.high - best).max(best - cluster.low).length()
+        };
+        let in_cluster = |&at: &DVec2| touch.unresolved.iter().any(|cluster| is_near(at, cluster));
+        assert!(touch.simple.iter().all(in_cluster), "{touch:?}");
+        let is_right = |at: DVec3| (at.x - 0.37).abs() < 1e-3 && at.y < 1e-3;
+        assert!(touch.unresolved.iter().all(|cluster| is_right(cluster.best.middle)));
         // One curve twice.
         let same = solve(|u, v| u - v, |u, v| 2.0 * (u - v));
-        assert!(!same.unresolved.is_empty() && same.unresolved.len() <= PARTS);
+        assert!(!same.unresolved.is_empty() && same.unresolved.len() <= MAX_PARTS);
     }
 }

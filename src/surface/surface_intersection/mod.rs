@@ -194,11 +194,11 @@ impl Meeting<'_> {
             let [a, b] = sheets(&run[0]);
             let (one, other) = (self.surfaces[0].sheet(a as usize), self.surfaces[1].sheet(b as usize));
             let (ends_a, ends_b) = (ends(one), ends(other));
-            let task = |k: u32, noise: f64| {
+            let task = |k: u32, rounding_error: f64| {
                 let [p, q] = self.pairs[k as usize].cells;
                 let followed = [p[0] < ends_a[0], p[1] < ends_a[1], q[0] < ends_b[0], q[1] < ends_b[1]];
-                let tolerance = self.tolerance.max(8.0 * noise);
-                Task { pair: k, followed, tolerance, chord: self.chord, limit, last, noise }
+                let tolerance = self.tolerance.max(8.0 * rounding_error);
+                Task { pair: k, followed, tolerance, chord: self.chord, max_boxes: limit, last, rounding_error }
             };
             each_sheet!(one, cells_a => each_sheet!(other, cells_b => {
                 self.run(cells_a, cells_b, run, &task, &mut pieces)?;

@@ -1,21 +1,25 @@
-//! All arcs of a pair of cells.
+//! All arcs of the intersection of a pair of cells, by [`subdivide`] of boxes of the four parameters across their longest sides.
 //!
-//! A box of parameters is done if nothing is in it, or if its solutions are a graph whose arc is found; else it is halved across its longest
-//! side. It is given up, and reported, when the two pieces in it are within the tolerance of each other all over: they touch there, or coincide.
+//! A box is decided if it is proved to hold no solution, or if its solutions are proved to be a graph (`chart`) whose arc is found
+//! (`arc`). It is unresolved when the two pieces over it are within the tolerance of each other all over: they touch there, or
+//! coincide. Cost: O(N^2) a test and O(N^3) a split, `max_boxes` boxes at most.
 
 use super::arc::{End, Found, Search};
 use super::chart::{Part, Proof};
 use super::equation::Equation;
 use super::refine::Refined;
 use crate::alloc;
-use crate::error::Result;
+use crate::error::{Error, Result};
+use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
 use glam::{DVec3, DVec4};
+use std::borrow::Cow;
 
-/// Boxes looked at before it is asked whether the cells touch, or have no area: curves that meet, meet in points.
-const PATIENCE: usize = 12;
+/// The box at which the cells are tested for contact in many places and for having no area: transversal intersections need
+/// fewer.
+const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
 
-/// Spots apart from each other that one pair may have.
-const SPOTS: usize = 64;
+/// Spots of one pair that do not touch each other.
+const MAX_SPOTS: usize = 64;
 
 /// A piece of the intersection over one pair of cells, in the direction N_A x N_B.
 #[derive(Debug, Clone, Copy)]
@@ -84,147 +88,168 @@ pub(super) struct Task {
     pub(super) tolerance: f64,
     /// The greatest distance of a chord from the curve.
     pub(super) chord: f64,
-    /// Boxes that may be looked at.
-    pub(super) limit: usize,
-    /// Whether what is left then is given up; else the pair is only named.
+    /// Boxes that may be examined.
+    pub(super) max_boxes: usize,
+    /// Whether boxes left then are reported; else the pair is only named.
     pub(super) last: bool,
     /// Lengths up to this may be rounding.
-    pub(super) noise: f64,
+    pub(super) rounding_error: f64,
 }
 
 impl Task {
     /// Adds the arcs of the pair.
     pub(super) fn solve<const N: usize, const M: usize>(&self, whole: &Part<N, M>, pieces: &mut Pieces) -> Result<()> {
-        let equation = &whole.nets;
         let before = pieces.counts();
-        let [_, _, spots] = before;
-        // Of most pairs there is one box to be looked at.
-        let Some([low, high]) = self.look(equation, whole, spots, pieces)? else {
-            return Ok(());
-        };
-        let mut stack = vec![high, low];
-        let mut looked_at = 1;
-        while let Some(part) = stack.pop() {
-            looked_at += 1;
-            let hopeless = || equation.a.patch().has_no_area() && equation.b.patch().has_no_area();
-            if looked_at == PATIENCE && (hopeless() || self.coincide(equation)) {
+        let mut search = PairSearch { task: self, equation: &whole.nets, first_spot: before[2], examined: 0, pieces };
+        // Most pairs have one box: no copy of it, and no memory for more.
+        let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
+        match subdivide(&mut search, Cow::Borrowed(whole), &mut Vec::new(), limits) {
+            Ok(()) => Ok(()),
+            Err(Stop::Degenerate) => {
+                search.pieces.truncate(before);
+                search.report(whole);
+                Ok(())
+            }
+            Err(Stop::Exhausted) => {
                 pieces.truncate(before);
-                self.give_up(equation, whole, spots, pieces);
-                return Ok(());
+                alloc::push(&mut pieces.exhausted, self.pair)
             }
-            if looked_at > self.limit && !self.last {
-                pieces.truncate(before);
-                return alloc::push(&mut pieces.exhausted, self.pair);
-            }
-            if looked_at > self.limit {
-                self.give_up(equation, &part, spots, pieces);
-            } else if let Some([low, high]) = self.look(equation, &part, spots, pieces)? {
-                stack.extend([high, low]);
-            }
+            Err(Stop::Failed(error)) => Err(error),
         }
-        Ok(())
     }
+}
 
-    /// Looks at a box: it is done, or else its halves are to be looked at.
-    fn look<const N: usize, const M: usize>(
-        &self,
-        equation: &Equation<N, M>,
-        part: &Part<N, M>,
-        spots: usize,
-        pieces: &mut Pieces,
-    ) -> Result<Option<[Part<N, M>; 2]>> {
+/// The search of one pair of cells.
+struct PairSearch<'a, const N: usize, const M: usize> {
+    task: &'a Task,
+    equation: &'a Equation<N, M>,
+    /// The spots from here on are the pair's.
+    first_spot: usize,
+    examined: usize,
+    pieces: &'a mut Pieces,
+}
+
+/// Why a search ends early.
+enum Stop {
+    /// The cells touch in many places, or have no area.
+    Degenerate,
+    /// All permitted boxes have been examined.
+    Exhausted,
+    Failed(Error),
+}
+
+impl From<Error> for Stop {
+    fn from(error: Error) -> Self {
+        Stop::Failed(error)
+    }
+}
+
+impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, Part<N, M>>, 2> for PairSearch<'_, N, M> {
+    /// The ends of an arc, and its free parameter.
+    type Solution = ([End; 2], usize);
+    /// The parameter whose range is halved.
+    type Split = usize;
+    type Stop = Stop;
+
+    fn classify(&mut self, part: &Cow<'a, Part<N, M>>) -> Result<BoxTest<([End; 2], usize), usize>, Stop> {
+        let (Task { tolerance, rounding_error, .. }, equation) = (*self.task, self.equation);
+        self.examined += 1;
+        let has_no_area = || equation.a.patch().has_no_area() && equation.b.patch().has_no_area();
+        if self.examined == BOXES_BEFORE_DEGENERACY_TEST && (has_no_area() || self.coincide()) {
+            return Err(Stop::Degenerate);
+        }
+        if self.examined > self.task.max_boxes {
+            return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(Stop::Exhausted) };
+        }
         let frame = equation.frame(part.middle());
-        match part.prove(&frame, self.noise) {
-            Proof::Empty => return Ok(None),
+        match part.prove(&frame, rounding_error) {
+            Proof::Empty => return Ok(BoxTest::Empty),
             Proof::Open => {}
             Proof::Graph(chart) => {
-                let search = Search::new(equation, part, &chart, self.tolerance, self.noise, self.followed);
+                let search = Search::new(equation, part, &chart, tolerance, rounding_error, self.task.followed);
                 let found = match search.along_line(&frame) {
                     Some(found) => found,
-                    None if part.is_apart(&frame, self.noise) => Found::Nothing,
+                    None if part.is_apart(&frame, rounding_error) => Found::Nothing,
                     None => search.through_inside(&frame),
                 };
                 match found {
-                    Found::Nothing => return Ok(None),
+                    Found::Nothing => return Ok(BoxTest::Empty),
                     Found::Open => {}
-                    Found::Arc(ends) => {
-                        self.add(equation, ends, chart.free, pieces)?;
-                        return Ok(None);
-                    }
+                    Found::Arc(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
                 }
             }
         }
         let extents = part.extents();
         let longest = (0..4).fold(0, |best, k| if extents[k] > extents[best] { k } else { best });
-        if extents[longest] <= 0.25 * self.tolerance || part.is_within(&frame, self.tolerance) {
-            self.give_up(equation, part, spots, pieces);
-            return Ok(None);
-        }
-        Ok(Some(part.halves(longest)))
+        let unresolved = extents[longest] <= 0.25 * tolerance || part.is_within(&frame, tolerance);
+        Ok(if unresolved { BoxTest::Unresolved } else { BoxTest::Undecided(longest) })
     }
 
     /// Adds an arc, unless it is as short as may be dropped.
-    fn add<const N: usize, const M: usize>(
-        &self,
-        equation: &Equation<N, M>,
-        ends: [End; 2],
-        free: usize,
-        pieces: &mut Pieces,
-    ) -> Result<()> {
+    fn accept(&mut self, _: Cow<'a, Part<N, M>>, (ends, free): ([End; 2], usize)) -> Result<(), Stop> {
         // By rising free parameter; but the curve runs along N_A x N_B.
         let rises = ends[0].tangent[free] > 0.0;
         let ends = if rises { ends } else { [ends[1], ends[0]] };
+        let (equation, points) = (self.equation, &mut self.pieces.points);
         let places = ends.map(|end| equation.point(end.x));
-        if places[0].distance(places[1]) <= 0.5 * self.tolerance {
+        if places[0].distance(places[1]) <= 0.5 * self.task.tolerance {
             return Ok(());
         }
-        let from = pieces.points.len() as u32;
-        alloc::push(&mut pieces.points, ends[0].x)?;
-        Refined { equation, free, chord: self.chord }.between(ends, places, &mut pieces.points)?;
-        alloc::push(&mut pieces.points, ends[1].x)?;
-        let to = pieces.points.len() as u32;
+        let from = points.len() as u32;
+        alloc::push(points, ends[0].x)?;
+        Refined { equation, free, chord: self.task.chord }.between(ends, places, points)?;
+        alloc::push(points, ends[1].x)?;
+        let to = points.len() as u32;
         let directions = ends.map(|end| end.direction.normalize_or_zero());
-        alloc::push(&mut pieces.arcs, Arc { pair: self.pair, from, to, ends: places, directions })
+        alloc::push(&mut self.pieces.arcs, Arc { pair: self.task.pair, from, to, ends: places, directions })?;
+        Ok(())
     }
 
+    fn give_up(&mut self, part: Cow<'a, Part<N, M>>, _exhausted: bool) -> Result<(), Stop> {
+        self.report(&part);
+        Ok(())
+    }
+
+    fn split(&mut self, part: Cow<'a, Part<N, M>>, longest: usize) -> [Cow<'a, Part<N, M>>; 2] {
+        let [low, high] = part.halves(longest);
+        [Cow::Owned(high), Cow::Owned(low)]
+    }
+}
+
+impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
     /// Reports a box: spots of the same pair that touch are one.
-    fn give_up<const N: usize, const M: usize>(
-        &self,
-        equation: &Equation<N, M>,
-        part: &Part<N, M>,
-        first: usize,
-        pieces: &mut Pieces,
-    ) {
+    fn report(&mut self, part: &Part<N, M>) {
+        let (Task { pair, tolerance, .. }, equation) = (*self.task, self.equation);
         let x = part.middle();
         let centre = equation.point(x);
-        let reach = |corner: &DVec3| corner.distance(centre);
-        let radius = part.nets.a.patch().points.as_flattened().iter().map(reach).fold(0.0, f64::max);
+        let from_centre = |corner: &DVec3| corner.distance(centre);
+        let radius = part.nets.a.patch().points.as_flattened().iter().map(from_centre).fold(0.0, f64::max);
         let gap = equation.frame(x).miss.length();
-        let spot = Spot { pair: self.pair, x, centre, radius, gap };
-        let own = &mut pieces.spots[first..];
-        let touches = |other: &Spot| other.centre.distance(centre) <= other.radius + radius + self.tolerance;
+        let spot = Spot { pair, x, centre, radius, gap };
+        let own = &mut self.pieces.spots[self.first_spot..];
+        let touches = |other: &Spot| other.centre.distance(centre) <= other.radius + radius + tolerance;
         // Of too many apart from each other, the last one takes the rest.
-        let found = own.iter().position(touches).or((own.len() >= SPOTS).then(|| own.len() - 1));
+        let found = own.iter().position(touches).or((own.len() >= MAX_SPOTS).then(|| own.len() - 1));
         match found {
             Some(k) => {
                 let nearer = if gap < own[k].gap { spot } else { own[k] };
-                let reach = |spot: &Spot| nearer.centre.distance(spot.centre) + spot.radius;
-                own[k] = Spot { radius: reach(&spot).max(reach(&own[k])), ..nearer };
+                let radius = |spot: &Spot| nearer.centre.distance(spot.centre) + spot.radius;
+                own[k] = Spot { radius: radius(&spot).max(radius(&own[k])), ..nearer };
             }
-            None => pieces.spots.push(spot),
+            None => self.pieces.spots.push(spot),
         }
     }
 
     /// Whether the cells touch at three places at least, as far as a few points show: it is no use to look closer then.
-    fn coincide<const N: usize, const M: usize>(&self, equation: &Equation<N, M>) -> bool {
+    fn coincide(&self) -> bool {
         let mut contacts = [DVec3::ZERO; 3];
         let mut count = 0;
         for k in 0..18 {
             let (along, across) = (0.5 * f64::from(k / 3 % 3), 0.5 * f64::from(k % 3));
-            let Some(contact) = self.contact(equation, along, across, k < 9) else {
+            let Some(contact) = self.contact(along, across, k < 9) else {
                 continue;
             };
-            if contacts[..count].iter().all(|other| other.distance(contact) > 64.0 * self.tolerance) {
+            if contacts[..count].iter().all(|other| other.distance(contact) > 64.0 * self.task.tolerance) {
                 contacts[count] = contact;
                 count += 1;
             }
@@ -236,13 +261,8 @@ impl Task {
     }
 
     /// The point of the one cell at the given parameters, if the other cell touches it there.
-    fn contact<const N: usize, const M: usize>(
-        &self,
-        equation: &Equation<N, M>,
-        along: f64,
-        across: f64,
-        on_a: bool,
-    ) -> Option<DVec3> {
+    fn contact(&self, along: f64, across: f64, on_a: bool) -> Option<DVec3> {
+        let equation = self.equation;
         let fixed = if on_a { 0 } else { 2 };
         let mut x = DVec4::splat(0.5);
         (x[fixed], x[fixed + 1]) = (along, across);
@@ -251,7 +271,7 @@ impl Task {
             let frame = equation.frame(x);
             let [a, b] = frame.normals();
             let (one, other) = (frame.columns[p], frame.columns[q]);
-            if frame.miss.length() <= self.tolerance {
+            if frame.miss.length() <= self.task.tolerance {
                 let touches = a.cross(b).length() <= 1e-4 * a.length() * b.length();
                 return touches.then(|| equation.point(x));
             }
