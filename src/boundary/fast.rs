@@ -34,7 +34,7 @@ use std::sync::{Mutex, PoisonError};
 /// Faces that one thread looks at at a time.
 const CHUNK: usize = 1 << 14;
 /// The most threads that take part, as each sums in an array of its own.
-const MOST_SUMS: usize = 8;
+const MAX_SUMS: usize = 8;
 
 /// A half-edge between two vertices whose sums are not 0.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -46,10 +46,10 @@ struct Candidate {
     half_edge: u32,
 }
 
-const WALKING: &str = "walking along the boundary";
+const STAGE: &str = "walking along the boundary";
 
 /// Half-edges of the border between two progress reports.
-const STEP: usize = 1 << 15;
+const REPORT_INTERVAL: usize = 1 << 15;
 
 /// The closed walks of border half-edges, each from its smallest half-edge on, in the order of those; or `None` if something
 /// along the boundary is odd. Two passes over the corners; extra memory 4 bytes a vertex for each thread, of which at most 8
@@ -57,7 +57,7 @@ const STEP: usize = 1 << 15;
 pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Option<Vec<Vec<Dart>>>> {
     job.step(0.0, "looking for the boundary")?;
     // Settled once: asking the system takes a while.
-    let threads = par::at_most(mesh.faces().len().div_ceil(CHUNK).min(MOST_SUMS), job.threads());
+    let threads = par::at_most(mesh.faces().len().div_ceil(CHUNK).min(MAX_SUMS), job.threads());
     let sums = Sums::of(mesh, threads)?;
     job.step(0.6, "looking for the boundary")?;
     let parts = par::chunks(threads, mesh.faces().len(), CHUNK, |range| {
@@ -72,11 +72,11 @@ pub(super) fn ordinary_walks(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Optio
         candidates.extend(part);
     }
     let job = job.part(0.9, 1.0);
-    job.step(0.0, WALKING)?;
+    job.step(0.0, STAGE)?;
     let Some(border) = border(candidates)? else {
         return Ok(None);
     };
-    job.step(0.2, WALKING)?;
+    job.step(0.2, STAGE)?;
     match successors(&border)? {
         Some(next) if sums.are_of(&border, &next) => walks(mesh, &border, next, &job.part(0.4, 1.0)).map(Some),
         _ => Ok(None),
@@ -250,13 +250,13 @@ fn walks(
     mut next: Vec<usize>,
     job: &Job<'_>,
 ) -> Result<Vec<Vec<Dart>>> {
-    job.step(0.0, WALKING)?;
+    job.step(0.0, STAGE)?;
     let mut order = alloc::collect((0..border.len()).map(|i| (border[i].2, i)))?;
-    sort(&mut order, Ord::cmp, &job.part(0.0, 0.5), WALKING)?;
+    sort(&mut order, Ord::cmp, &job.part(0.0, 0.5), STAGE)?;
     let mut walks: Vec<Vec<Dart>> = Vec::new();
     for (k, (_, first)) in order.into_iter().enumerate() {
-        if k % STEP == 0 {
-            job.step(0.5 + 0.5 * k as f64 / border.len() as f64, WALKING)?;
+        if k % REPORT_INTERVAL == 0 {
+            job.step(0.5 + 0.5 * k as f64 / border.len() as f64, STAGE)?;
         }
         let mut walk = Vec::new();
         let mut i = first;

@@ -169,7 +169,7 @@ impl Boundary {
 }
 
 /// Walks between two progress reports.
-const STEP: usize = 1 << 12;
+const REPORT_INTERVAL: usize = 1 << 12;
 
 /// Finds every free boundary loop of `mesh`.
 ///
@@ -186,7 +186,7 @@ pub fn boundary_loops(mesh: &MeshView<'_>, options: &Options, job: &Job<'_>) -> 
     {
         let mut boundary = Boundary { walks: walks.len() as u32, ..Boundary::default() };
         for (number, walk) in walks.iter().enumerate() {
-            if number % STEP == 0 {
+            if number % REPORT_INTERVAL == 0 {
                 job.step(0.5 + 0.5 * number as f64 / walks.len() as f64, "walking along the boundary")?;
             }
             let walk_of = Walk { number: number as u32, closed: true, is_split: false };

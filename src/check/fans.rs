@@ -6,7 +6,7 @@ use crate::job::Job;
 use crate::mesh::{Across, MeshView, Sets, Topology};
 
 /// Half-edges between two progress reports.
-const STEP: u32 = 1 << 18;
+const REPORT_INTERVAL: u32 = 1 << 18;
 
 /// The vertices whose faces form more than one fan, ascending. Faces are neighbours in a fan if they share an edge that has
 /// two faces.
@@ -16,7 +16,7 @@ pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) 
     // A corner is named by the half-edge that leaves it. Corners are joined across every edge with two faces, at both ends.
     let mut corners = Sets::new(count)?;
     for h in 0..count as u32 {
-        if h % STEP == 0 {
+        if h % REPORT_INTERVAL == 0 {
             job.step(0.7 * f64::from(h) / count as f64, "checking fans")?;
         }
         if topology.is_ignored(h) {

@@ -57,7 +57,7 @@ pub struct Check {
 }
 
 /// Faces between two progress reports.
-const STEP: usize = 1 << 16;
+const REPORT_INTERVAL: usize = 1 << 16;
 
 /// Checks a mesh. O(H log d) for H half-edges and vertices of degree d; linear extra memory, about 40 bytes a half-edge.
 ///
@@ -145,7 +145,7 @@ impl Check {
         let mut covers = Sets::new(2 * faces.len())?;
         let mut singular = Vec::new();
         for f in 0..faces.len() {
-            if f % STEP == 0 {
+            if f % REPORT_INTERVAL == 0 {
                 job.step(f as f64 / faces.len() as f64, "checking pieces")?;
             }
             for h in faces.range(f) {

@@ -29,7 +29,7 @@ const MAX_COTANGENT: f64 = 20.0;
 /// An edge weighs at least this much, so that no vertex is let go by its neighbours.
 const MIN_COTANGENT: f64 = 1e-3;
 /// Areas below this part of the mean are taken to be this part.
-const LEAST_PART: f64 = 1e-3;
+const MIN_AREA_SHARE: f64 = 1e-3;
 
 impl Rings {
     /// O(T) for T triangles, which may repeat vertices or be without area; extra memory: about 100 bytes a triangle.
@@ -92,7 +92,7 @@ impl Rings {
     /// Replaces the cotangents by the weights asked for, and the areas by scales.
     fn weigh(&mut self, count: usize, weights: Weights) -> Result<()> {
         let used = self.scale.iter().filter(|&&area| area > 0.0).count().max(1) as f64;
-        let least_area = (LEAST_PART * self.scale.iter().sum::<f64>() / used).max(f64::MIN_POSITIVE);
+        let least_area = (MIN_AREA_SHARE * self.scale.iter().sum::<f64>() / used).max(f64::MIN_POSITIVE);
         self.middle = alloc::with_capacity(count)?;
         for v in 0..count {
             let range = self.start[v] as usize..self.start[v + 1] as usize;

@@ -29,7 +29,7 @@ const NONE: u32 = u32::MAX;
 /// A pivot that is this part of its diagonal entry, or less, is rounding.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Rows between two progress reports.
-const STEP: usize = 1 << 10;
+const REPORT_INTERVAL: usize = 1 << 10;
 
 impl Factor {
     /// Factors `matrix`. An unknown whose pivot is not positive is left out: its solution will be 0, and the others are found
@@ -46,7 +46,7 @@ impl Factor {
         let mut row = alloc::filled(0.0, n)?;
         tree.mark.fill(NONE);
         for k in 0..n {
-            if k % STEP == 0 {
+            if k % REPORT_INTERVAL == 0 {
                 job.step(k as f64 / n as f64, "fairing")?;
             }
             for &(i, value) in matrix.column(k) {

@@ -14,9 +14,9 @@ use std::collections::BinaryHeap;
 use std::ops::Range;
 
 /// Cells of the grid along each axis, at the most.
-const MOST_CELLS: f64 = 1024.0;
+const MAX_GRID_CELLS: f64 = 1024.0;
 /// Ears between two progress reports.
-const STEP: usize = 1 << 10;
+const REPORT_INTERVAL: usize = 1 << 10;
 
 /// Triangulates the loop through `points`; `None` if every ear that is left would have an edge that is `taken`.
 ///
@@ -39,7 +39,7 @@ pub(super) fn clip_ears(
             if stale || taken(a, c) || strict && !ring.is_ear([a, b, c]) {
                 continue;
             }
-            if triangles.len() % STEP == 0 {
+            if triangles.len() % REPORT_INTERVAL == 0 {
                 job.step(triangles.len() as f64 / n as f64, "triangulating holes")?;
             }
             triangles.push([a, b, c]);
@@ -143,7 +143,7 @@ impl Grid {
     fn new(flat: &[DVec2], reflex: &[bool]) -> Result<Grid> {
         let low = flat.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
         let size = flat.iter().fold(DVec2::ZERO, |size, &p| size.max(p - low));
-        let cells = (flat.len() as f64).sqrt().ceil().min(MOST_CELLS);
+        let cells = (flat.len() as f64).sqrt().ceil().min(MAX_GRID_CELLS);
         let cell = (size.max_element() / cells).max(f64::MIN_POSITIVE);
         let columns = (size.x / cell) as usize + 1;
         let rows = (size.y / cell) as usize + 1;

@@ -13,15 +13,15 @@
 //! | [`patch`](self) | the plan for one hole: new points and triangles |
 //! | [`triangulate`](self) | the triangulation of least weight |
 //! | [`clip`](self) | loops too long for that: ear by ear |
-//! | [`net`](self) | triangles with neighbours: splits and flips |
+//! | [`patch_mesh`](self) | triangles with neighbours: splits and flips |
 //! | [`refine`](self) | new vertices, as dense as those round the hole |
 //! | [`holes`](self) | all of these for every hole, and one mesh of it all |
 
 mod choose;
 mod clip;
 mod holes;
-mod net;
 mod patch;
+mod patch_mesh;
 mod refine;
 mod request;
 mod surroundings;

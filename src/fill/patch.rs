@@ -1,10 +1,10 @@
 //! The plan for one hole: new points and triangles.
 
 use super::clip::{clip_ears, mean_normal};
-use super::net::Net;
+use super::patch_mesh::PatchMesh;
 use super::refine::{refine, relax};
 use super::request::{Fairing, Options, Refinement, Weight};
-use super::triangulate::{Polygon, least_weight};
+use super::triangulate::{Polygon, minimum_weight};
 use crate::alloc;
 use crate::error::Result;
 use crate::fair::{Weights, thin_plate};
@@ -13,11 +13,11 @@ use crate::job::Job;
 use glam::DVec3;
 
 /// Loops of at most this many vertices are triangulated as a whole.
-const WHOLE: usize = 500;
+const MAX_EXACT_RIM: usize = 500;
 /// A rim is planar if it deviates from a plane by no more than this part of its size.
-const PLANAR: f64 = 1e-6;
+const MAX_RELATIVE_DEVIATION: f64 = 1e-6;
 /// New vertices of a hole at the most, if the caller says nothing.
-const MOST_VERTICES: u32 = 50_000;
+const MAX_NEW_VERTICES: u32 = 50_000;
 
 /// A hole and what lies round it, in numbers of its own: the rim's vertices from 0 on, in the direction in which new faces run
 /// along it (the surface is on the right), and then the other old vertices.
@@ -64,15 +64,15 @@ pub(crate) fn patch(
     let Refinement::RimDensity(limit) = options.refinement else {
         return Ok(Some(Patch { points: Vec::new(), triangles }));
     };
-    let limit = if limit == 0 { MOST_VERTICES } else { limit };
-    let mut net = Net::new(alloc::copied(&points[..rim.count])?, triangles)?;
+    let limit = if limit == 0 { MAX_NEW_VERTICES } else { limit };
+    let mut mesh = PatchMesh::new(alloc::copied(&points[..rim.count])?, triangles)?;
     let scale = alloc::collect(rim.scale.iter().map(|s| s / unit))?;
-    refine(&mut net, scale, limit, taken, &job.part(0.4, 0.6))?;
+    refine(&mut mesh, scale, limit, taken, &job.part(0.4, 0.6))?;
     if options.fairing == Fairing::ThinPlate {
-        fair(rim, &points, &mut net, &job.part(0.6, 1.0))?;
+        fair(rim, &points, &mut mesh, &job.part(0.6, 1.0))?;
     }
-    let new = alloc::collect(net.points[rim.count..].iter().map(|&p| (p + origin) * unit))?;
-    Ok(Some(Patch { points: new, triangles: net.triangles }))
+    let new = alloc::collect(mesh.points[rim.count..].iter().map(|&p| (p + origin) * unit))?;
+    Ok(Some(Patch { points: new, triangles: mesh.triangles }))
 }
 
 fn triangulate(
@@ -83,14 +83,14 @@ fn triangulate(
     job: &Job<'_>,
 ) -> Result<Option<Vec<[u32; 3]>>> {
     let n = points.len();
-    if n > WHOLE {
+    if n > MAX_EXACT_RIM {
         let Some(triangles) = clip_ears(points, taken, job)? else {
             return Ok(None);
         };
         // The shape of the ears is what was left at their turn.
-        let mut net = Net::new(alloc::copied(points)?, triangles)?;
-        relax(&mut net, n, taken);
-        return Ok(Some(net.triangles));
+        let mut mesh = PatchMesh::new(alloc::copied(points)?, triangles)?;
+        relax(&mut mesh, n, taken);
+        return Ok(Some(mesh.triangles));
     }
     let squared = |i: usize| points[i].distance_squared(points[(i + 1) % n]);
     // The work starts from the longest side, wherever the caller's loop begins.
@@ -107,7 +107,7 @@ fn triangulate(
     let flat = options.weight == Weight::AreaAndBend && is_planar(points);
     let weight = if flat { Weight::Area } else { options.weight };
     let polygon = Polygon { points: &own, across: &across };
-    let found = least_weight(&polygon, weight, |i, k| taken(name(i), name(k)), job)?;
+    let found = minimum_weight(&polygon, weight, |i, k| taken(name(i), name(k)), job)?;
     Ok(found.map(|mut triangles| {
         triangles.iter_mut().for_each(|triangle| *triangle = triangle.map(|v| name(v as usize)));
         triangles
@@ -118,7 +118,7 @@ fn triangulate(
 fn is_planar(points: &[DVec3]) -> bool {
     let normal = mean_normal(points);
     let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
-    points.iter().all(|&p| (p - points[0]).dot(normal).abs() <= PLANAR * size)
+    points.iter().all(|&p| (p - points[0]).dot(normal).abs() <= MAX_RELATIVE_DEVIATION * size)
 }
 
 /// The direction of a vector of any length; 0 for 0.
@@ -126,22 +126,22 @@ fn unit_vector(v: DVec3) -> DVec3 {
     (v / common_unit(&[v])).normalize_or_zero()
 }
 
-/// Moves the new vertices of `net`; the rim and the old vertices round it stay.
-fn fair(rim: &Rim, points: &[DVec3], net: &mut Net, job: &Job<'_>) -> Result<()> {
-    let (n, old, new) = (rim.count, points.len(), net.points.len() - rim.count);
+/// Moves the new vertices of `mesh`; the rim and the old vertices round it stay.
+fn fair(rim: &Rim, points: &[DVec3], mesh: &mut PatchMesh, job: &Job<'_>) -> Result<()> {
+    let (n, old, new) = (rim.count, points.len(), mesh.points.len() - rim.count);
     // The rim, the old vertices, the new ones.
     let mut all = alloc::with_capacity(old + new)?;
     all.extend_from_slice(points);
-    all.extend_from_slice(&net.points[n..]);
+    all.extend_from_slice(&mesh.points[n..]);
     let name = |v: u32| if (v as usize) < n { v } else { v + (old - n) as u32 };
-    let mut triangles = alloc::with_capacity(rim.around.len() + net.triangles.len())?;
+    let mut triangles = alloc::with_capacity(rim.around.len() + mesh.triangles.len())?;
     triangles.extend_from_slice(&rim.around);
-    triangles.extend(net.triangles.iter().map(|triangle| triangle.map(name)));
+    triangles.extend(mesh.triangles.iter().map(|triangle| triangle.map(name)));
     let mut free = alloc::filled(false, old + new)?;
     free[old..].fill(true);
     let mut centres = alloc::copied(&free)?;
     centres[..n].copy_from_slice(&rim.whole);
     thin_plate(&mut all, &triangles, &free, &centres, Weights::Cotangent, None, job)?;
-    net.points[n..].copy_from_slice(&all[old..]);
+    mesh.points[n..].copy_from_slice(&all[old..]);
     Ok(())
 }

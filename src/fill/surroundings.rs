@@ -18,7 +18,7 @@ pub(super) struct Surroundings {
 }
 
 /// Faces between two progress reports.
-const STEP: usize = 1 << 16;
+const REPORT_INTERVAL: usize = 1 << 16;
 
 impl Surroundings {
     /// One pass over the faces. `on_rim`: per vertex of the mesh. Extra memory: 4 bytes a vertex of the mesh, and 16 a corner
@@ -26,7 +26,7 @@ impl Surroundings {
     pub(super) fn new(mesh: &MeshView<'_>, on_rim: &[bool], job: &Job<'_>) -> Result<Self> {
         let (mut corners, mut edges) = (Vec::new(), Vec::new());
         for f in 0..mesh.faces().len() {
-            if f % STEP == 0 {
+            if f % REPORT_INTERVAL == 0 {
                 job.step(f as f64 / mesh.faces().len() as f64, "looking round the holes")?;
             }
             let face = mesh.face(f);

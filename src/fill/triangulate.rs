@@ -49,7 +49,7 @@ const FLAT: f64 = 1e-10;
 const CHUNK: usize = 64;
 const STEPS: f64 = (1 << 20) as f64;
 
-const NOTHING: Cost = Cost { degenerate: 0, bend: 0, area: 0.0, sides: 0.0 };
+const ZERO_COST: Cost = Cost { degenerate: 0, bend: 0, area: 0.0, sides: 0.0 };
 
 impl Cost {
     fn and(self, other: Cost) -> Cost {
@@ -78,7 +78,7 @@ impl Cost {
 /// triangulation, seen from inside, which need not be the best when the triangle beyond its chord is known.
 ///
 /// O(n^3) time, less what is passed over; 40 n^2 bytes.
-pub(super) fn least_weight(
+pub(super) fn minimum_weight(
     polygon: &Polygon<'_>,
     weight: Weight,
     taken: impl Fn(usize, usize) -> bool,
@@ -97,7 +97,7 @@ pub(super) fn least_weight(
         axes: [axis(0)?, axis(1)?, axis(2)?],
     };
     for i in 0..n - 1 {
-        table.enter(i, i + 1, Some(Cell { cost: NOTHING, apex: i as u32, normal: polygon.across[i] }));
+        table.enter(i, i + 1, Some(Cell { cost: ZERO_COST, apex: i as u32, normal: polygon.across[i] }));
     }
     let (mut done, all) = (0.0, (n as f64).powi(3) / 6.0);
     for span in 2..n {
@@ -171,14 +171,14 @@ impl Table<'_> {
         let mut hits = [false; CHUNK];
         for first in (i + 1..k).step_by(CHUNK) {
             let range = first..k.min(first + CHUNK);
-            self.sieve(i, k, range.clone(), limit, &mut hits);
+            self.discard(i, k, range.clone(), limit, &mut hits);
             range.zip(hits).filter(|&(_, hit)| hit).for_each(|(m, _)| consider(m, &mut limit));
         }
         best
     }
 
     /// Tells which apexes in `range` may make chord (i, k) cost no more than `limit`. Plain arithmetic on rows of numbers.
-    fn sieve(&self, i: usize, k: usize, range: Range<usize>, limit: f64, hits: &mut [bool; CHUNK]) {
+    fn discard(&self, i: usize, k: usize, range: Range<usize>, limit: f64, hits: &mut [bool; CHUNK]) {
         let n = self.polygon.points.len();
         let [left, right] = [i, k].map(|row| &self.bounds[row * n + range.start..row * n + range.end]);
         let parts = left.iter().zip(right);

@@ -8,4 +8,4 @@ mod box_tree;
 mod pairs;
 mod predicates;
 
-pub(crate) use pairs::{Soup, cutting_pairs};
+pub(crate) use pairs::{Soup, intersecting_pairs};

@@ -1,7 +1,7 @@
 //! All pairs of triangles that cut each other, of which at least one is new.
 
 use super::box_tree::{Box3, BoxTree};
-use super::predicates::cut;
+use super::predicates::triangles_intersect;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// Triangles that one thread looks at at a time, and between two progress reports.
 const CHUNK: usize = 1 << 9;
-const REPORT: usize = 1 << 15;
+const REPORT_INTERVAL: usize = 1 << 15;
 
 /// New and old triangles over common points, which are in a unit that keeps products in range.
 pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
@@ -26,7 +26,10 @@ pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
 /// + k. Of two new ones the smaller comes first. See [`cut`] for what counts.
 ///
 /// O((n + o) log n + pairs of boxes that overlap) for n new and o old triangles; extra memory about 100 bytes a new triangle.
-pub(crate) fn cutting_pairs(soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>, job: &Job<'_>) -> Result<Vec<[u32; 2]>> {
+pub(crate) fn intersecting_pairs(
+    soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
+    job: &Job<'_>,
+) -> Result<Vec<[u32; 2]>> {
     if soup.new.is_empty() {
         return Ok(Vec::new());
     }
@@ -53,7 +56,7 @@ pub(crate) fn cutting_pairs(soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>, job: 
             });
             failed?;
             for &i in &near {
-                if cut(soup.new[i as usize], triangle, &soup.at) {
+                if triangles_intersect(soup.new[i as usize], triangle, &soup.at) {
                     alloc::push(&mut found, [i, k as u32])?;
                 }
             }
@@ -62,9 +65,9 @@ pub(crate) fn cutting_pairs(soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>, job: 
     };
     let mut pairs = Vec::new();
     let total = n + soup.old.len();
-    for start in (0..total).step_by(REPORT) {
+    for start in (0..total).step_by(REPORT_INTERVAL) {
         job.step(start as f64 / total as f64, "looking for intersections")?;
-        let count = REPORT.min(total - start);
+        let count = REPORT_INTERVAL.min(total - start);
         for part in par::chunks(job.threads(), count, CHUNK, |range| look(start + range.start..start + range.end)) {
             let part = part?;
             alloc::reserve(&mut pairs, part.len())?;

@@ -15,9 +15,9 @@ fn volume(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
 
 /// A projection along one axis.
 #[derive(Clone, Copy)]
-struct Along(usize);
+struct AxisProjection(usize);
 
-impl Along {
+impl AxisProjection {
     fn area(self, p: DVec3, q: DVec3, r: DVec3) -> f64 {
         let (x, y) = [(1, 2), (2, 0), (0, 1)][self.0];
         let at = |v: DVec3| Coord { x: v[x], y: v[y] };
@@ -53,8 +53,8 @@ fn all_on_one_side(signs: [f64; 3]) -> bool {
 }
 
 /// A projection in which the triangle keeps an area; `None` if it has none at all.
-fn projection([a, b, c]: [DVec3; 3]) -> Option<Along> {
-    (0..3).map(Along).find(|along| along.area(a, b, c) != 0.0)
+fn projection([a, b, c]: [DVec3; 3]) -> Option<AxisProjection> {
+    (0..3).map(AxisProjection).find(|along| along.area(a, b, c) != 0.0)
 }
 
 /// Does the closed segment pq meet the closed triangle?
@@ -78,11 +78,11 @@ fn segment_meets(p: DVec3, q: DVec3, triangle: [DVec3; 3]) -> bool {
 /// Do two closed segments meet?
 fn segments_meet(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> bool {
     // In one plane, and seen along every axis.
-    volume(p, q, r, s) == 0.0 && (0..3).all(|k| Along(k).segments_meet(p, q, r, s))
+    volume(p, q, r, s) == 0.0 && (0..3).all(|k| AxisProjection(k).segments_meet(p, q, r, s))
 }
 
 /// Do the triangles with vertices `v` and `w` cut each other?
-pub(super) fn cut(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
+pub(super) fn triangles_intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> DVec3) -> bool {
     let shared = v.iter().filter(|x| w.contains(x)).count();
     let (p, q) = (v.map(&at), w.map(&at));
     // Most pairs that are near each other lie apart by the plane of one of them.
@@ -173,7 +173,7 @@ mod tests {
         ) {
             let (p, q) = (p.map(|(x, y, z)| [x, y, z]), q.map(|(x, y, z)| [x, y, z]));
             let points: Vec<DVec3> = p.iter().chain(&q).map(|&[x, y, z]| DVec3::new(x as f64, y as f64, z as f64)).collect();
-            prop_assert_eq!(cut([0, 1, 2], [3, 4, 5], |v| points[v as usize]), have_common_points(p, q));
+            prop_assert_eq!(triangles_intersect([0, 1, 2], [3, 4, 5], |v| points[v as usize]), have_common_points(p, q));
         }
     }
 
@@ -189,13 +189,13 @@ mod tests {
             DVec3::new(0.25, 0.25, -1.0),
             DVec3::new(-1.0, -1.0, 0.0),
         ];
-        let cut = |v, w| cut(v, w, |k| points[k as usize]);
-        assert!(!cut([0, 1, 2], [2, 1, 3]), "side by side in a plane");
-        assert!(cut([0, 1, 2], [1, 2, 4]), "folded over in a plane");
-        assert!(!cut([0, 1, 2], [1, 2, 5]), "an edge, and up from it");
-        assert!(cut([0, 1, 2], [0, 5, 6]), "through it from a shared vertex");
-        assert!(!cut([0, 1, 2], [0, 7, 5]), "away from a shared vertex");
-        assert!(cut([0, 1, 2], [0, 3, 4]), "in one plane from a shared vertex");
-        assert!(cut([0, 1, 2], [2, 0, 1]), "the same triangle twice");
+        let triangles_intersect = |v, w| triangles_intersect(v, w, |k| points[k as usize]);
+        assert!(!triangles_intersect([0, 1, 2], [2, 1, 3]), "side by side in a plane");
+        assert!(triangles_intersect([0, 1, 2], [1, 2, 4]), "folded over in a plane");
+        assert!(!triangles_intersect([0, 1, 2], [1, 2, 5]), "an edge, and up from it");
+        assert!(triangles_intersect([0, 1, 2], [0, 5, 6]), "through it from a shared vertex");
+        assert!(!triangles_intersect([0, 1, 2], [0, 7, 5]), "away from a shared vertex");
+        assert!(triangles_intersect([0, 1, 2], [0, 3, 4]), "in one plane from a shared vertex");
+        assert!(triangles_intersect([0, 1, 2], [2, 0, 1]), "the same triangle twice");
     }
 }

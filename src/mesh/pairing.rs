@@ -19,15 +19,15 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 /// Faces, or vertices, that one thread takes between two progress reports.
-const STEP: usize = 1 << 20;
+const REPORT_INTERVAL: usize = 1 << 20;
 /// Vertices whose buckets one thread looks through at a time.
 const CHUNK: usize = 1 << 13;
 /// The most threads that fill buckets, as each counts in arrays of its own.
-const MOST_PARTS: usize = 8;
+const MAX_PARTS: usize = 8;
 /// The fewest faces that are worth a thread.
-const FEWEST: usize = 1 << 11;
+const MIN_FACES_PER_PART: usize = 1 << 11;
 /// The longest bucket that is not sorted.
-const SHORT: usize = 32;
+const MAX_UNSORTED_BUCKET: usize = 32;
 
 /// What is found out about the half-edges of a mesh.
 pub(super) struct Pairs {
@@ -45,7 +45,7 @@ pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Pairs> {
     let faces = mesh.faces();
     let mut parts = parts(mesh, job.threads())?;
     each_part(&mut parts, &job.part(0.0, 0.3), |part, range| faces.visit(range, &mut Count { faces, part }))?;
-    let (corner_count, mut defects) = add_up(&mut parts)?;
+    let (corner_count, mut defects) = accumulate(&mut parts)?;
     let count = places(&mut parts, mesh.positions().len());
 
     // (Other end, half-edge) in one word. No two threads write to the same one.
@@ -66,7 +66,7 @@ pub(super) fn pairs(mesh: &MeshView<'_>, job: &Job<'_>) -> Result<Pairs> {
 
     let mut entries: Vec<u64> = entries.into_iter().map(AtomicU64::into_inner).collect();
     let (mut rest, mut first) = (entries.as_mut_slice(), 0);
-    for block in blocks(0..mesh.positions().len(), STEP * threads) {
+    for block in blocks(0..mesh.positions().len(), REPORT_INTERVAL * threads) {
         job.step(0.6 + 0.4 * block.start as f64 / mesh.positions().len() as f64, "pairing half-edges")?;
         let mut work = Vec::new();
         for range in blocks(block, CHUNK) {
@@ -107,7 +107,7 @@ struct Part {
 /// As many parts as there are threads for them.
 fn parts(mesh: &MeshView<'_>, threads: usize) -> Result<Vec<Part>> {
     let (faces, vertices) = (mesh.faces().len(), mesh.positions().len());
-    let threads = par::at_most(faces.div_ceil(FEWEST).min(MOST_PARTS), threads);
+    let threads = par::at_most(faces.div_ceil(MIN_FACES_PER_PART).min(MAX_PARTS), threads);
     let mut parts = Vec::new();
     for faces in blocks(0..faces, faces.div_ceil(threads)) {
         let (places, corner_count) = (alloc::zeroed(2 * vertices)?, alloc::zeroed(vertices)?);
@@ -123,7 +123,7 @@ fn each_part(
     work: impl Fn(&mut Part, Range<usize>) -> Result<()> + Sync,
 ) -> Result<()> {
     let longest = parts.iter().map(|part| part.faces.len()).max().unwrap_or(0);
-    for block in blocks(0..longest, STEP) {
+    for block in blocks(0..longest, REPORT_INTERVAL) {
         job.step(block.start as f64 / longest as f64, "pairing half-edges")?;
         let done = par::map(parts.len(), parts.iter_mut(), |part| {
             let at = |i: usize| part.faces.end.min(part.faces.start + i);
@@ -136,7 +136,7 @@ fn each_part(
 }
 
 /// The corners of each vertex, and the degenerate faces, of all parts.
-fn add_up(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
+fn accumulate(parts: &mut [Part]) -> Result<(Vec<u32>, Vec<Defect>)> {
     let (mut counts, mut defects) = (Vec::new(), Vec::new());
     for part in parts {
         alloc::append(&mut defects, &part.defects)?;
@@ -265,7 +265,7 @@ fn pair(
         let (own, others) = std::mem::take(&mut entries).split_at_mut(both as usize);
         entries = others;
         let (ups, downs) = own.split_at_mut(up as usize);
-        if !pair_by_looking(mate, ups, downs) {
+        if !pair_by_scan(mate, ups, downs) {
             own.sort_unstable();
             for edge in own.chunk_by(|x, y| x >> 32 == y >> 32) {
                 join(faces, mate, edge, &mut defects)?;
@@ -277,8 +277,8 @@ fn pair(
 
 /// Pairs each half-edge that runs up with the one that runs down from the same end. False if there is not one, or another
 /// one, or too many to look through: then nothing that was written counts.
-fn pair_by_looking(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
-    if ups.len() != downs.len() || ups.len() > SHORT {
+fn pair_by_scan(mate: &[AtomicU32], ups: &[u64], downs: &mut [u64]) -> bool {
+    if ups.len() != downs.len() || ups.len() > MAX_UNSORTED_BUCKET {
         return false;
     }
     for (i, &up) in ups.iter().enumerate() {

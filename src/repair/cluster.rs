@@ -26,7 +26,7 @@ pub(super) struct Clusters {
 }
 
 /// Claims between two progress reports.
-const STEP: usize = 1 << 14;
+const REPORT_INTERVAL: usize = 1 << 14;
 
 const STAGE: &str = "clustering vertices";
 
@@ -49,7 +49,7 @@ impl Clusters {
         let mut claimed = alloc::filled(false, members.len())?;
         let mut candidates = Vec::new();
         for (i, &representative) in members.iter().enumerate() {
-            if i % STEP == 0 {
+            if i % REPORT_INTERVAL == 0 {
                 job.step(i as f64 / members.len() as f64, STAGE)?;
             }
             if claimed[i] {

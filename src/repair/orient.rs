@@ -58,7 +58,7 @@ pub struct Oriented {
 }
 
 /// Faces between two progress reports.
-const STEP: usize = 1 << 16;
+const REPORT_INTERVAL: usize = 1 << 16;
 
 /// Makes the orientation of each component consistent, turning as few faces as possible; where both sides are as many, the
 /// component's smallest face stays. Extra memory: about 20 bytes a half-edge.
@@ -136,7 +136,7 @@ impl Search<'_> {
         self.seen[f as usize] = true;
         let mut next = 0;
         while let Some(&f) = self.found.get(next) {
-            if self.reached.is_multiple_of(STEP) {
+            if self.reached.is_multiple_of(REPORT_INTERVAL) {
                 job.step(self.reached as f64 / faces.len() as f64, "orienting faces")?;
             }
             self.reached += 1;

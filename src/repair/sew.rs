@@ -23,7 +23,7 @@ use crate::sort::sort;
 use std::iter;
 
 /// Pairs between two progress reports.
-const STEP: usize = 1 << 14;
+const REPORT_INTERVAL: usize = 1 << 14;
 
 const STAGE: &str = "sewing edges";
 
@@ -59,7 +59,7 @@ pub(super) fn sew(
     let identity = || alloc::collect((0..clusters.len()).map(|v| v as u32));
     let mut sets = Sewing { mesh, topology, corners, collapse, label: identity()?, next: identity()?, degree };
     for (i, &[g, h]) in pairs.iter().enumerate() {
-        if i % STEP == 0 {
+        if i % REPORT_INTERVAL == 0 {
             job.step(i as f64 / pairs.len() as f64, STAGE)?;
         }
         let ([u, v], [a, b]) = (sets.ends(g), sets.ends(h));

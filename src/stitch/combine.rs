@@ -34,7 +34,7 @@ pub(super) fn append_piece(
 }
 
 /// Where a strip went.
-pub(crate) struct Hung {
+pub(crate) struct AttachedStrip {
     /// Of each of the strip's own vertices, the one of the whole: both rims, then the new ones.
     pub(crate) names: Vec<u32>,
     /// The new vertices.
@@ -47,7 +47,7 @@ pub(crate) struct Hung {
 ///
 /// # Errors
 /// [`Error::TooLarge`], [`Error::OutOfMemory`].
-pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result<Hung> {
+pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result<AttachedStrip> {
     let (faces, new) = (&strip.faces, &strip.grid.points[strip.rim_count()..]);
     let (vertices, corners) = (whole.positions.len() + new.len(), whole.face_corners.len() + faces.corners.len());
     for (what, count) in [("vertices", vertices as u64), ("half-edges", corners as u64)] {
@@ -68,7 +68,7 @@ pub(crate) fn append_strip(whole: &mut Mesh, strip: &Strip, unit: f64) -> Result
         whole.face_corners.extend(face.iter().map(|&v| names[v as usize]));
         whole.face_offsets.push(whole.face_corners.len() as u32);
     }
-    Ok(Hung { names, vertices: first_vertex..vertices as u32, faces: first_face..whole.face_count() as u32 })
+    Ok(AttachedStrip { names, vertices: first_vertex..vertices as u32, faces: first_face..whole.face_count() as u32 })
 }
 
 /// The strip as a mesh of its own; its vertex v is `names[v]` of the whole.

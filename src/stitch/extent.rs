@@ -21,7 +21,7 @@ pub enum Extent {
 }
 
 /// Loops whose normals make, in the mean, more than this |cosine| with the line of their centres are joined whole: 60 degrees.
-const SQUARE: f64 = 0.5;
+const MAX_AXIS_COSINE: f64 = 0.5;
 
 /// The arcs that `extent` says, or `None` for whole loops. The rims are in a unit in which coordinates are at most 2; so is
 /// the tolerance in `options`, `None` being the round-off of such coordinates.
@@ -43,7 +43,7 @@ pub(super) fn arcs(
         Extent::WholeLoops => Ok(None),
         Extent::OpenArcs => found(),
         Extent::Auto => {
-            if squareness(&a.points, &planes) + squareness(&b.points, &planes) > 2.0 * SQUARE {
+            if squareness(&a.points, &planes) + squareness(&b.points, &planes) > 2.0 * MAX_AXIS_COSINE {
                 return Ok(None);
             }
             match found() {

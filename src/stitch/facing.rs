@@ -22,7 +22,7 @@ use glam::DVec3;
 use std::ops::Range;
 
 /// Looks at points between two progress reports, if a search looks at all of them.
-const LOOKS: usize = 1 << 23;
+const REPORT_INTERVAL: usize = 1 << 23;
 
 const STAGE: &str = "looking for facing arcs";
 
@@ -251,7 +251,7 @@ fn closest(a: &[DVec3], b: &[DVec3], runs: &[Vec<Arc>; 2], job: &Job<'_>) -> Res
         owner.extend((0..run.count).map(|_| k));
     }
     let tree = KdTree::boxed(&points, &job.part(0.0, 0.5), STAGE)?;
-    let step = (LOOKS / total.max(1)).clamp(1, 1 << 12);
+    let step = (REPORT_INTERVAL / total.max(1)).clamp(1, 1 << 12);
     let (mut best, mut done) = ((f64::INFINITY, [0, 0]), 0);
     for (k, run) in runs[0].iter().enumerate() {
         for i in run.places(a.len()) {

@@ -3,12 +3,12 @@
 use super::combine::{IndexMap, append_piece, append_strip, strip_alone};
 use super::extent::arcs;
 use super::facing::{self, check_tolerance};
+use super::fair_and_check::fair_and_check;
 use super::pairing::{nearest_pair, usable_rims};
 use super::quality::Quality;
 use super::request::{Options, Orientation, Request, Stitch};
 use super::rim::{Bridges, FreeEdges, Rim, shared_vertex};
 use super::sense::{arcs_run_the_same_way, rims_disagree};
-use super::settle::settle;
 use super::strip::Strip;
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
@@ -81,17 +81,17 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     b.reverse();
     let mean_side = || whole.mean_side() / unit;
     let mut strip = Strip::between(a, b, &bridges, options, mean_side, &job.part(0.4, 0.6))?;
-    let settled = settle(&whole, &mut strip, unit, options, &job.part(0.6, 0.75))?;
+    let checked = fair_and_check(&whole, &mut strip, unit, options, &job.part(0.6, 0.75))?;
     job.step(0.75, "putting the pieces together")?;
-    let hung = append_strip(&mut whole, &strip, unit)?;
+    let attached = append_strip(&mut whole, &strip, unit)?;
 
-    let name = |v: u32| hung.names[v as usize];
+    let name = |v: u32| attached.names[v as usize];
     let matrix = alloc::collect(strip.grid.matrix.iter().map(|&v| name(v)))?;
     let parents = alloc::collect(strip.grid.parents().map(|pair| pair.map(name)))?;
     let weights = alloc::collect(strip.grid.new.iter().map(|&(_, t)| t))?;
     let rims = [std::mem::take(&mut strip.a.vertices), std::mem::take(&mut strip.b.vertices)];
     let (closed, meridians) = (strip.a.closed, std::mem::take(&mut strip.meridians));
-    let strip = strip_alone(&whole, strip, &hung.names)?;
+    let strip = strip_alone(&whole, strip, &attached.names)?;
     let quality = Quality::of(&whole, &strip, &job.part(0.75, 1.0))?;
     Ok(Stitch {
         rims,
@@ -103,10 +103,10 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
         mesh: whole,
         strip,
         maps,
-        intersections: settled.intersections,
-        strip_faces: hung.faces,
+        intersections: checked.intersections,
+        strip_faces: attached.faces,
         meridians,
-        back_offs: settled.back_offs,
+        back_offs: checked.back_offs,
         turned: turn,
         quality,
     })

@@ -1,7 +1,7 @@
 //! Stitching: a strip of new faces between two boundary loops.
 //!
 //! Source: S. Nesterenko, *The algorithm for polygonal networks of cross-linking*. The paper joins two open meshes by a third,
-//! intermediate one that hangs on **meridians**, the lines from a vertex of one rim to a vertex of the other. The rims are the
+//! intermediate one spanned by **meridians**, the lines from a vertex of one rim to a vertex of the other. The rims are the
 //! arcs of two loops that face each other, as in the paper, or whole loops, so that the strip is a closed band; loops repeat
 //! their start, hence N + 1 and M + 1 points for loops of N and M vertices.
 //!
@@ -9,20 +9,20 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | [`request`](self) | what a caller asks for, and what comes back |
-//! | [`rim`](self) | a loop given by the caller, held to the rules; rims in step with each other |
-//! | [`pairing`](self) | which two loops, if the caller leaves that open: the nearest |
-//! | [`facing`] | which vertices of the loops face each other: algorithm 2 |
-//! | [`extent`](self) | whole loops, or arcs |
-//! | [`sense`](self) | do the rims run opposite ways round the gap, as on one oriented surface? |
-//! | [`start`](self) | the meridian to begin with: the closest pair, or the best rotation |
-//! | [`meridian`] | which vertices the meridians join, matrix H: the paper's rule, the strip of least area, and others |
+//! | [`request`](self) | request, options and result |
+//! | [`rim`](self) | validated loops, and their free edges |
+//! | [`pairing`](self) | choice of the nearest pair of loops |
+//! | [`facing`] | facing arcs: algorithm 2 |
+//! | [`extent`](self) | choice between whole loops and arcs |
+//! | [`sense`](self) | relative direction of the rims round the gap |
+//! | [`start`](self) | first meridian: the closest pair, or the best rotation |
+//! | [`meridian`] | meridians, matrix H: the paper's rule, the strip of least area, and others |
 //! | [`grid`](self) | rows between the rims, matrix P, and the faces between them |
-//! | [`strip`](self) | from two rims to a strip: the last three, in order |
-//! | [`settle`](self) | the strip among its neighbours: rows faired, faces that cut each other |
+//! | [`strip`](self) | strip between two rims: start, meridians, grid |
+//! | [`fair_and_check`](self) | fairing of the rows, and intersections of the strip with itself and the pieces |
 //! | [`ruled`](self) | a strip between polylines that belong to no mesh |
 //! | [`combine`](self) | one mesh of both pieces and the strip, with maps from old to new |
-//! | [`quality`](self) | what the result is worth |
+//! | [`quality`](self) | quality measures of the result |
 //! | [`join`](self) | all of these, in order |
 //! | [`assemble`] | many pieces |
 
@@ -30,6 +30,7 @@ pub mod assemble;
 mod combine;
 mod extent;
 pub mod facing;
+mod fair_and_check;
 mod grid;
 mod join;
 pub mod meridian;
@@ -40,7 +41,6 @@ mod request;
 mod rim;
 mod ruled;
 mod sense;
-mod settle;
 mod start;
 mod strip;
 

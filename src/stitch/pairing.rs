@@ -13,7 +13,7 @@ use crate::mesh::MeshView;
 use glam::DVec3;
 
 /// So many vertices of a rim tell how far it is from another, evenly chosen from all.
-const ASKED: usize = 1 << 10;
+const SAMPLE_VERTICES: usize = 1 << 10;
 
 /// Every loop of the boundary that can carry a strip.
 pub(super) fn usable_rims(mesh: &MeshView<'_>, boundary: &Boundary) -> Result<Vec<Rim>> {
@@ -80,7 +80,7 @@ pub(super) fn mean_gap(a: &Rim, b: &Rim) -> Result<f64> {
 /// The mean distance from the vertices of one rim to the nearest of the other; of a long rim only every so many-th vertex is
 /// asked.
 fn mean_distance(from: &[DVec3], to: &KdTree<'_>) -> f64 {
-    let asked = from.iter().step_by(from.len().div_ceil(ASKED));
+    let asked = from.iter().step_by(from.len().div_ceil(SAMPLE_VERTICES));
     let count = asked.len() as f64;
     asked.map(|p| to.nearest(*p, f64::INFINITY, |_| true).map_or(0.0, |(squared, _)| squared.sqrt())).sum::<f64>()
         / count

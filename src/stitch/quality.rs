@@ -8,7 +8,7 @@ use crate::mesh::{Defect, Mesh};
 use std::f64::consts::FRAC_PI_3;
 
 /// Faces between two progress reports.
-const STEP: usize = 1 << 16;
+const REPORT_INTERVAL: usize = 1 << 16;
 
 /// Measures of the strip, and of the whole result's connectivity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +66,7 @@ impl Quality {
         let unit = common_unit(&points);
         let (mut longest, mut double_area): (f64, f64) = (0.0, 0.0);
         for (f, w) in strip.face_offsets.windows(2).enumerate() {
-            if f % STEP == 0 {
+            if f % REPORT_INTERVAL == 0 {
                 job.step(f as f64 / strip.face_offsets.len() as f64, "measuring new faces")?;
             }
             let face = &strip.face_corners[w[0] as usize..w[1] as usize];

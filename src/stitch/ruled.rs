@@ -6,7 +6,7 @@ use super::meridian::{Meridians, Pair, Search};
 use super::request::Options;
 use super::rim::{Bridges, Rim};
 use super::start::Start;
-use super::strip::{Strip, from_here};
+use super::strip::{Strip, from_given_start};
 use crate::alloc;
 use crate::error::{Error, Result, Side};
 use crate::geom::scale::common_unit;
@@ -68,7 +68,7 @@ pub fn ruled(a: &[DVec3], b: &[DVec3], closed: bool, options: &RuledOptions, job
         (a, b) = (strip.a, strip.b);
         (strip.meridians, strip.faces)
     } else {
-        let found = from_here(&a, &b, &bridges, &stitch, job)?.ok_or(Error::NoStrip { vertex: 0 })?.pairs;
+        let found = from_given_start(&a, &b, &bridges, &stitch, job)?.ok_or(Error::NoStrip { vertex: 0 })?.pairs;
         let faces = Grid::new(&a, &b, &found, 0)?.faces(&a, &b, &bridges, false)?;
         (found, faces)
     };

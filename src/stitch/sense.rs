@@ -15,7 +15,7 @@ const SAMPLES: usize = 64;
 
 /// A difference smaller than this part of the rims' own spread decides nothing: the rims are then nearly straight there and
 /// back, or mirror images of themselves from where the other one stands.
-const MARGIN: f64 = 0.01;
+const MIN_RELATIVE_MARGIN: f64 = 0.01;
 
 /// True if rims `a` and `b` clearly run the same way, so that their surfaces disagree in orientation.
 fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
@@ -28,7 +28,7 @@ fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     };
     let (same, opposite) = (best(1), best(SAMPLES - 1));
     let spread = |s: &[DVec3]| s.iter().map(|v| v.length_squared()).sum::<f64>();
-    Ok(2.0 * (same - opposite) > MARGIN * (spread(&p) + spread(&q)))
+    Ok(2.0 * (same - opposite) > MIN_RELATIVE_MARGIN * (spread(&p) + spread(&q)))
 }
 
 /// True if whole rims `a` and `b`, each with its surface on the left, say clearly that their surfaces disagree in orientation.
@@ -37,16 +37,16 @@ fn run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
 /// both rims lead off their surfaces to the same side, as the ends of a U-bend do, each is judged by itself: whether its
 /// surface is on the left as seen from where it leads to. The ends of an oriented surface all agree in that.
 pub(super) fn rims_disagree(a: &Rim, b: &Rim) -> Result<bool> {
-    let leads = |rim: &Rim| rim.outward.length() > LEADS;
+    let leads = |rim: &Rim| rim.outward.length() > MIN_MEAN_DIRECTION;
     if leads(a) && leads(b) && a.outward.dot(b.outward) > 0.0 && !is_nested(&a.points, &b.points) {
         let (u, v) = (turns(a), turns(b));
-        return Ok(u.abs().min(v.abs()) > LEADS && u * v < 0.0);
+        return Ok(u.abs().min(v.abs()) > MIN_MEAN_DIRECTION && u * v < 0.0);
     }
     run_the_same_way(&a.points, &b.points)
 }
 
 /// A rim leads off its surface in a direction if the mean of its unit vectors is longer than this.
-const LEADS: f64 = 0.3;
+const MIN_MEAN_DIRECTION: f64 = 0.3;
 
 /// The cosine of the angle between a rim's area vector and the direction in which it leads off its surface.
 fn turns(rim: &Rim) -> f64 {
@@ -70,7 +70,7 @@ pub(super) fn arcs_run_the_same_way(a: &[DVec3], b: &[DVec3]) -> Result<bool> {
     let (p, q) = (samples(a, false, SAMPLES)?, samples(b, false, SAMPLES)?);
     let apart = |at: fn(usize) -> usize| (0..SAMPLES).map(|k| p[k].distance_squared(q[at(k)])).sum::<f64>();
     let (same, opposite) = (apart(|k| k), apart(|k| SAMPLES - 1 - k));
-    Ok(opposite - same > MARGIN * (opposite + same))
+    Ok(opposite - same > MIN_RELATIVE_MARGIN * (opposite + same))
 }
 
 /// Samples of a closed polyline, moved so that their mean is the origin.

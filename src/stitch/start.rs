@@ -26,7 +26,7 @@ pub enum Start {
 }
 
 /// Vertices between two progress reports: where all are about equally far, each takes long.
-const STEP: usize = 1 << 7;
+const REPORT_INTERVAL: usize = 1 << 7;
 
 const STAGE: &str = "looking for the closest pair";
 
@@ -40,7 +40,7 @@ pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -
     let job = job.part(0.1, 1.0);
     let mut best = (f64::INFINITY, None);
     for (i, (&p, &u)) in a.points.iter().zip(&a.vertices).enumerate() {
-        if i % STEP == 0 {
+        if i % REPORT_INTERVAL == 0 {
             job.step(i as f64 / a.points.len() as f64, STAGE)?;
         }
         let found = tree.nearest(p, best.0, |j| !bridges.has(u, b.vertices[j as usize]));

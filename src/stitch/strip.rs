@@ -1,7 +1,7 @@
 //! Between two rims: the first meridian, the others, the rows, the faces.
 
 use super::grid::{FaceList, Grid};
-use super::meridian::{Chosen, Pair, Rails, forbidden_nodes, meridians};
+use super::meridian::{MeridianChoice, Pair, RimPair, forbidden_nodes, meridians};
 use super::request::{Cells, Options, Rows};
 use super::rim::{Bridges, Rim};
 use super::start::{Start, by_rotation, closest_pair};
@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 
 /// A second start is taken if it is better by more than this part.
-const BETTER: f64 = 1.0 / (1 << 20) as f64;
+const MIN_RELATIVE_GAIN: f64 = 1.0 / (1 << 20) as f64;
 
 /// A strip that is not yet part of a mesh.
 pub(crate) struct Strip {
@@ -40,7 +40,7 @@ impl Strip {
         } else if options.twist != 0 {
             return Err(Error::OptionOutOfRange { option: "twist", value: options.twist as f64 });
         } else {
-            from_here(&a, &b, bridges, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
+            from_given_start(&a, &b, bridges, options, job)?.ok_or(Error::NoStrip { vertex: a.vertices[0] })?.pairs
         };
         let rows = match options.rows {
             Rows::None => 0,
@@ -75,17 +75,17 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
     };
     a.start_at(i);
     b.start_at(j);
-    let first = from_here(a, b, bridges, options, &job.part(0.2, 0.6))?;
+    let first = from_given_start(a, b, bridges, options, &job.part(0.2, 0.6))?;
     let Some((i2, j2)) = second else {
         return first.map(|chosen| chosen.pairs).ok_or(none);
     };
     let turns = [(i2 + a.vertices.len() - i) % a.vertices.len(), (j2 + count - j) % count];
     a.start_at(turns[0]);
     b.start_at(turns[1]);
-    let other = from_here(a, b, bridges, options, &job.part(0.6, 1.0))?;
+    let other = from_given_start(a, b, bridges, options, &job.part(0.6, 1.0))?;
     match (first, other) {
         (None, other) => other.map(|chosen| chosen.pairs).ok_or(none),
-        (Some(first), Some(other)) if other.cost < first.cost * (1.0 - BETTER) => Ok(other.pairs),
+        (Some(first), Some(other)) if other.cost < first.cost * (1.0 - MIN_RELATIVE_GAIN) => Ok(other.pairs),
         (Some(first), _) => {
             a.start_at(a.vertices.len() - turns[0]);
             b.start_at(count - turns[1]);
@@ -95,13 +95,13 @@ fn best_start(a: &mut Rim, b: &mut Rim, bridges: &Bridges, options: &Options, jo
 }
 
 /// The meridians from the first one on.
-pub(crate) fn from_here(
+pub(crate) fn from_given_start(
     a: &Rim,
     b: &Rim,
     bridges: &Bridges,
     options: &Options,
     job: &Job<'_>,
-) -> Result<Option<Chosen>> {
+) -> Result<Option<MeridianChoice>> {
     let (n, m) = (a.vertices.len() as u32, b.vertices.len() as u32);
     // With interior rows no meridian is an edge of its own.
     let forbidden = match options.rows {
@@ -110,6 +110,6 @@ pub(crate) fn from_here(
     };
     let (line_a, line_b) = (a.line()?, b.line()?);
     let sides = Some([a.normals.as_slice(), b.normals.as_slice()]);
-    let rails = Rails { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides };
+    let rails = RimPair { a: &line_a, b: &line_b, closed: a.closed, forbidden: &forbidden, sides };
     meridians(&rails, options.meridians, options.search, job)
 }

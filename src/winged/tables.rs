@@ -63,7 +63,7 @@ pub struct WingedEdges {
 }
 
 /// Faces between two progress reports.
-const STEP: usize = 1 << 16;
+const REPORT_INTERVAL: usize = 1 << 16;
 
 impl WingedEdges {
     /// Fills the tables. O(H log d) for H half-edges and vertices of degree d; extra memory: that of [`Topology`].
@@ -80,13 +80,13 @@ impl WingedEdges {
             of_vertex: alloc::filled(NONE, mesh.positions().len())?,
         };
         for f in 0..faces.len() {
-            if f % STEP == 0 {
+            if f % REPORT_INTERVAL == 0 {
                 job.step(0.6 + 0.2 * f as f64 / faces.len() as f64, "numbering edges")?;
             }
             tables.number_edges(mesh, f, &topology)?;
         }
         for f in 0..faces.len() {
-            if f % STEP == 0 {
+            if f % REPORT_INTERVAL == 0 {
                 job.step(0.8 + 0.2 * f as f64 / faces.len() as f64, "filling wings")?;
             }
             tables.fill_wings(mesh, f, winding);

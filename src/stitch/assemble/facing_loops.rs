@@ -1,9 +1,12 @@
-//! Which loops face each other across a gap.
+//! Loops that face each other across a gap.
 //!
-//! Each vertex of each loop looks for the nearest vertex of another loop. Two loops face each other as wholes if nearly all
-//! vertices of each look at the other, from similar distances or so that the look goes round the other loop once: that from a
-//! loop beside another goes forth and back. Else runs of neighbouring vertices that look at one loop, and are looked at from
-//! there, face each other: arcs, as at the border of two scans that overlap third ones elsewhere.
+//! Each vertex of each loop finds the nearest vertex of another loop. Two loops are joined as wholes if
+//! nearly all vertices of each have their nearest vertex on the other, and either their distances are
+//! similar or these nearest vertices wind once round the other loop; seen from a loop that lies beside
+//! another they run forth and back. Otherwise runs of neighbouring vertices whose nearest vertices lie
+//! on one loop, mutually, form facing arcs, as at the border of two scans that overlap others elsewhere.
+//!
+//! O(V log V) for V vertices, by a k-d tree over all loops; the criteria are ours.
 
 use super::request::MaxGap;
 use crate::alloc;
@@ -15,20 +18,20 @@ use crate::stitch::facing::{Arc, centre, cyclic_runs};
 use crate::stitch::rim::Rim;
 use glam::DVec3;
 
-/// The part of each loop's vertices that must look at the other one, for the loops to be joined as wholes.
-const MOST: f64 = 0.9;
+/// Share of each loop's vertices whose nearest vertex is on the other, for whole loops to be joined.
+const MIN_FACING_SHARE: f64 = 0.9;
 
-/// Distances are similar if the ninth decile is at most so many times the first one, or the spacing.
-const SPREAD: f64 = 4.0;
+/// Largest ratio of the ninth decile of the distances to the first one, or to the spacing.
+const MAX_DISTANCE_RATIO: f64 = 4.0;
 
-/// Arcs that are farther apart than so many edges of the loops do not face each other, unless a width is given.
-const ARC_GAP: f64 = 4.0;
+/// Largest gap between facing arcs, in mean edge lengths, unless one is given.
+const MAX_ARC_GAP: f64 = 4.0;
 
-/// An arc is at least so many vertices long.
-const SHORTEST: usize = 2;
+/// Fewest vertices of an arc.
+const MIN_ARC_VERTICES: usize = 2;
 
 /// Vertices between two progress reports.
-const STEP: usize = 1 << 12;
+const REPORT_INTERVAL: usize = 1 << 12;
 
 /// Two loops, by their numbers, or arcs of them.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +42,7 @@ pub(super) struct Facing {
     pub(super) gap: f64,
 }
 
-/// What a loop is to the search.
+/// Measures of a loop.
 pub(super) struct Candidate {
     /// Pairs of one component are not looked for unless `within` says so.
     pub(super) component: u32,
@@ -59,12 +62,12 @@ impl Candidate {
     }
 }
 
-/// What is looked for.
-pub(super) struct Search<'a> {
+/// Search for facing loops and arcs.
+pub(super) struct FacingSearch<'a> {
     pub(super) rims: &'a [Rim],
     pub(super) candidates: &'a [Candidate],
-    /// Loops that are spoken for.
-    pub(super) taken: &'a [bool],
+    /// Loops that are already joined.
+    pub(super) used: &'a [bool],
     /// Pairs (smaller, larger) that are not wanted, in ascending order.
     pub(super) excluded: &'a [[u32; 2]],
     pub(super) within_components: bool,
@@ -73,26 +76,26 @@ pub(super) struct Search<'a> {
     pub(super) max_gap: MaxGap,
 }
 
-/// What one loop sees of another.
-struct Seen {
+/// Vertices of one loop whose nearest vertices lie on another.
+struct LoopProximity {
     rims: [u32; 2],
-    /// How many of its vertices have their nearest vertex there.
+    /// Number of such vertices.
     count: usize,
     mean: f64,
-    /// Whether the distances are similar, or the nearest vertices go round the other loop once.
+    /// Whether the distances are similar, or the nearest vertices wind once round the other loop.
     round: bool,
 }
 
-/// What a vertex looks at.
+/// Nearest vertex on another loop.
 #[derive(Clone, Copy)]
-struct Look {
+struct NearestVertex {
     /// The loop, or [`NONE`].
     rim: u32,
     place: u32,
     distance: f64,
 }
 
-impl Search<'_> {
+impl FacingSearch<'_> {
     /// The greatest distance between loops `r` and `k`, if they are joined as wholes.
     fn limit(&self, r: usize, k: usize) -> f64 {
         match self.max_gap {
@@ -106,7 +109,7 @@ impl Search<'_> {
         match self.max_gap {
             MaxGap::Given(gap) => gap,
             MaxGap::Auto => {
-                let edges = ARC_GAP * self.candidates[r].spacing.max(self.candidates[k].spacing);
+                let edges = MAX_ARC_GAP * self.candidates[r].spacing.max(self.candidates[k].spacing);
                 edges.min(0.5 * self.limit(r, k))
             }
         }
@@ -114,7 +117,7 @@ impl Search<'_> {
 
     fn may_join(&self, r: usize, k: usize) -> bool {
         let [r, k] = [r.min(k), r.max(k)];
-        !self.taken[k]
+        !self.used[k]
             && (self.within_components || self.candidates[r].component != self.candidates[k].component)
             && self.excluded.binary_search(&[r as u32, k as u32]).is_err()
     }
@@ -123,28 +126,34 @@ impl Search<'_> {
     ///
     /// O(V log V) for V vertices on loops that have others near them.
     pub(super) fn run(&self, job: &Job<'_>) -> Result<Vec<Facing>> {
-        let looks = self.looks(job)?;
+        let nearest_vertices = self.nearest_vertices(job)?;
         let mut found = Vec::new();
         let mut whole = alloc::filled(false, self.rims.len())?;
-        let counts = self.counts(&looks)?;
-        for seen in &counts {
-            let [r, k] = seen.rims.map(|rim| rim as usize);
+        let proximities = self.proximities(&nearest_vertices)?;
+        for proximity in &proximities {
+            let [r, k] = proximity.rims.map(|rim| rim as usize);
             if r > k {
                 continue;
             }
-            let Ok(back) = counts.binary_search_by_key(&[k as u32, r as u32], |seen| seen.rims) else {
+            let Ok(back) = proximities.binary_search_by_key(&[k as u32, r as u32], |proximity| proximity.rims) else {
                 continue;
             };
-            let back = &counts[back];
-            let most = |count: usize, rim: usize| count as f64 >= MOST * self.rims[rim].vertices.len() as f64;
-            let gap = seen.mean.max(back.mean);
-            if most(seen.count, r) && most(back.count, k) && seen.round && back.round && gap <= self.limit(r, k) {
+            let back = &proximities[back];
+            let most =
+                |count: usize, rim: usize| count as f64 >= MIN_FACING_SHARE * self.rims[rim].vertices.len() as f64;
+            let gap = proximity.mean.max(back.mean);
+            if most(proximity.count, r)
+                && most(back.count, k)
+                && proximity.round
+                && back.round
+                && gap <= self.limit(r, k)
+            {
                 (whole[r], whole[k]) = (true, true);
                 alloc::push(&mut found, Facing { rims: [r, k], arcs: None, gap })?;
             }
         }
         if self.arcs {
-            self.find_arcs(&looks, &whole, &mut found)?;
+            self.find_arcs(&nearest_vertices, &whole, &mut found)?;
         }
         let first = |found: &Facing| found.arcs.map_or(0, |arcs| arcs[0].first);
         found.sort_unstable_by(|x, y| x.gap.total_cmp(&y.gap).then(x.rims.cmp(&y.rims)).then(first(x).cmp(&first(y))));
@@ -152,7 +161,7 @@ impl Search<'_> {
     }
 
     /// What each vertex of each loop looks at, within twice the limit.
-    fn looks(&self, job: &Job<'_>) -> Result<Vec<Vec<Look>>> {
+    fn nearest_vertices(&self, job: &Job<'_>) -> Result<Vec<Vec<NearestVertex>>> {
         let total = self.rims.iter().map(|rim| rim.points.len()).sum();
         let (mut points, mut owners) = (alloc::with_capacity::<DVec3>(total)?, alloc::with_capacity(total)?);
         let mut firsts = alloc::with_capacity(self.rims.len())?;
@@ -167,7 +176,7 @@ impl Search<'_> {
             false => self.candidates[r as usize].component,
         }))?;
         let tree = KdTree::grouped(&points, &groups)?;
-        let mut looks = alloc::with_capacity(self.rims.len())?;
+        let mut nearest_vertices = alloc::with_capacity(self.rims.len())?;
         let mut done = 0;
         for (r, rim) in self.rims.iter().enumerate() {
             let mut of_rim = alloc::with_capacity(rim.points.len())?;
@@ -177,72 +186,80 @@ impl Search<'_> {
             };
             let own = groups[firsts[r] as usize];
             for &p in &rim.points {
-                if done % STEP == 0 {
+                if done % REPORT_INTERVAL == 0 {
                     job.step(done as f64 / total as f64, "looking for loops that face each other")?;
                 }
                 done += 1;
                 let limit = 4.0 * widest * widest;
                 let accept = |v: u32| owners[v as usize] as usize != r && self.may_join(r, owners[v as usize] as usize);
-                let seen = if self.taken[r] { None } else { tree.nearest_elsewhere(p, limit, own, accept) };
-                of_rim.push(match seen {
+                let nearest = if self.used[r] { None } else { tree.nearest_elsewhere(p, limit, own, accept) };
+                of_rim.push(match nearest {
                     Some((squared, v)) => {
                         let k = owners[v as usize];
-                        Look { rim: k, place: v - firsts[k as usize], distance: squared.sqrt() }
+                        NearestVertex { rim: k, place: v - firsts[k as usize], distance: squared.sqrt() }
                     }
-                    None => Look { rim: NONE, place: NONE, distance: f64::INFINITY },
+                    None => NearestVertex { rim: NONE, place: NONE, distance: f64::INFINITY },
                 });
             }
-            looks.push(of_rim);
+            nearest_vertices.push(of_rim);
         }
-        Ok(looks)
+        Ok(nearest_vertices)
     }
 
     /// What each loop sees of each other one, in ascending order of the loops.
-    fn counts(&self, looks: &[Vec<Look>]) -> Result<Vec<Seen>> {
+    fn proximities(&self, nearest_vertices: &[Vec<NearestVertex>]) -> Result<Vec<LoopProximity>> {
         let mut lengths = alloc::with_capacity(self.rims.len())?;
         for rim in self.rims {
             lengths.push(lengths_of(rim)?);
         }
-        let mut counts = Vec::new();
-        for (r, of_rim) in looks.iter().enumerate() {
-            let mut seen = alloc::collect(of_rim.iter().enumerate().map(|(i, look)| (look.rim, i as u32)))?;
-            seen.retain(|&(k, _)| k != NONE);
-            seen.sort_unstable();
-            for group in seen.chunk_by(|x, y| x.0 == y.0) {
+        let mut proximities = Vec::new();
+        for (r, of_rim) in nearest_vertices.iter().enumerate() {
+            let mut pairs = alloc::collect(of_rim.iter().enumerate().map(|(i, look)| (look.rim, i as u32)))?;
+            pairs.retain(|&(k, _)| k != NONE);
+            pairs.sort_unstable();
+            for group in pairs.chunk_by(|x, y| x.0 == y.0) {
                 let mut distances = alloc::collect(group.iter().map(|&(_, i)| of_rim[i as usize].distance))?;
                 let mean = distances.iter().sum::<f64>() / group.len() as f64;
                 distances.sort_unstable_by(f64::total_cmp);
                 let [low, high] = [1, 9].map(|tenth| distances[(distances.len() - 1) * tenth / 10]);
-                let even = high <= SPREAD * low.max(self.candidates[r].spacing);
+                let even = high <= MAX_DISTANCE_RATIO * low.max(self.candidates[r].spacing);
                 let k = group[0].0 as usize;
                 let round = even || winds_once(&lengths[k], group.iter().map(|&(_, i)| of_rim[i as usize].place));
-                alloc::push(&mut counts, Seen { rims: [r as u32, group[0].0], count: group.len(), mean, round })?;
+                alloc::push(
+                    &mut proximities,
+                    LoopProximity { rims: [r as u32, group[0].0], count: group.len(), mean, round },
+                )?;
             }
         }
-        Ok(counts)
+        Ok(proximities)
     }
 
     /// Adds the arcs that face each other of loops that are not joined as wholes.
-    fn find_arcs(&self, looks: &[Vec<Look>], whole: &[bool], found: &mut Vec<Facing>) -> Result<()> {
-        let near = |r: usize, look: &Look| {
+    fn find_arcs(
+        &self,
+        nearest_vertices: &[Vec<NearestVertex>],
+        whole: &[bool],
+        found: &mut Vec<Facing>,
+    ) -> Result<()> {
+        let near = |r: usize, look: &NearestVertex| {
             look.rim != NONE
                 && look.distance <= self.arc_limit(r, look.rim as usize)
                 && !whole[r]
                 && !whole[look.rim as usize]
         };
         // A vertex sees another loop if that looks back at its loop, and not at a part of it that is far nearer.
-        let sees = |r: usize, look: &Look| {
+        let sees = |r: usize, look: &NearestVertex| {
             near(r, look) && {
                 let k = look.rim as usize;
-                let back = looks[k][look.place as usize];
+                let back = nearest_vertices[k][look.place as usize];
                 let spacing = self.candidates[r].spacing.max(self.candidates[k].spacing);
                 near(k, &back) && back.rim as usize == r && look.distance <= 2.0 * back.distance + spacing
             }
         };
         // (loop, loop it faces, arc), and for each vertex the number of its arc.
         let mut arcs: Vec<(usize, usize, Arc)> = Vec::new();
-        let mut of_vertex = alloc::with_capacity(looks.len())?;
-        for (r, of_rim) in looks.iter().enumerate() {
+        let mut of_vertex = alloc::with_capacity(nearest_vertices.len())?;
+        for (r, of_rim) in nearest_vertices.iter().enumerate() {
             let mut numbers = alloc::filled(NONE, of_rim.len())?;
             let mut faced = alloc::collect(of_rim.iter().map(|look| if sees(r, look) { look.rim } else { NONE }))?;
             faced.sort_unstable();
@@ -250,7 +267,7 @@ impl Search<'_> {
             for &k in faced.iter().filter(|&&k| k != NONE) {
                 for arc in cyclic_runs(of_rim, |look| look.rim == k && sees(r, look))? {
                     let arc = trimmed(arc, of_rim);
-                    if arc.count >= SHORTEST && arc.count < of_rim.len() {
+                    if arc.count >= MIN_ARC_VERTICES && arc.count < of_rim.len() {
                         arc.places(of_rim.len()).for_each(|i| numbers[i] = arcs.len() as u32);
                         alloc::push(&mut arcs, (r, k as usize, arc))?;
                     }
@@ -258,15 +275,15 @@ impl Search<'_> {
             }
             of_vertex.push(numbers);
         }
-        // Each arc looks at the one that most of its vertices look at; two that look at each other are joined.
+        // Each arc faces the one that holds most of its nearest vertices; arcs that face each other are joined.
         let partner = |&(r, k, arc): &(usize, usize, Arc)| -> Result<(u32, f64)> {
-            let mut seen = alloc::with_capacity(arc.count)?;
-            let places = arc.places(looks[r].len());
-            seen.extend(places.clone().map(|i| of_vertex[k][looks[r][i].place as usize]));
-            seen.sort_unstable();
-            let groups = seen.chunk_by(|x, y| x == y).filter(|group| group[0] != NONE);
+            let mut facing = alloc::with_capacity(arc.count)?;
+            let places = arc.places(nearest_vertices[r].len());
+            facing.extend(places.clone().map(|i| of_vertex[k][nearest_vertices[r][i].place as usize]));
+            facing.sort_unstable();
+            let groups = facing.chunk_by(|x, y| x == y).filter(|group| group[0] != NONE);
             let most = groups.rev().max_by_key(|group| group.len()).map_or(NONE, |group| group[0]);
-            Ok((most, places.map(|i| looks[r][i].distance).sum::<f64>() / arc.count as f64))
+            Ok((most, places.map(|i| nearest_vertices[r][i].distance).sum::<f64>() / arc.count as f64))
         };
         let mut partners = alloc::with_capacity(arcs.len())?;
         for arc in &arcs {
@@ -283,9 +300,9 @@ impl Search<'_> {
     }
 }
 
-/// Without the vertices at the ends that look back at a corner: those that look where the next one does, from farther away.
-fn trimmed(arc: Arc, looks: &[Look]) -> Arc {
-    let look = |i: usize| &looks[(arc.first + i) % looks.len()];
+/// Trims end vertices that share their nearest vertex with their neighbour, from farther away: they look back at a corner.
+fn trimmed(arc: Arc, nearest_vertices: &[NearestVertex]) -> Arc {
+    let look = |i: usize| &nearest_vertices[(arc.first + i) % nearest_vertices.len()];
     let (mut first, mut last) = (0, arc.count.saturating_sub(1));
     let behind = |i: usize, next: usize| look(i).place == look(next).place && look(i).distance > look(next).distance;
     while first < last && behind(first, first + 1) {
@@ -294,7 +311,7 @@ fn trimmed(arc: Arc, looks: &[Look]) -> Arc {
     while first < last && behind(last, last - 1) {
         last -= 1;
     }
-    Arc { first: (arc.first + first) % looks.len(), count: last + 1 - first }
+    Arc { first: (arc.first + first) % nearest_vertices.len(), count: last + 1 - first }
 }
 
 /// The length of a closed rim from place 0 to each place, and all round.

@@ -1,7 +1,7 @@
 //! The whole of assembly: from pieces to one mesh and its account.
 
 use super::agree::Agreement;
-use super::facing_loops::{Candidate, Facing, Search};
+use super::facing_loops::{Candidate, Facing, FacingSearch};
 use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector};
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
@@ -12,10 +12,10 @@ use crate::job::Job;
 use crate::mesh::{Defect, Mesh, MeshView, NONE, Sets, concat};
 use crate::repair::{orient, weld};
 use crate::stitch::combine::append_strip;
+use crate::stitch::fair_and_check::fair_and_check;
 use crate::stitch::pairing::mean_gap;
 use crate::stitch::rim::{Bridges, Rim, is_usable, shared_vertex};
 use crate::stitch::sense::{arcs_run_the_same_way, rims_disagree};
-use crate::stitch::settle::settle;
 use crate::stitch::strip::Strip;
 use crate::stitch::{self, IndexMap};
 
@@ -75,13 +75,13 @@ pub fn assemble(pieces: &[MeshView<'_>], options: &Options<'_>, job: &Job<'_>) -
                 Err(Error::NoStrip { .. }) => joint.outcome = Outcome::NoStrip,
                 Err(error) => return Err(error),
                 Ok(mut strip) => {
-                    let settled = settle(&base.mesh, &mut strip, loops.unit, &strips, &part.part(0.6, 1.0))?;
-                    let hung = append_strip(&mut base.mesh, &strip, loops.unit)?;
+                    let checked = fair_and_check(&base.mesh, &mut strip, loops.unit, &strips, &part.part(0.6, 1.0))?;
+                    let attached = append_strip(&mut base.mesh, &strip, loops.unit)?;
                     edges.enter_strip(&strip)?;
                     joint.sides = [strip.a.vertices, strip.b.vertices];
-                    joint.vertices = hung.vertices;
-                    joint.faces = hung.faces;
-                    joint.intersections = settled.intersections;
+                    joint.vertices = attached.vertices;
+                    joint.faces = attached.faces;
+                    joint.intersections = checked.intersections;
                     facing.rims.iter().for_each(|&r| hangs[r] = true);
                 }
             }
@@ -426,10 +426,10 @@ fn chosen_pairs(base: &Base, loops: &Loops, options: &Options<'_>, job: &Job<'_>
             MaxGap::Given(gap) => MaxGap::Given(gap / loops.unit),
             MaxGap::Auto => MaxGap::Auto,
         };
-        let search = Search {
+        let search = FacingSearch {
             rims: &loops.rims,
             candidates: &loops.candidates,
-            taken: &taken,
+            used: &taken,
             excluded: &excluded,
             within_components: options.within_components,
             arcs: !options.whole_loops_only,

@@ -4,14 +4,14 @@
 //! For small angles t this is t^2 / 2 times the length: like the energy of a bent plate, it would rather have many small
 //! bends than one sharp one. A triangle without area counts as square to its neighbours.
 
-use super::{Pair, Rails};
+use super::{Pair, RimPair};
 use glam::DVec3;
 
 /// The strip's bends between two polylines.
 pub(super) struct Bends<'a> {
     a: &'a [DVec3],
     b: &'a [DVec3],
-    /// See [`Rails::sides`].
+    /// See [`RimPair::sides`].
     sides: Option<[&'a [DVec3]; 2]>,
     /// Weight of the meridians' squared lengths.
     tie: f64,
@@ -22,8 +22,8 @@ pub(super) type Normals = [DVec3; 2];
 
 impl<'a> Bends<'a> {
     /// `tie`: see [`tie_break`].
-    pub(super) fn new(rails: &Rails<'a>, tie: f64) -> Self {
-        let &Rails { a, b, sides, .. } = rails;
+    pub(super) fn new(rails: &RimPair<'a>, tie: f64) -> Self {
+        let &RimPair { a, b, sides, .. } = rails;
         Bends { a, b, sides, tie }
     }
 
@@ -57,7 +57,7 @@ impl<'a> Bends<'a> {
 
 /// A weight for the meridians' squared lengths, as on flat ground all strips are alike, and round-off would choose: on the
 /// paper's own strip they come to 2^-20 of the meridians' lengths.
-pub(super) fn tie_break(rails: &Rails<'_>, paper: &[Pair]) -> f64 {
+pub(super) fn tie_break(rails: &RimPair<'_>, paper: &[Pair]) -> f64 {
     let squared = |&[i, j]: &Pair| rails.a[i as usize].distance_squared(rails.b[j as usize]);
     let (lengths, squares) =
         paper.iter().map(squared).fold((0.0, 0.0), |(lengths, squares), s| (lengths + s.sqrt(), squares + s));

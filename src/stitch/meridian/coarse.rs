@@ -5,36 +5,36 @@
 //! is widened where the path found touches its border, or where forbidden meridians close it.
 
 use super::band::Band;
-use super::{Pair, Rails};
+use super::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
 
 /// A lattice of at most so many nodes is searched whole.
-const COARSEST: usize = 1 << 16;
+const MAX_COARSEST_NODES: usize = 1 << 16;
 
 /// A rim of fewer segments than this is not thinned out further.
-const FEWEST: usize = 32;
+const MIN_SEGMENTS: usize = 32;
 
 /// Half the width of the band.
-const WIDTH: usize = 8;
+const HALF_BAND: usize = 8;
 
 /// Half the width of the band where the path touched the border of a narrower one, at most.
-const WIDEST: usize = 512;
+const MAX_HALF_BAND: usize = 512;
 
 /// If more than one in so many nodes of the path touch the border, the whole band is widened.
-const MANY: usize = 128;
+const NODES_PER_BORDER_NODE: usize = 128;
 
 /// Searches the lattice coarse to fine. `search` finds the best path within a band of the lattice of some rails, the given ones
-/// thinned out. Time and memory: the search of about (2 WIDTH + 1) (N + M) nodes, and half as many, and so on.
+/// thinned out. Time and memory: the search of about (2 HALF_BAND + 1) (N + M) nodes, and half as many, and so on.
 pub(super) fn coarse_to_fine(
-    rails: &Rails<'_>,
-    search: &impl Fn(&Rails<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
+    rails: &RimPair<'_>,
+    search: &impl Fn(&RimPair<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
     job: &Job<'_>,
 ) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
-    if (n + 1) * (m + 1) <= COARSEST || (n < FEWEST && m < FEWEST) {
+    if (n + 1) * (m + 1) <= MAX_COARSEST_NODES || (n < MIN_SEGMENTS && m < MIN_SEGMENTS) {
         return search(rails, &Band::full(n, m)?, job);
     }
     let (kept_a, kept_b) = (thinned(rails.a)?, thinned(rails.b)?);
@@ -46,13 +46,13 @@ pub(super) fn coarse_to_fine(
     };
     // A forbidden meridian forbids nothing in the large.
     let sides = sides.as_ref().map(|[side_a, side_b]| [side_a.as_slice(), side_b.as_slice()]);
-    let coarse = Rails { a: &a, b: &b, closed: rails.closed, forbidden: &[], sides };
+    let coarse = RimPair { a: &a, b: &b, closed: rails.closed, forbidden: &[], sides };
     let Some(mut path) = coarse_to_fine(&coarse, search, &job.part(0.0, 0.4))? else {
         return Ok(None);
     };
     path.iter_mut().for_each(|[i, j]| (*i, *j) = (kept_a[*i as usize], kept_b[*j as usize]));
-    let mut band = Band::around(&path, n, m, WIDTH)?;
-    let (mut width, mut done) = (WIDTH, 0.4);
+    let mut band = Band::around(&path, n, m, HALF_BAND)?;
+    let (mut width, mut done) = (HALF_BAND, 0.4);
     loop {
         let until = (1.0 + done) / 2.0;
         let found = search(rails, &band, &job.part(done, until))?;
@@ -61,13 +61,13 @@ pub(super) fn coarse_to_fine(
             // Where the path runs along the border of the band, a better one may be beyond.
             Some(found) => {
                 let touching = band.touched_by(&found)?;
-                if touching.is_empty() || width > WIDEST {
+                if touching.is_empty() || width > MAX_HALF_BAND {
                     return Ok(Some(found));
                 }
-                if touching.len() > found.len() / MANY {
+                if touching.len() > found.len() / NODES_PER_BORDER_NODE {
                     band = Band::around(&found, n, m, width)?;
                 } else {
-                    band = Band::around(&found, n, m, WIDTH)?;
+                    band = Band::around(&found, n, m, HALF_BAND)?;
                     band.widen(&touching, width);
                 }
             }
@@ -82,7 +82,7 @@ pub(super) fn coarse_to_fine(
 /// thinned out and long edges stay. At most three quarters of many.
 fn thinned(points: &[DVec3]) -> Result<Vec<u32>> {
     let last = points.len() - 1;
-    if last < FEWEST {
+    if last < MIN_SEGMENTS {
         return alloc::collect((0..points.len()).map(|i| i as u32));
     }
     let edge = |i: usize| points[i].distance(points[i - 1]);

@@ -7,30 +7,30 @@
 //! computes each block but the last once more.
 
 use super::band::Band;
-use super::metric::{Line, Metric, Steps};
-use super::{Pair, Rails};
+use super::metric::{Line, Metric, StepCosts};
+use super::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 
 /// Nodes whose arrivals are kept at a time, one byte each.
-const BLOCK: usize = 1 << 26;
+const MAX_ARRIVALS: usize = 1 << 26;
 
 /// Nodes between two progress reports.
-const REPORT: usize = 1 << 19;
+const REPORT_INTERVAL: usize = 1 << 19;
 
 /// How a node is reached.
-const BY_A: u8 = 0;
-const BY_B: u8 = 1;
-const BY_BOTH: u8 = 2;
+const STEP_A: u8 = 0;
+const STEP_B: u8 = 1;
+const STEP_BOTH: u8 = 2;
 
 /// The cheapest path within `band`, from (0, 0) to (N, M); `None` if the forbidden nodes leave none.
 ///
 /// Time: the number of nodes in the band. Extra memory: one byte a node for at most 2^26 nodes, and 8 bytes a node of the first
 /// row of each further block of so many.
-pub(super) fn cheapest(rails: &Rails<'_>, metric: Metric, band: &Band, job: &Job<'_>) -> Result<Option<Vec<Pair>>> {
+pub(super) fn cheapest(rails: &RimPair<'_>, metric: Metric, band: &Band, job: &Job<'_>) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (band.last_row(), band.last_column());
-    let blocks = band.blocks(BLOCK)?;
+    let blocks = band.blocks(MAX_ARRIVALS)?;
     let largest = blocks.iter().map(|rows| band.nodes(rows.clone())).max().unwrap_or(0);
     let mut arrivals = alloc::filled(0u8, largest)?;
     let mut table = Table {
@@ -38,7 +38,7 @@ pub(super) fn cheapest(rails: &Rails<'_>, metric: Metric, band: &Band, job: &Job
         metric,
         band,
         line: Line::new(rails.b)?,
-        steps: Steps::new(m + 1)?,
+        steps: StepCosts::new(m + 1)?,
         cost: alloc::filled(f64::INFINITY, m + 1)?,
     };
 
@@ -69,8 +69,8 @@ pub(super) fn cheapest(rails: &Rails<'_>, metric: Metric, band: &Band, job: &Job
         while i >= rows.start {
             path.push([i as u32, j as u32]);
             let arrival = arrivals[row_start + j - band.columns(i).start()];
-            j -= usize::from(arrival != BY_A);
-            if arrival != BY_B {
+            j -= usize::from(arrival != STEP_A);
+            if arrival != STEP_B {
                 i -= 1;
                 row_start -= if i >= rows.start { band.width(i) } else { 0 };
             }
@@ -82,11 +82,11 @@ pub(super) fn cheapest(rails: &Rails<'_>, metric: Metric, band: &Band, job: &Job
 }
 
 struct Table<'a> {
-    rails: &'a Rails<'a>,
+    rails: &'a RimPair<'a>,
     metric: Metric,
     band: &'a Band,
     line: Line,
-    steps: Steps,
+    steps: StepCosts,
     /// The cheapest ways to the nodes of the row reached so far; infinite beyond the band.
     cost: Vec<f64>,
 }
@@ -115,7 +115,7 @@ impl Table<'_> {
     /// From the row before `rows` to the last of them.
     fn run(&mut self, rows: std::ops::Range<usize>, arrivals: &mut [u8], job: &Job<'_>) -> Result<()> {
         let (first, count) = (rows.start, rows.len());
-        let (mut done, mut next_report) = (0, REPORT);
+        let (mut done, mut next_report) = (0, REPORT_INTERVAL);
         for i in rows {
             self.measure(i);
             let width = self.band.width(i);
@@ -126,7 +126,7 @@ impl Table<'_> {
             }
             done += width;
             if done >= next_report {
-                next_report += REPORT;
+                next_report += REPORT_INTERVAL;
                 job.step((i - first) as f64 / count as f64, "finding the best meridians")?;
             }
         }
@@ -145,12 +145,12 @@ impl Table<'_> {
         for ((cost, (step_a, step_b)), arrival) in self.cost[columns].iter_mut().zip(steps).zip(arrivals) {
             let (by_a, by_b) = (*cost + step_a, left + step_b);
             let mut best = if by_b < by_a { by_b } else { by_a };
-            *arrival = if by_b < by_a { BY_B } else { BY_A };
+            *arrival = if by_b < by_a { STEP_B } else { STEP_A };
             if BOTH {
                 let by_both = before + step_a;
                 if by_both <= best {
                     best = by_both;
-                    *arrival = BY_BOTH;
+                    *arrival = STEP_BOTH;
                 }
                 before = *cost;
             }

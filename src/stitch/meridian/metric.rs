@@ -25,16 +25,16 @@ impl Line {
 }
 
 /// The costs of the steps into the nodes of one row: `a[j]` and `b[j]` belong to (i, j).
-pub(super) struct Steps {
+pub(super) struct StepCosts {
     pub(super) a: Vec<f64>,
     pub(super) b: Vec<f64>,
     /// |A_i B_j|^2.
     squared: Vec<f64>,
 }
 
-impl Steps {
+impl StepCosts {
     pub(super) fn new(len: usize) -> Result<Self> {
-        Ok(Steps { a: alloc::filled(0.0, len)?, b: alloc::filled(0.0, len)?, squared: alloc::filled(0.0, len)? })
+        Ok(StepCosts { a: alloc::filled(0.0, len)?, b: alloc::filled(0.0, len)?, squared: alloc::filled(0.0, len)? })
     }
 }
 
@@ -65,7 +65,7 @@ impl Metric {
 
     /// The costs of the steps into the nodes (i, j) for j in `range`. These loops have no branches, so that they run on
     /// vectors.
-    pub(super) fn measure(self, a: &[DVec3], b: &Line, i: usize, range: RangeInclusive<usize>, steps: &mut Steps) {
+    pub(super) fn measure(self, a: &[DVec3], b: &Line, i: usize, range: RangeInclusive<usize>, steps: &mut StepCosts) {
         let (first, last) = (*range.start(), *range.end());
         let here = a[i];
         let [x, y, z] = [&b.x[first..=last], &b.y[first..=last], &b.z[first..=last]];

@@ -17,10 +17,10 @@
 mod band;
 mod bend;
 mod coarse;
+mod greedy;
 pub mod index_rule;
 mod lattice;
 mod metric;
-mod simple;
 mod states;
 #[cfg(test)]
 mod tests;
@@ -33,7 +33,7 @@ use bend::{Bends, tie_break};
 use glam::DVec3;
 use index_rule::index_meridians;
 use metric::Metric;
-use states::{Cost, cheapest, is_proper};
+use states::{Cost, cheapest, is_simple};
 
 /// One meridian: the places on rim A and on rim B.
 pub type Pair = [u32; 2];
@@ -55,7 +55,7 @@ pub enum Meridians {
     /// The strip of triangles with the least bends: the sum over its edges, rims included, of length times (1 - cos of the
     /// angle between the normals).
     Smooth,
-    /// Steps on both rims at once wherever that makes the sum of the meridians' squared lengths less (dynamic time warping):
+    /// StepCosts on both rims at once wherever that makes the sum of the meridians' squared lengths less (dynamic time warping):
     /// quads where both sides advance, triangles elsewhere. Meant for strips with interior rows.
     Quad,
 }
@@ -74,10 +74,10 @@ pub enum Search {
 }
 
 /// Lattices of more nodes than this are searched coarse to fine.
-const LARGE: usize = 1 << 21;
+const MAX_EXACT_NODES: usize = 1 << 21;
 
 /// Where meridians run: two polylines of N + 1 and M + 1 points; of closed ones the last point is the first again.
-pub(crate) struct Rails<'a> {
+pub(crate) struct RimPair<'a> {
     pub(crate) a: &'a [DVec3],
     pub(crate) b: &'a [DVec3],
     pub(crate) closed: bool,
@@ -88,7 +88,7 @@ pub(crate) struct Rails<'a> {
     pub(crate) sides: Option<[&'a [DVec3]; 2]>,
 }
 
-impl Rails<'_> {
+impl RimPair<'_> {
     fn forbidden_in_row(&self, i: usize) -> &[Pair] {
         let from = self.forbidden.partition_point(|&[row, _]| (row as usize) < i);
         let count = self.forbidden[from..].partition_point(|&[row, _]| row as usize == i);
@@ -101,7 +101,7 @@ impl Rails<'_> {
 }
 
 /// Meridians, and what they cost in the measure of their choice.
-pub(crate) struct Chosen {
+pub(crate) struct MeridianChoice {
     pub(crate) pairs: Vec<Pair>,
     /// To be compared with others of the same rims and choice only.
     pub(crate) cost: f64,
@@ -109,54 +109,59 @@ pub(crate) struct Chosen {
 
 /// The meridians of `choice` that pass no forbidden node, and of closed rims use none twice; `None` if there are none. The
 /// rule by index minds neither.
-pub(crate) fn meridians(rails: &Rails<'_>, choice: Meridians, search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
+pub(crate) fn meridians(
+    rails: &RimPair<'_>,
+    choice: Meridians,
+    search: Search,
+    job: &Job<'_>,
+) -> Result<Option<MeridianChoice>> {
     let (a, b) = (rails.a, rails.b);
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1)?;
     let area = Metric::area(a, b, &paper);
-    let chosen = |metric: Metric, pairs: Vec<Pair>| Chosen { cost: metric.of_path(a, b, &pairs), pairs };
+    let chosen = |metric: Metric, pairs: Vec<Pair>| MeridianChoice { cost: metric.of_path(a, b, &pairs), pairs };
     let simple = match choice {
         Meridians::Index => return Ok(Some(chosen(area, paper))),
-        Meridians::ArcLength => simple::by_arc_length(rails)?,
-        Meridians::Greedy => simple::greedily(rails)?,
+        Meridians::ArcLength => greedy::by_arc_length(rails)?,
+        Meridians::Greedy => greedy::greedily(rails)?,
         Meridians::MinArea => return additive(rails, area, search, job),
         Meridians::MinDiagonal => return additive(rails, Metric::Diagonal, search, job),
         Meridians::Quad => return additive(rails, Metric::Quad, search, job),
         Meridians::Smooth => return smooth(rails, &paper, search, job),
     };
-    if is_proper(rails, &simple) && !simple.iter().any(|&pair| rails.is_forbidden(pair)) {
+    if is_simple(rails, &simple) && !simple.iter().any(|&pair| rails.is_forbidden(pair)) {
         return Ok(Some(chosen(Metric::Diagonal, simple)));
     }
     additive(rails, Metric::Diagonal, search, job)
 }
 
 /// The cheapest path for a metric that depends on each step alone.
-fn additive(rails: &Rails<'_>, metric: Metric, search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
-    let find = |rails: &Rails<'_>, band: &Band, job: &Job<'_>| match lattice::cheapest(
+fn additive(rails: &RimPair<'_>, metric: Metric, search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
+    let find = |rails: &RimPair<'_>, band: &Band, job: &Job<'_>| match lattice::cheapest(
         rails,
         metric,
         band,
         &job.part(0.0, 0.5),
     )? {
         // The best of all paths is usually proper, and then the best of the proper ones.
-        Some(path) if !is_proper(rails, &path) => {
-            Ok(cheapest(rails, &Cost::Steps(metric), band, true, &job.part(0.5, 1.0))?.map(|(_, path)| path))
+        Some(path) if !is_simple(rails, &path) => {
+            Ok(cheapest(rails, &Cost::StepCosts(metric), band, true, &job.part(0.5, 1.0))?.map(|(_, path)| path))
         }
         found => Ok(found),
     };
-    let pairs = wide_or_deep(rails, search, &find, job)?;
-    Ok(pairs.map(|pairs| Chosen { cost: metric.of_path(rails.a, rails.b, &pairs), pairs }))
+    let pairs = search_lattice(rails, search, &find, job)?;
+    Ok(pairs.map(|pairs| MeridianChoice { cost: metric.of_path(rails.a, rails.b, &pairs), pairs }))
 }
 
 /// The path of the least bends.
-fn smooth(rails: &Rails<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<Chosen>> {
+fn smooth(rails: &RimPair<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> Result<Option<MeridianChoice>> {
     let cost = std::cell::Cell::new(f64::INFINITY);
     let tie = tie_break(rails, paper);
-    let find = |rails: &Rails<'_>, band: &Band, job: &Job<'_>| {
+    let find = |rails: &RimPair<'_>, band: &Band, job: &Job<'_>| {
         let (first, second) = (job.part(0.0, 0.5), job.part(0.5, 1.0));
         let bends = Bends::new(rails, tie);
         // As with the others: the best of all paths is usually proper.
         let found = match cheapest(rails, &Cost::Bends(&bends), band, false, &first)? {
-            Some((_, path)) if !is_proper(rails, &path) => cheapest(rails, &Cost::Bends(&bends), band, true, &second)?,
+            Some((_, path)) if !is_simple(rails, &path) => cheapest(rails, &Cost::Bends(&bends), band, true, &second)?,
             found => found,
         };
         Ok(found.map(|(least, path)| {
@@ -164,19 +169,19 @@ fn smooth(rails: &Rails<'_>, paper: &[Pair], search: Search, job: &Job<'_>) -> R
             path
         }))
     };
-    let pairs = wide_or_deep(rails, search, &find, job)?;
-    Ok(pairs.map(|pairs| Chosen { cost: cost.get(), pairs }))
+    let pairs = search_lattice(rails, search, &find, job)?;
+    Ok(pairs.map(|pairs| MeridianChoice { cost: cost.get(), pairs }))
 }
 
 /// Searches the whole lattice, or coarse to fine.
-fn wide_or_deep(
-    rails: &Rails<'_>,
+fn search_lattice(
+    rails: &RimPair<'_>,
     search: Search,
-    find: &impl Fn(&Rails<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
+    find: &impl Fn(&RimPair<'_>, &Band, &Job<'_>) -> Result<Option<Vec<Pair>>>,
     job: &Job<'_>,
 ) -> Result<Option<Vec<Pair>>> {
     let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
-    if search == Search::Auto && (n + 1) * (m + 1) > LARGE {
+    if search == Search::Auto && (n + 1) * (m + 1) > MAX_EXACT_NODES {
         return coarse::coarse_to_fine(rails, find, job);
     }
     find(rails, &Band::full(n, m)?, job)

@@ -12,8 +12,8 @@
 
 use super::band::Band;
 use super::bend::{Bends, Normals};
-use super::metric::{Line, Metric, Steps};
-use super::{Pair, Rails};
+use super::metric::{Line, Metric, StepCosts};
+use super::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -28,11 +28,11 @@ const WITHIN_A: usize = 2;
 const LAST_B: usize = 4;
 
 /// Nodes between two progress reports.
-const REPORT: usize = 1 << 16;
+const REPORT_INTERVAL: usize = 1 << 16;
 
 /// A step.
 #[derive(Clone, Copy, PartialEq)]
-enum By {
+enum Step {
     A,
     B,
     Both,
@@ -41,35 +41,35 @@ enum By {
 /// What a path costs.
 pub(super) enum Cost<'a> {
     /// A sum over its steps.
-    Steps(Metric),
+    StepCosts(Metric),
     /// The bends.
     Bends(&'a Bends<'a>),
 }
 
 type Costs = [f64; STATES];
-const NEVER: Costs = [f64::INFINITY; STATES];
+const UNREACHABLE: Costs = [f64::INFINITY; STATES];
 
 /// The bits that a step into (i, j) sets; `LAST_B` is forgotten with each step.
-fn advance(rails: &Rails<'_>, by: By, i: usize, j: usize, bends: bool) -> usize {
+fn advance(rails: &RimPair<'_>, by: Step, i: usize, j: usize, bends: bool) -> usize {
     let (n, m) = (rails.a.len() - 1, rails.b.len() - 1);
-    let (i_before, j_before) = (i - usize::from(by != By::B), j - usize::from(by != By::A));
-    let within_b = by != By::B && j_before < m && j > 0;
-    let within_a = by != By::A && i_before < n && i > 0;
-    let last = if bends && by == By::B { LAST_B } else { 0 };
+    let (i_before, j_before) = (i - usize::from(by != Step::B), j - usize::from(by != Step::A));
+    let within_b = by != Step::B && j_before < m && j > 0;
+    let within_a = by != Step::A && i_before < n && i > 0;
+    let last = if bends && by == Step::B { LAST_B } else { 0 };
     (usize::from(within_b) * WITHIN_B) | (usize::from(within_a) * WITHIN_A) | last
 }
 
 /// True if no meridian of the path is used twice. A path between open rims has none.
-pub(super) fn is_proper(rails: &Rails<'_>, path: &[Pair]) -> bool {
+pub(super) fn is_simple(rails: &RimPair<'_>, path: &[Pair]) -> bool {
     let mut state = 0;
     for step in path.windows(2) {
         let ([i, j], [i2, j2]) = (step[0], step[1]);
         let by = if i == i2 {
-            By::B
+            Step::B
         } else if j == j2 {
-            By::A
+            Step::A
         } else {
-            By::Both
+            Step::Both
         };
         state |= advance(rails, by, i2 as usize, j2 as usize, false);
     }
@@ -82,46 +82,46 @@ pub(super) fn is_proper(rails: &Rails<'_>, path: &[Pair]) -> bool {
 /// Time: the number of nodes in the band, for each of the states that there are (four for proper paths, twice as many for
 /// bends), twice for bends between closed rims. Extra memory: 8 bytes a node.
 pub(super) fn cheapest(
-    rails: &Rails<'_>,
+    rails: &RimPair<'_>,
     cost: &Cost<'_>,
     band: &Band,
-    proper: bool,
+    simple: bool,
     job: &Job<'_>,
 ) -> Result<Option<(f64, Vec<Pair>)>> {
-    let proper = proper && rails.closed;
+    let simple = simple && rails.closed;
     let bends = matches!(cost, Cost::Bends(_));
-    let exists = |state: &usize| (proper || state & 3 == 0) && (bends || state & LAST_B == 0);
+    let exists = |state: &usize| (simple || state & 3 == 0) && (bends || state & LAST_B == 0);
     let states: Vec<usize> = (0..STATES).filter(exists).collect();
     let (n, m) = (band.last_row(), band.last_column());
     let mut search = Search {
         rails,
         cost,
         states: &states,
-        kept: if proper { STATES - 1 } else { LAST_B },
+        kept: if simple { STATES - 1 } else { LAST_B },
         band,
         line: Line::new(rails.b)?,
-        steps: Steps::new(m + 1)?,
-        row: alloc::filled(NEVER, m + 1)?,
+        steps: StepCosts::new(m + 1)?,
+        row: alloc::filled(UNREACHABLE, m + 1)?,
         normals: alloc::filled([DVec3::ZERO; 2], if matches!(cost, Cost::Bends(_)) { m + 1 } else { 0 })?,
         arrivals: alloc::filled([0u8; STATES], band.nodes(0..n + 1))?,
     };
-    let firsts: &[Option<By>] = match cost {
-        Cost::Bends(_) if rails.closed => &[Some(By::A), Some(By::B)],
+    let firsts: &[Option<Step>] = match cost {
+        Cost::Bends(_) if rails.closed => &[Some(Step::A), Some(Step::B)],
         _ => &[None],
     };
     let mut best: Option<(f64, Vec<Pair>)> = None;
     for (k, &first) in firsts.iter().enumerate() {
         let part = job.share(k, firsts.len());
         search.run(first, &part)?;
-        for &state in states.iter().filter(|&state| !proper || state & 3 == WITHIN_A | WITHIN_B) {
+        for &state in states.iter().filter(|&state| !simple || state & 3 == WITHIN_A | WITHIN_B) {
             let mut total = search.row[m][state];
             if let (Cost::Bends(bends), Some(first)) = (cost, first) {
                 let last = bends.normals(n, m)[usize::from(state & LAST_B > 0)];
-                let next = if first == By::A { bends.normals(1, 0)[0] } else { bends.normals(0, 1)[1] };
+                let next = if first == Step::A { bends.normals(1, 0)[0] } else { bends.normals(0, 1)[1] };
                 total += bends.across(n, m, last, next);
             }
             if total < best.as_ref().map_or(f64::INFINITY, |&(least, _)| least) {
-                best = Some((total, search.way_back(state)?));
+                best = Some((total, search.backtrack(state)?));
             }
         }
     }
@@ -129,14 +129,14 @@ pub(super) fn cheapest(
 }
 
 struct Search<'a> {
-    rails: &'a Rails<'a>,
+    rails: &'a RimPair<'a>,
     cost: &'a Cost<'a>,
     /// The states that there are, and their bits.
     states: &'a [usize],
     kept: usize,
     band: &'a Band,
     line: Line,
-    steps: Steps,
+    steps: StepCosts,
     /// The cheapest ways to the nodes of one row.
     row: Vec<Costs>,
     /// For bends, the normals of the triangles that end at the nodes of that row.
@@ -147,50 +147,50 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Fills the table. `first`: the first step must be of this kind.
-    fn run(&mut self, first: Option<By>, job: &Job<'_>) -> Result<()> {
-        self.row.fill(NEVER);
+    fn run(&mut self, first: Option<Step>, job: &Job<'_>) -> Result<()> {
+        self.row.fill(UNREACHABLE);
         let mut start = 0;
         let mut reported = 0;
         for i in 0..=self.band.last_row() {
             self.next_row(i, start, first);
             start += self.band.width(i);
-            if start / REPORT > reported {
-                reported = start / REPORT;
+            if start / REPORT_INTERVAL > reported {
+                reported = start / REPORT_INTERVAL;
                 job.step(i as f64 / self.band.last_row() as f64, "finding the best meridians")?;
             }
         }
         Ok(())
     }
 
-    fn next_row(&mut self, i: usize, start: usize, first: Option<By>) {
+    fn next_row(&mut self, i: usize, start: usize, first: Option<Step>) {
         let columns = self.band.columns(i);
         let low = *columns.start();
-        if let Cost::Steps(metric) = self.cost {
+        if let Cost::StepCosts(metric) = self.cost {
             metric.measure(self.rails.a, &self.line, i, columns.clone(), &mut self.steps);
         }
-        let both = matches!(self.cost, Cost::Steps(metric) if metric.steps_on_both());
+        let both = matches!(self.cost, Cost::StepCosts(metric) if metric.steps_on_both());
         let shifted = i > 0 && low > *self.band.columns(i - 1).start();
-        let (mut left, mut before) = (NEVER, if shifted { self.row[low - 1] } else { NEVER });
+        let (mut left, mut before) = (UNREACHABLE, if shifted { self.row[low - 1] } else { UNREACHABLE });
         let mut left_normals = [DVec3::ZERO; 2];
         for j in columns {
             // Row i - 1 still stands at j, where it is within its band.
-            let up = if i > 0 { self.row[j] } else { NEVER };
+            let up = if i > 0 { self.row[j] } else { UNREACHABLE };
             let normals = if let Cost::Bends(bends) = self.cost { bends.normals(i, j) } else { left_normals };
-            let (mut here, mut how) = (NEVER, [0u8; STATES]);
+            let (mut here, mut how) = (UNREACHABLE, [0u8; STATES]);
             if (i, j) == (0, 0) {
                 here[0] = 0.0;
             }
-            let from = [(By::A, &up, i > 0), (By::B, &left, j > 0), (By::Both, &before, both && i > 0 && j > 0)];
+            let from = [(Step::A, &up, i > 0), (Step::B, &left, j > 0), (Step::Both, &before, both && i > 0 && j > 0)];
             for (kind, (by, costs, exists)) in from.into_iter().enumerate() {
-                let is_first = (i, j) == (usize::from(by != By::B), usize::from(by != By::A));
+                let is_first = (i, j) == (usize::from(by != Step::B), usize::from(by != Step::A));
                 if !exists || (is_first && first.is_some_and(|first| first != by)) {
                     continue;
                 }
-                // By the kind of the step before.
+                // Step the kind of the step before.
                 let steps = match self.cost {
-                    Cost::Steps(_) => [if by == By::B { self.steps.b[j] } else { self.steps.a[j] }; 2],
+                    Cost::StepCosts(_) => [if by == Step::B { self.steps.b[j] } else { self.steps.a[j] }; 2],
                     Cost::Bends(bends) => {
-                        let on_a = by == By::A;
+                        let on_a = by == Step::A;
                         let normal = normals[usize::from(!on_a)];
                         let along = bends.along(i, j, on_a, normal);
                         let (i, j, old) = if on_a { (i - 1, j, self.normals[j]) } else { (i, j - 1, left_normals) };
@@ -209,7 +209,7 @@ impl Search<'_> {
                 }
             }
             if self.rails.is_forbidden([i as u32, j as u32]) {
-                here = NEVER;
+                here = UNREACHABLE;
             }
             self.arrivals[start + j - low] = how;
             before = self.row[j];
@@ -223,7 +223,7 @@ impl Search<'_> {
     }
 
     /// The path to (N, M) in `state`.
-    fn way_back(&self, mut state: usize) -> Result<Vec<Pair>> {
+    fn backtrack(&self, mut state: usize) -> Result<Vec<Pair>> {
         let (mut i, mut j) = (self.band.last_row(), self.band.last_column());
         let mut start = self.band.nodes(0..i);
         let mut path = alloc::with_capacity(i + j + 1)?;

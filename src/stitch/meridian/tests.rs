@@ -6,7 +6,7 @@ use super::*;
 use proptest::prelude::*;
 
 /// The edges that a path uses, those of a closed polyline's end being those of its start.
-fn edges(rails: &Rails<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
+fn edges(rails: &RimPair<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
     let (n, m) = (rails.a.len(), rails.b.len());
     let (n, m) = if rails.closed { (n - 1, m - 1) } else { (n, m) };
     let mut edges: Vec<_> = path.iter().map(|&[i, j]| [i as usize % n, j as usize % m]).collect();
@@ -18,13 +18,13 @@ fn edges(rails: &Rails<'_>, path: &[Pair]) -> Vec<[usize; 2]> {
     edges
 }
 
-fn is_good(rails: &Rails<'_>, path: &[Pair]) -> bool {
+fn is_good(rails: &RimPair<'_>, path: &[Pair]) -> bool {
     edges(rails, path).windows(2).all(|pair| pair[0] != pair[1])
         && !path.iter().any(|pair| rails.forbidden.contains(pair))
 }
 
 /// Every good path, by recursion.
-fn all_paths(rails: &Rails<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pair])) {
+fn all_paths(rails: &RimPair<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pair])) {
     let end = [rails.a.len() as u32 - 1, rails.b.len() as u32 - 1];
     let mut paths = vec![vec![[0, 0]]];
     while let Some(path) = paths.pop() {
@@ -44,7 +44,7 @@ fn all_paths(rails: &Rails<'_>, steps: &[[u32; 2]], mut visit: impl FnMut(&[Pair
 }
 
 /// The bends of a strip, triangle by triangle.
-fn bends(rails: &Rails<'_>, path: &[Pair]) -> f64 {
+fn bends(rails: &RimPair<'_>, path: &[Pair]) -> f64 {
     let (a, b) = (|i: u32| rails.a[i as usize], |j: u32| rails.b[j as usize]);
     let mut sum = 0.0;
     let mut normals = Vec::new();
@@ -69,7 +69,7 @@ fn bends(rails: &Rails<'_>, path: &[Pair]) -> f64 {
     sum
 }
 
-fn check(rails: &Rails<'_>) {
+fn check(rails: &RimPair<'_>) {
     let (a, b) = (rails.a, rails.b);
     let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
     let length = |&[i, j]: &Pair| a[i as usize].distance(b[j as usize]);
@@ -153,8 +153,8 @@ proptest! {
         for few in [&[][..], &some] {
             let nodes = |closed| forbidden_nodes(few.iter().copied(), n, m, closed).unwrap();
             for sides in [None, Some(sides)] {
-                check(&Rails { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &nodes(true), sides });
-                check(&Rails { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides });
+                check(&RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &nodes(true), sides });
+                check(&RimPair { a: &a, b: &b, closed: false, forbidden: &nodes(false), sides });
             }
         }
     }
@@ -178,7 +178,7 @@ proptest! {
             }
         }
         let band = Band::around(&middle, n, m, width).unwrap();
-        let rails = Rails { a: &a, b: &b, closed: false, forbidden: &[], sides: None };
+        let rails = RimPair { a: &a, b: &b, closed: false, forbidden: &[], sides: None };
         let within = |path: &[Pair]| path.iter().all(|&[i, j]| band.columns(i as usize).contains(&(j as usize)));
         for (metric, steps) in [(Metric::Diagonal, &[[1, 0], [0, 1]][..]), (Metric::Quad, &[[1, 0], [0, 1], [1, 1]])] {
             let mut least = f64::INFINITY;
@@ -188,7 +188,7 @@ proptest! {
                 }
             });
             let plain = lattice::cheapest(&rails, metric, &band, &Job::default()).unwrap().unwrap();
-            let (_, by_states) = cheapest(&rails, &Cost::Steps(metric), &band, false, &Job::default()).unwrap().unwrap();
+            let (_, by_states) = cheapest(&rails, &Cost::StepCosts(metric), &band, false, &Job::default()).unwrap().unwrap();
             for path in [plain, by_states] {
                 let cost = metric.of_path(&a, &b, &path);
                 prop_assert!(within(&path) && (cost - least).abs() < 1e-12, "{metric:?} {cost} {least} {path:?}");
@@ -203,7 +203,7 @@ proptest! {
     ) {
         // Two points give no strip to measure.
         prop_assume!(a.len() + b.len() > 2);
-        check(&Rails { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None });
+        check(&RimPair { a: &polyline(&a), b: &polyline(&b), closed: false, forbidden: &[], sides: None });
     }
 }
 
@@ -226,11 +226,11 @@ proptest! {
             }).collect()
         };
         let (a, b) = (closed(&rim(n, 0.0, 0.0)), closed(&rim((ratio * n as f64) as usize, 0.3, shift)));
-        let rails = Rails { a: &a, b: &b, closed: true, forbidden: &[], sides: None };
+        let rails = RimPair { a: &a, b: &b, closed: true, forbidden: &[], sides: None };
         let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
         for metric in [Metric::area(&a, &b, &paper), Metric::Diagonal, Metric::Quad] {
             let job = Job::default();
-            let find = |rails: &Rails<'_>, band: &Band, job: &Job<'_>| lattice::cheapest(rails, metric, band, job);
+            let find = |rails: &RimPair<'_>, band: &Band, job: &Job<'_>| lattice::cheapest(rails, metric, band, job);
             let coarse = coarse::coarse_to_fine(&rails, &find, &job).unwrap().unwrap();
             let exact = find(&rails, &Band::full(a.len() - 1, b.len() - 1).unwrap(), &job).unwrap().unwrap();
             let (coarse, exact) = (metric.of_path(&a, &b, &coarse), metric.of_path(&a, &b, &exact));
@@ -247,7 +247,7 @@ fn a_plane_ring_gets_short_meridians() {
         (0..n).map(|i| DVec3::new(r * angle(i).cos(), r * angle(i).sin(), 0.0)).collect()
     };
     let (a, b) = (circle(48, 2.0), circle(32, 1.7));
-    let rails = Rails { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None };
+    let rails = RimPair { a: &closed(&a), b: &closed(&b), closed: true, forbidden: &[], sides: None };
     for choice in [Meridians::MinArea, Meridians::Smooth] {
         let chosen = meridians(&rails, choice, Search::Auto, &Job::default()).unwrap().unwrap();
         let length = |&[i, j]: &Pair| a[i as usize % 48].distance(b[j as usize % 32]);

@@ -6,7 +6,7 @@ use crate::mesh::NONE;
 use glam::DVec3;
 
 /// A triangulated patch under construction.
-pub(super) struct Net {
+pub(super) struct PatchMesh {
     /// The rim's points first.
     pub(super) points: Vec<DVec3>,
     pub(super) triangles: Vec<[u32; 3]>,
@@ -19,9 +19,9 @@ fn next(k: usize) -> usize {
     (k + 1) % 3
 }
 
-impl Net {
+impl PatchMesh {
     /// O(T log T).
-    pub(super) fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Net> {
+    pub(super) fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<PatchMesh> {
         let mut sides = alloc::with_capacity(3 * triangles.len())?;
         for (t, corners) in triangles.iter().enumerate() {
             for k in 0..3 {
@@ -36,7 +36,7 @@ impl Net {
             across[t as usize][k] = s;
             across[s as usize][j] = t;
         }
-        Ok(Net { points, triangles, across })
+        Ok(PatchMesh { points, triangles, across })
     }
 
     pub(super) fn corners(&self, t: usize) -> [DVec3; 3] {

@@ -1,4 +1,4 @@
-//! The strip among its neighbours: rows faired so that it meets both pieces smoothly, and faces that cut others.
+//! Fairing of the strip's rows, and its intersections with itself and with the pieces.
 //!
 //! **Fairing.** The new vertices move to where the sum of squared Laplacians, over them and the rims, is least (a thin plate;
 //! see [`fair`](crate::fair)); the rims and the old vertices round them stay; where those are nearer or farther than the rows
@@ -12,25 +12,25 @@ use super::strip::Strip;
 use crate::alloc;
 use crate::error::Result;
 use crate::fair::{Weights, thin_plate};
-use crate::intersect::{Soup, cutting_pairs};
+use crate::intersect::{Soup, intersecting_pairs};
 use crate::job::Job;
 use crate::mesh::{Mesh, Scalar};
 use glam::DVec3;
 
 /// The fairing is taken back at most so often.
-const ROUNDS: u32 = 12;
+const MAX_BACK_OFFS: u32 = 12;
 
 /// Below this the fairing of a vertex is given up.
-const FAINT: f64 = 0.1;
+const MIN_FAIRING_SHARE: f64 = 0.1;
 
 /// A rim vertex in more triangles than this is the apex of a fan.
-const LARGE_FAN: usize = 64;
+const MAX_FAN_TRIANGLES: usize = 64;
 
 /// How many edges away from a cut the fairing is taken back a little.
-const REACH: u32 = 4;
+const BACK_OFF_RINGS: u32 = 4;
 
-/// What came of it.
-pub(super) struct Settled {
+/// Result of [`fair_and_check`].
+pub(super) struct CheckedStrip {
     /// See [`Stitch::intersections`](super::Stitch::intersections).
     pub(super) intersections: Option<Vec<[u32; 2]>>,
     pub(super) back_offs: u32,
@@ -38,56 +38,62 @@ pub(super) struct Settled {
 
 /// Fairs the strip's rows and looks for faces that cut each other, as the options say. `whole` has the pieces without the
 /// strip, and the rims' vertices are numbered as there.
-pub(super) fn settle(whole: &Mesh, strip: &mut Strip, unit: f64, options: &Options, job: &Job<'_>) -> Result<Settled> {
+pub(super) fn fair_and_check(
+    whole: &Mesh,
+    strip: &mut Strip,
+    unit: f64,
+    options: &Options,
+    job: &Job<'_>,
+) -> Result<CheckedStrip> {
     let faired = options.fairing == Fairing::ThinPlate && !strip.grid.new.is_empty();
-    let looks = match options.intersections {
+    let checks = match options.intersections {
         Intersections::Auto => faired,
         Intersections::Ignore => false,
         Intersections::Report => true,
     };
     let rims = strip.a.vertices.len() + strip.b.vertices.len();
-    let mut scene = Scene::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;
+    let mut neighbourhood = Neighbourhood::new(whole, strip, unit, alloc::copied(&strip.grid.points[rims..])?)?;
     // What is tested is what will be returned, in the result's scalar type.
-    scene.round();
-    let straight = alloc::copied(&scene.points)?;
+    neighbourhood.round();
+    let straight = alloc::copied(&neighbourhood.points)?;
     if faired {
-        scene.fair(strip, &job.part(0.0, 0.4))?;
-        scene.round();
+        neighbourhood.fair(strip, &job.part(0.0, 0.4))?;
+        neighbourhood.round();
     }
-    let mut settled = Settled { intersections: None, back_offs: 0 };
-    if looks {
+    let mut checked = CheckedStrip { intersections: None, back_offs: 0 };
+    if checks {
         let look = |round: u32| {
-            let done = |rounds: u32| 0.4 + 0.6 * f64::from(rounds) / f64::from(ROUNDS + 2);
+            let done = |rounds: u32| 0.4 + 0.6 * f64::from(rounds) / f64::from(MAX_BACK_OFFS + 2);
             job.part(done(round), done(round + 1))
         };
-        let old = scene.near(&straight)?;
-        let mut found = scene.cuts(&old, &look(0))?;
-        let plate = alloc::copied(&scene.points)?;
+        let old = neighbourhood.old_triangles_nearby(&straight)?;
+        let mut found = neighbourhood.intersections(&old, &look(0))?;
+        let plate = alloc::copied(&neighbourhood.points)?;
         let mut share = alloc::filled(1.0, plate.len())?;
-        while faired && settled.back_offs < ROUNDS && scene.take_back(&found, &mut share)? {
-            for (k, point) in scene.points.iter_mut().enumerate() {
+        while faired && checked.back_offs < MAX_BACK_OFFS && neighbourhood.back_off(&found, &mut share)? {
+            for (k, point) in neighbourhood.points.iter_mut().enumerate() {
                 *point = straight[k].lerp(plate[k], share[k]);
             }
-            scene.round();
-            settled.back_offs += 1;
-            found = scene.cuts(&old, &look(settled.back_offs))?;
+            neighbourhood.round();
+            checked.back_offs += 1;
+            found = neighbourhood.intersections(&old, &look(checked.back_offs))?;
         }
         if faired && !found.pairs.is_empty() {
             // The straight rows, if fewer cut there.
-            let faired = std::mem::replace(&mut scene.points, straight);
-            let cuts = scene.cuts(&old, &look(ROUNDS + 1))?;
-            if cuts.pairs.len() < found.pairs.len() {
-                found = cuts;
+            let faired = std::mem::replace(&mut neighbourhood.points, straight);
+            let intersections = neighbourhood.intersections(&old, &look(MAX_BACK_OFFS + 1))?;
+            if intersections.pairs.len() < found.pairs.len() {
+                found = intersections;
             } else {
-                scene.points = faired;
+                neighbourhood.points = faired;
             }
         }
-        settled.intersections = Some(scene.faces(&old, &found)?);
+        checked.intersections = Some(neighbourhood.faces(&old, &found)?);
     }
-    let points = scene.points;
+    let points = neighbourhood.points;
     strip.grid.points.truncate(rims);
     strip.grid.points.extend(points);
-    Ok(settled)
+    Ok(checked)
 }
 
 /// Triangles, and the faces that they are part of.
@@ -98,7 +104,7 @@ struct Triangles {
 }
 
 /// The strip and what is round it, in the numbers of the result: old vertices and faces, then new ones.
-struct Scene<'a> {
+struct Neighbourhood<'a> {
     whole: &'a Mesh,
     unit: f64,
     /// The number of old vertices.
@@ -114,7 +120,7 @@ struct Scene<'a> {
     points: Vec<DVec3>,
 }
 
-impl<'a> Scene<'a> {
+impl<'a> Neighbourhood<'a> {
     fn new(whole: &'a Mesh, strip: &'a Strip, unit: f64, points: Vec<DVec3>) -> Result<Self> {
         let base = whole.positions.len() as u32;
         let (a, b) = (&strip.a.vertices, &strip.b.vertices);
@@ -137,7 +143,7 @@ impl<'a> Scene<'a> {
             ends.sort_unstable();
         }
         let corners = alloc::collect(strip.faces.corners.iter().map(name))?;
-        Ok(Scene { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
+        Ok(Neighbourhood { whole, unit, base, strip: corners, offsets: &strip.faces.offsets, rim, ends, points })
     }
 
     /// Rounds the new vertices to what the result can hold.
@@ -208,7 +214,8 @@ impl<'a> Scene<'a> {
         let on_rim = |v: u32| v < self.base && self.rim.has(v);
         let free = alloc::collect(vertices.iter().map(|&v| is_new(v) && !is_end(v)))?;
         // The apex of a large fan says nothing about slopes, and would tie all vertices round it to each other.
-        let is_centre = |(k, &v): (usize, &u32)| (is_new(v) || (on_rim(v) && valence[k] <= LARGE_FAN)) && !is_end(v);
+        let is_centre =
+            |(k, &v): (usize, &u32)| (is_new(v) || (on_rim(v) && valence[k] <= MAX_FAN_TRIANGLES)) && !is_end(v);
         let centres = alloc::collect(vertices.iter().enumerate().map(is_centre))?;
         self.space_evenly(strip, &vertices, &triangles, &mut points)?;
         let layout = alloc::collect(vertices.iter().map(|&v| match v.checked_sub(self.base) {
@@ -258,7 +265,7 @@ impl<'a> Scene<'a> {
     }
 
     /// The old triangles that reach into the box round the strip, faired or `straight`.
-    fn near(&self, straight: &[DVec3]) -> Result<Triangles> {
+    fn old_triangles_nearby(&self, straight: &[DVec3]) -> Result<Triangles> {
         let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
         let new = self.points.iter().chain(straight).copied();
         let [low, high] = bounds(rims.chain(new));
@@ -269,36 +276,36 @@ impl<'a> Scene<'a> {
     }
 
     /// The pairs of triangles that cut each other, and the strip's triangles that they are counted by.
-    fn cuts(&self, old: &Triangles, job: &Job<'_>) -> Result<Cuts> {
+    fn intersections(&self, old: &Triangles, job: &Job<'_>) -> Result<IntersectingTriangles> {
         let strip = self.strip_triangles()?;
         let soup = Soup { at: |v| self.at(v), new: &strip.corners, old: &old.corners };
-        Ok(Cuts { pairs: cutting_pairs(&soup, job)?, strip })
+        Ok(IntersectingTriangles { pairs: intersecting_pairs(&soup, job)?, strip })
     }
 
     /// Lessens the share of the plate at the new vertices of faces that cut, and a little at those near by; false if there are
     /// none where anything is left to take back.
-    fn take_back(&self, found: &Cuts, share: &mut [f64]) -> Result<bool> {
-        const FAR: u32 = REACH;
-        let mut distance = alloc::filled(FAR, share.len())?;
+    fn back_off(&self, found: &IntersectingTriangles, share: &mut [f64]) -> Result<bool> {
+        let mut distance = alloc::filled(BACK_OFF_RINGS, share.len())?;
         let index = |v: u32| v.checked_sub(self.base).map(|k| k as usize);
-        let cutting = found.pairs.as_flattened().iter().filter_map(|&k| found.strip.corners.get(k as usize));
-        for k in cutting.flatten().filter_map(|&v| index(v)) {
+        let intersecting = found.pairs.as_flattened().iter().filter_map(|&k| found.strip.corners.get(k as usize));
+        for k in intersecting.flatten().filter_map(|&v| index(v)) {
             distance[k] = 0;
         }
         if !distance.iter().zip(&*share).any(|(&d, &s)| d == 0 && s > 0.0) {
             return Ok(false);
         }
-        for _ in 1..REACH {
+        for _ in 1..BACK_OFF_RINGS {
             for triangle in &found.strip.corners {
-                let least = triangle.iter().filter_map(|&v| index(v)).map(|k| distance[k]).min().unwrap_or(FAR);
+                let least =
+                    triangle.iter().filter_map(|&v| index(v)).map(|k| distance[k]).min().unwrap_or(BACK_OFF_RINGS);
                 for k in triangle.iter().filter_map(|&v| index(v)) {
                     distance[k] = distance[k].min(least + 1);
                 }
             }
         }
         for (s, d) in share.iter_mut().zip(distance) {
-            *s *= 1.0 - 0.5 * f64::from(FAR - d) / f64::from(FAR);
-            if *s < FAINT {
+            *s *= 1.0 - 0.5 * f64::from(BACK_OFF_RINGS - d) / f64::from(BACK_OFF_RINGS);
+            if *s < MIN_FAIRING_SHARE {
                 *s = 0.0;
             }
         }
@@ -306,7 +313,7 @@ impl<'a> Scene<'a> {
     }
 
     /// The faces of cutting triangles, the strip's first, the larger one first if both are the strip's; each pair once.
-    fn faces(&self, old: &Triangles, found: &Cuts) -> Result<Vec<[u32; 2]>> {
+    fn faces(&self, old: &Triangles, found: &IntersectingTriangles) -> Result<Vec<[u32; 2]>> {
         let face = |k: u32| match (k as usize).checked_sub(found.strip.faces.len()) {
             Some(k) => old.faces[k],
             None => found.strip.faces[k as usize],
@@ -322,7 +329,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-struct Cuts {
+struct IntersectingTriangles {
     /// Numbers below the strip's count of triangles are of the strip, the others of the old ones.
     pairs: Vec<[u32; 2]>,
     strip: Triangles,
