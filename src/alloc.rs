@@ -1,4 +1,5 @@
-//! The one place where memory sized by input is asked for, so that a huge count is an error and not an abort.
+//! Fallible allocation: the one place that requests memory sized by the input, so that a huge
+//! count is an error and not an abort.
 
 use crate::error::{Error, Result};
 use crate::job::Job;

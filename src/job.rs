@@ -1,4 +1,4 @@
-//! How a long computation speaks with whoever started it: progress, cancel, notes, and the number of threads.
+//! Progress, cancellation, notes and the number of threads of a long computation.
 
 use crate::error::{Error, Result};
 use std::ops::{ControlFlow, Range};

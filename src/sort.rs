@@ -1,15 +1,14 @@
-//! Sorting that a host can cancel.
+//! Cancellable sorting in place: parts are split at their medians until they are small enough to be
+//! sorted between two reports. O(n log n).
 
 use crate::error::Result;
 use crate::job::Job;
 use std::cmp::Ordering;
 
-/// Elements that are sorted between two calls of the host.
+/// Elements sorted between two progress reports.
 const PART: usize = 1 << 16;
 
-/// Sorts in place; equal elements come in any order, so that `compare` had better know none. O(n log n), no memory.
-///
-/// Parts are split at their medians until they are small enough to be sorted without asking.
+/// Sorts in place, unstably: `compare` must be a total order without ties for results to be deterministic.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled); the elements are then in some order.
@@ -20,7 +19,7 @@ pub(crate) fn sort<T>(
     stage: &'static str,
 ) -> Result<()> {
     let whole = items.len().max(1) as f64;
-    // What is to be sorted yet, the first part last.
+    // Parts still to be sorted, the first on top.
     let mut parts = vec![items];
     let mut done = 0;
     while let Some(part) = parts.pop() {

@@ -1,4 +1,8 @@
-//! All boundary loops of a mesh: types and entry point.
+//! All boundary loops of a mesh: options, results and the entry point.
+//!
+//! Chooses between `fast`, which reads the faces once, and the exact walk of `walk` over paired
+//! half-edges, and orders the loops by their smallest half-edge. O(H log d) for H half-edges
+//! and at most d at a vertex; linear extra memory.
 
 use super::fast::ordinary_walks;
 use super::split::split_simple;

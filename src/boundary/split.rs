@@ -1,4 +1,7 @@
-//! A walk that passes a vertex twice, cut into loops that do not.
+//! Division of a walk that visits a vertex twice into simple loops.
+//!
+//! The walk is unrolled onto a stack; when a vertex recurs, the part above its first visit is a
+//! simple loop and is removed. Linear in the walk.
 
 use crate::alloc;
 use crate::error::Result;

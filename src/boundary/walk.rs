@@ -1,4 +1,8 @@
-//! From free edge to free edge, through the fan of faces round each vertex.
+//! The walk from free edge to free edge, through the fan of faces round each vertex.
+//!
+//! Source: Nesterenko, algorithm 1, as corrected (see the parent module). Every free edge has
+//! one successor and one predecessor, so the walk is a permutation of the free edges and visits
+//! each once. O(faces of the fans).
 
 use super::loops::NonManifold;
 use crate::alloc;

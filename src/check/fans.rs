@@ -1,4 +1,4 @@
-//! Vertices where the surface touches itself.
+//! Bow-tie vertices: those whose faces form more than one fan. Linear.
 
 use crate::alloc;
 use crate::error::Result;

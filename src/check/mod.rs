@@ -1,7 +1,8 @@
-//! The check: counts, lists and properties of everything wrong or unusual in a mesh.
+//! The check of a mesh: counts, topological invariants and lists of defects.
 //!
-//! * [`report`](self): the types and the entry point. [`fans`](self): vertices where the surface touches itself.
-//!   [`twins`](self): faces that occur twice.
+//! * [`report`](self): result and entry point.
+//! * [`fans`](self): bow-tie vertices.
+//! * [`twins`](self): duplicate faces.
 
 mod fans;
 mod report;

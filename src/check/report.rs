@@ -1,4 +1,6 @@
-//! The types and the entry point.
+//! Result and entry point of the check. Components, edges and boundary come from the pairing of
+//! half-edges; Euler's formula V - E + F = 2 - 2g - b gives the genus of an orientable
+//! manifold. O(H log d) time for H half-edges and at most d at a vertex; linear memory.
 
 use super::fans::bow_ties;
 use super::twins::duplicate_faces;

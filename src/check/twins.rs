@@ -1,4 +1,7 @@
-//! Faces that occur twice.
+//! Duplicate faces: those with the same cycle of vertices, in either direction.
+//!
+//! Each cycle is rotated to start at its smallest vertex and to run towards the smaller
+//! neighbour; equal cycles are then adjacent after a sort. O(F log F) comparisons of cycles.
 
 use crate::alloc;
 use crate::error::Result;

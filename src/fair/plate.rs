@@ -1,4 +1,8 @@
-//! The energy's normal equations, and the new places.
+//! The normal equations of the thin-plate energy, and their solution for the free vertices.
+//!
+//! With the Laplacian L of the patch and the vertices C at which it is counted, the energy is
+//! the sum over C of |L p|^2; its minimum over the free vertices solves a sparse symmetric
+//! system, factored once for all three coordinates.
 
 use super::order::dissect;
 use super::rings::{Rings, Weights};

@@ -1,4 +1,5 @@
-//! The neighbours of each vertex and their weights.
+//! One-rings of a patch: the neighbours of each vertex and their weights, uniform or cotangents
+//! (Pinkall and Polthier 1993), clamped so that slivers neither dominate nor detach a vertex.
 
 use crate::alloc;
 use crate::error::Result;

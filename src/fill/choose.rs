@@ -1,4 +1,4 @@
-//! Which loops are filled, and why others are not.
+//! Selection of the loops to fill, and the reason for each that is not.
 
 use super::request::{HoleStatus, Limits, Options};
 use crate::alloc;

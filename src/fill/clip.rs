@@ -1,9 +1,12 @@
-//! Long loops, cut down ear by ear.
+//! Ear clipping of long loops.
 //!
-//! Dynamic programming takes the cube of the loop's length. A loop that is too long for it loses its shortest ear, a triangle
-//! of three consecutive vertices, then the shortest ear of what is left, and so on. An ear must, seen along the loop's mean
-//! normal, bend to the inside and hold no other vertex; every simple polygon has two (G. Meisters, *Polygons have ears*,
-//! 1975). Where no such ear is left, as the loop crosses itself when seen so, the shortest is taken as it is.
+//! Dynamic programming is cubic in the length of the loop. A loop too long for it loses its
+//! shortest ear, a triangle of three consecutive vertices, then the shortest ear of the rest,
+//! and so on. An ear must, in projection along the loop's mean normal, be convex and contain no
+//! other vertex; every simple polygon has two (G. Meisters, *Polygons have ears*, 1975). Where
+//! no such ear is left, because the projected loop crosses itself, the shortest one is taken. A
+//! grid over the projected vertices keeps each test local: about O(n log n) for loops that fill
+//! their box evenly.
 
 use crate::alloc;
 use crate::error::Result;

@@ -1,4 +1,4 @@
-//! Every hole, and one mesh of it all.
+//! The patches of all selected holes, appended to a copy of the mesh in the order of the loops.
 
 use super::choose::{Candidate, all_loops, given_loops};
 use super::patch::{Patch, patch};

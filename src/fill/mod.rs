@@ -1,21 +1,21 @@
 //! Filling holes: new faces that close boundary loops.
 //!
-//! Sources: G. Barequet, M. Sharir, *Filling gaps in the boundary of a polyhedron* (1995); P. Liepa, *Filling holes in
-//! meshes* (2003). A hole is closed by the triangulation of its rim of least weight; then, if asked for, the triangles are
-//! refined until they are as small as those round the hole, and the new vertices moved until the patch goes on as the surface
-//! does.
+//! Sources: G. Barequet, M. Sharir, *Filling gaps in the boundary of a polyhedron* (1995); P.
+//! Liepa, *Filling holes in meshes* (2003). The minimum-weight triangulation of its rim closes
+//! a hole. On request the triangles are refined to the density of the surrounding mesh, and the
+//! new vertices faired so that the patch continues the surface.
 //!
-//! | file | what it does |
+//! | file | subject |
 //! |---|---|
-//! | [`request`](self) | what a caller asks for, and what comes back |
-//! | [`choose`](self) | which loops are filled, and why others are not |
+//! | [`request`](self) | options, results, status of each hole |
+//! | [`choose`](self) | selection of the loops to fill |
 //! | [`surroundings`](self) | the old faces round a hole |
-//! | [`patch`](self) | the plan for one hole: new points and triangles |
-//! | [`triangulate`](self) | the triangulation of least weight |
-//! | [`clip`](self) | loops too long for that: ear by ear |
+//! | [`patch`](self) | the patch of one hole |
+//! | [`triangulate`](self) | minimum-weight triangulation |
+//! | [`clip`](self) | ear clipping of long loops |
 //! | [`patch_mesh`](self) | triangles with neighbours: splits and flips |
-//! | [`refine`](self) | new vertices, as dense as those round the hole |
-//! | [`holes`](self) | all of these for every hole, and one mesh of it all |
+//! | [`refine`](self) | new vertices at the density of the rim |
+//! | [`holes`](self) | all patches in one mesh |
 
 mod choose;
 mod clip;

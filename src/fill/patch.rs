@@ -1,4 +1,4 @@
-//! The plan for one hole: new points and triangles.
+//! The patch of one hole: triangulation, refinement and fairing, in this order.
 
 use super::clip::{clip_ears, mean_normal};
 use super::patch_mesh::PatchMesh;

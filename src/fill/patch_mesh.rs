@@ -1,4 +1,5 @@
-//! The triangles of a patch with their neighbours, and the two changes that refinement makes: splits and flips.
+//! The triangles of a patch with their neighbours, and the two edits of refinement: splits at a
+//! centroid and edge flips, each O(1).
 
 use crate::alloc;
 use crate::error::Result;

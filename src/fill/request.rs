@@ -1,4 +1,4 @@
-//! What a caller asks for, and what comes back.
+//! Options, results and the status of each hole.
 
 use crate::mesh::Mesh;
 use crate::stitch::Quality;

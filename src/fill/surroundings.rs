@@ -1,4 +1,5 @@
-//! The old faces round a hole.
+//! The old faces round a hole: their edges, which no new edge may repeat, their normals along
+//! the rim, and the lengths of edges at its vertices. Linear in the mesh, once for all holes.
 
 use super::patch::Rim;
 use crate::alloc;

@@ -1,8 +1,9 @@
-//! The triangulation of least weight of a loop, without new vertices.
+//! Minimum-weight triangulation of a loop without new vertices.
 //!
-//! Source: G. Barequet, M. Sharir, *Filling gaps in the boundary of a polyhedron* (1995), and P. Liepa (2003). Dynamic
-//! programming over the chords (i, k): the best triangulation of the part of the loop from i to k has a triangle (i, m, k) on
-//! its chord and the best triangulations of both sides of it.
+//! Source: G. Barequet, M. Sharir, *Filling gaps in the boundary of a polyhedron* (1995), and
+//! P. Liepa, *Filling holes in meshes* (2003). Dynamic programming over the chords (i, k): the
+//! best triangulation of the part of the loop from i to k consists of a triangle (i, m, k) and
+//! the best triangulations of both sides of it. O(n^3) time and O(n^2) memory for n vertices.
 
 use super::Weight;
 use crate::alloc;

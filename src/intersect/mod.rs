@@ -1,8 +1,9 @@
-//! Which triangles cut each other: exact predicates over a tree of boxes.
+//! Intersecting triangles: exact predicates over a tree of boxes.
 //!
-//! * `predicates`: two triangles, decided exactly by the signs of determinants (Shewchuk's adaptive arithmetic).
-//! * `box_tree`: the boxes that overlap a box.
-//! * [`pairs`]: all pairs of new triangles with each other and with old ones.
+//! * `predicates`: two triangles, decided exactly by the signs of determinants (Shewchuk's
+//!   adaptive arithmetic).
+//! * `box_tree`: boxes that overlap a box.
+//! * [`pairs`]: all intersecting pairs of new triangles with each other and with old ones.
 
 mod box_tree;
 mod pairs;

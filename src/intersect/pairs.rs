@@ -1,4 +1,4 @@
-//! All pairs of triangles that cut each other, of which at least one is new.
+//! All pairs of intersecting triangles of which at least one is new.
 
 use super::box_tree::{Box3, BoxTree};
 use super::predicates::triangles_intersect;

@@ -1,8 +1,9 @@
-//! Do two triangles cut each other? Exact for coordinates whose products of four neither overflow nor vanish.
+//! Exact intersection test of two triangles, for coordinates whose products of four neither
+//! overflow nor vanish.
 //!
-//! Triangles are told apart by their vertices' numbers: what two of them share by number, a vertex or an edge, is no cut.
-//! They cut if they have any other point in common, so that touching counts. The signs of all determinants are exact, hence
-//! so is the answer.
+//! Vertices are identified by number: a vertex or an edge that two triangles share by number is
+//! no intersection. Any other common point is, so touching counts. The signs of all
+//! determinants are exact, hence so is the answer.
 
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};

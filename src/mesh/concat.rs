@@ -1,4 +1,5 @@
-//! Many meshes put side by side in one.
+//! Concatenation of meshes into one: vertices and faces in the order of the pieces, positions
+//! bit for bit.
 
 use super::owned::{Mesh, PositionBuffer};
 use super::view::{MAX_ELEMENTS, MeshView, Scalar};

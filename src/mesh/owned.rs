@@ -1,4 +1,5 @@
-//! The mesh that the library returns.
+//! The mesh that the library returns: positions in the input's scalar type, faces as offsets
+//! and corners.
 
 use super::view::{Faces, MeshView, Positions, Scalar};
 use crate::alloc;

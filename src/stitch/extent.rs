@@ -1,4 +1,4 @@
-//! How much of the two loops is joined: all of them, or the arcs that face each other.
+//! Extent of a stitch: whole loops, or their facing arcs.
 
 use super::facing::{self, Arc, Planes, facing_in_unit, round_off, squareness};
 use super::rim::Rim;

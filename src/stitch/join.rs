@@ -1,4 +1,4 @@
-//! The whole of stitching: from two loops to one mesh.
+//! The stages of stitching in order, from two loops to one mesh.
 
 use super::combine::{IndexMap, append_piece, append_strip, strip_alone};
 use super::extent::arcs;

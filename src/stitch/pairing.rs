@@ -1,7 +1,9 @@
-//! Which two loops to stitch when the caller leaves that open: the two that lie nearest along their whole length.
+//! Choice of the two loops to stitch when the caller gives none: the pair that is nearest along
+//! its whole length.
 //!
-//! The distance of two loops is the mean over vertices of each of the distance to the nearest vertex of the other, the
-//! larger of the two means. A single close pair does not make two loops near; facing each other all along does.
+//! The distance of two loops is the mean, over the vertices of each, of the distance to the
+//! nearest vertex of the other, and the larger of the two means. One close pair of vertices
+//! therefore does not make two loops near.
 
 use super::rim::{Rim, is_usable, shared_vertex};
 use crate::alloc;

@@ -1,4 +1,4 @@
-//! Points at equal arc lengths along a polyline.
+//! Points at equal arc lengths along a polyline. Linear.
 
 use crate::alloc;
 use crate::error::Result;

@@ -1,4 +1,4 @@
-//! What a stitched mesh is worth.
+//! Quality of a stitched mesh: angles, aspects, areas, and the defects left.
 
 use crate::boundary::{self, boundary_loops};
 use crate::error::Result;

@@ -1,4 +1,4 @@
-//! What a caller asks for, and what comes back.
+//! Request, options and result of a stitch.
 
 use super::combine::IndexMap;
 use super::extent::Extent;

@@ -1,4 +1,4 @@
-//! A rim: a boundary loop that a strip can be hung on.
+//! A rim: a validated boundary loop, or an arc of one, to which a strip can be attached.
 
 use super::facing::Arc;
 use crate::alloc;

@@ -1,4 +1,4 @@
-//! A strip between two polylines that belong to no mesh: meridians and triangles, and no more.
+//! A strip between two polylines that belong to no mesh: meridians and triangles only.
 
 use super::facing::check_points;
 use super::grid::Grid;

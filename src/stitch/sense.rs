@@ -1,8 +1,9 @@
-//! Do two rims run opposite ways round the gap between them?
+//! Relative direction of two rims round the gap between them.
 //!
-//! Both rims have their surface on the left. Where the pieces are parts of one oriented surface, the rims therefore run
-//! opposite ways; if they run the same way, one piece is inside out. The test compares the curves themselves: each is
-//! sampled at equal arc lengths and centred, and the second is laid on the first in both directions, at the best rotation.
+//! Both rims have their surface on the left. Where the pieces are parts of one oriented
+//! surface, the rims therefore run opposite ways; if they run the same way, one piece is inside
+//! out. The test compares the curves: each is sampled at equal arc lengths and centred, and the
+//! second is fitted to the first in both directions, at the best rotation.
 
 use super::facing::centre;
 use super::polyline::samples;

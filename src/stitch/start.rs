@@ -1,9 +1,9 @@
-//! The meridian to begin with, where the rims are closed.
+//! The first meridian of closed rims.
 //!
-//! The paper leaves the pairing of the rims' starts open. There are two candidates: the closest pair of vertices, which on
-//! the study's real rims was the best of all starts; and the closest pair once the rims are laid on each other by the
-//! rotation that fits best, which is what a closest pair is not when a rim comes near the other one in a wrong place.
-//! Meridians are found from both, and the better ones are kept.
+//! The paper leaves the pairing of the rims' starts open. Two candidates are tried: the closest
+//! pair of vertices, and the closest pair after the rotation that fits the rims to each other
+//! best, which differs where one rim comes near the other in an unrelated place. Meridians are
+//! found from both, and the better ones kept.
 
 use super::polyline::samples;
 use super::rim::{Bridges, Rim};

@@ -1,4 +1,4 @@
-//! Between two rims: the first meridian, the others, the rows, the faces.
+//! The strip between two rims: first meridian, remaining meridians, rows and faces.
 
 use super::grid::{FaceList, Grid};
 use super::meridian::{MeridianChoice, Pair, RimPair, forbidden_nodes, meridians};

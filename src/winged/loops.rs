@@ -1,9 +1,11 @@
-//! Algorithm 1 on the tables, as the paper has it, with its errors mended.
+//! Algorithm 1 on the tables, as in the paper, with its errors corrected.
 //!
-//! The paper's criterion for a free edge, (3), is printed as "L and R are NULL"; the text asks for exactly one. From a free
-//! edge the walk goes on to the next one at the vertex reached, until it is back. Here the next one is found through the
-//! wings, from face to face round the vertex, so that a walk cannot leave its fan at a bow-tie, cannot turn back, and ends. It
-//! starts in the direction that has the surface on the left, and it is cut into simple loops.
+//! The paper's criterion for a free edge, (3), is printed as "L and R are NULL"; its text
+//! requires exactly one. From a free edge the walk continues with the next one at the vertex
+//! reached, until it returns. Here the next edge is found through the wings, from face to face
+//! round the vertex, so that a walk cannot leave its fan at a bow-tie, cannot turn back, and
+//! terminates. It starts in the direction with the surface on the left, and is cut into simple
+//! loops.
 
 use super::tables::{EdgeMarks, WingedEdge, WingedEdges};
 use crate::alloc;

@@ -1,4 +1,4 @@
-//! The tables, and how they are filled from a mesh.
+//! The tables, filled from the pairing of half-edges. Linear time and memory.
 
 use crate::alloc;
 use crate::error::Result;

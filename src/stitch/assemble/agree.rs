@@ -1,4 +1,5 @@
-//! Which components are turned over so that all agree across the gaps.
+//! Consistent orientation of components across gaps: a union-find with parity over the pairs of
+//! loops, nearest first; a pair that contradicts those before it is refused.
 
 use crate::alloc;
 use crate::error::Result;

@@ -1,4 +1,4 @@
-//! What a caller asks for, and the account that comes back.
+//! Options, results and the report of every join and every loop left.
 
 use crate::mesh::{Mesh, NONE};
 use crate::stitch::{self, IndexMap};

@@ -1,4 +1,4 @@
-//! The whole of assembly: from pieces to one mesh and its account.
+//! The stages of assembly in order, from pieces to one mesh and its report.
 
 use super::agree::Agreement;
 use super::facing_loops::{Candidate, Facing, FacingSearch};

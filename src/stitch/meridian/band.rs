@@ -1,4 +1,5 @@
-//! The part of the lattice that is searched: for each row i the columns j from `low[i]` to `high[i]`, both never decreasing.
+//! The part of the lattice that is searched: for each row i the columns j from `low[i]` to
+//! `high[i]`, both non-decreasing.
 
 use super::Pair;
 use crate::alloc;

@@ -1,8 +1,10 @@
-//! What bends cost: for every edge of the strip that two triangles meet in, (1 - cos of the angle between their normals)
-//! times the edge's length. Along the rims the second triangle is the old face, where it is known.
+//! The cost of bends: over all edges shared by two triangles of the strip, the sum of (1 - cos
+//! of the angle between their normals) times the edge's length. Along the rims the second
+//! triangle is the old face, where it is known.
 //!
-//! For small angles t this is t^2 / 2 times the length: like the energy of a bent plate, it would rather have many small
-//! bends than one sharp one. A triangle without area counts as square to its neighbours.
+//! For small angles t the cost is t^2 / 2 times the length, like the energy of a bent plate:
+//! many small bends cost less than one sharp one. A triangle without area counts as
+//! perpendicular to its neighbours.
 
 use super::{Pair, RimPair};
 use glam::DVec3;

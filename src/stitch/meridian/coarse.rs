@@ -1,8 +1,10 @@
-//! Coarse to fine: a nearly best path through a lattice that is too large to be searched whole.
+//! Coarse-to-fine search of a lattice too large to be searched whole.
 //!
-//! Vertices of the rims are left out, those on short edges first, again and again, until the lattice is small; there the best
-//! path is found exactly. On the way back each path shows where the next finer one is looked for: within a band round it, which
-//! is widened where the path found touches its border, or where forbidden meridians close it.
+//! Vertices of the rims are removed, those on short edges first, until the lattice is
+//! small enough for the exact search. Each path then bounds the search of the next finer
+//! lattice to a band round it, which is widened where the path touches the band's border or
+//! where forbidden meridians close it. Nearly optimal, not exact; O(N + M) nodes for each
+//! level.
 
 use super::band::Band;
 use super::{Pair, RimPair};

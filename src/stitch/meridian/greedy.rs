@@ -1,4 +1,4 @@
-//! Meridians without a search: by arc length, and greedily.
+//! Meridians without a search, in O(N + M): by arc length, and greedily.
 
 use super::{Pair, RimPair};
 use crate::alloc;

@@ -1,7 +1,8 @@
-//! What a step through the lattice of meridians costs.
+//! The cost of a step through the lattice of meridians.
 //!
-//! Node (i, j) is the meridian from A_i to B_j. A step on A into (i, j) adds the triangle A_i A_i-1 B_j, a step on B the
-//! triangle A_i B_j-1 B_j; a step on both, which only strips of quads take, adds the quad of all four.
+//! Node (i, j) is the meridian from A_i to B_j. A step on A into (i, j) adds the triangle A_i
+//! A_i-1 B_j, a step on B the triangle A_i B_j-1 B_j; a step on both, for strips of quads only,
+//! adds the quad of all four.
 
 use super::Pair;
 use crate::alloc;

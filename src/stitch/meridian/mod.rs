@@ -1,18 +1,18 @@
-//! Meridians: which vertex of one rim is joined to which of the other.
+//! Meridians: the pairs of vertices that a strip joins.
 //!
-//! A set of meridians is a list of pairs (i, j), i = 0..=N on rim A and j = 0..=M on rim B, that starts with (0, 0), ends with
-//! (N, M) (the start again, if the rims are closed), and from one to the next advances by one vertex on A, on B, or on
-//! both. It is a path through the lattice of all pairs, and it is the paper's matrix H read row by row. [`Meridians`] lists the
-//! ways to choose it.
+//! A set of meridians is a list of pairs (i, j), i = 0..=N on rim A and j = 0..=M on rim B,
+//! from (0, 0) to (N, M) (the start again, if the rims are closed), in which each pair advances
+//! by one vertex on A, on B, or on both. It is a path through the lattice of all pairs, and the
+//! paper's matrix H read row by row. [`Meridians`] lists the ways to choose it.
 //!
-//! | file | |
+//! | file | subject |
 //! |---|---|
 //! | [`index_rule`](mod@index_rule) | the paper's rule, by index alone |
-//! | `simple` | by arc length, and greedily |
-//! | `metric`, `bend` | what paths cost: area, lengths; bends |
-//! | `lattice` | the cheapest path, where a step's cost depends on nothing else |
-//! | `states` | the cheapest path with bends, or where the plain one would use a meridian twice |
-//! | `band`, `coarse` | a part of a large lattice, found coarse to fine |
+//! | `greedy` | by arc length, and greedily |
+//! | `metric`, `bend` | costs: area, lengths; bends |
+//! | `lattice` | the cheapest path, where the cost of a step depends on that step alone |
+//! | `states` | the cheapest path by bends, or without using a meridian twice |
+//! | `band`, `coarse` | coarse-to-fine search of large lattices |
 
 mod band;
 mod bend;

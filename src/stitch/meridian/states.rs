@@ -1,14 +1,18 @@
-//! The cheapest path where a step's cost depends on what came before: bends between triangles, and no meridian twice.
+//! The cheapest path where the cost of a step depends on earlier ones: bends between triangles,
+//! and no meridian twice.
 //!
-//! **No meridian twice.** On closed rims (i, 0) and (i, M) are the same edge, since B_M is B_0. A path through both takes all
-//! its B steps at one i: no step of it that advances on A starts before j = M and ends after j = 0. Likewise for (0, j) and (N,
-//! j). So a strip is proper if and only if its path has both a step on A with j < M before it and j > 0 after it, and a step on
-//! B with i < N before and i > 0 after. Two bits say which of the two a path has had.
+//! **Simple paths.** On closed rims (i, 0) and (i, M) are the same edge, since B_M is B_0. A
+//! path through both takes all its B steps at one i: no step on A starts before j = M and ends
+//! after j = 0. Likewise for (0, j) and (N, j). So a strip uses no meridian twice if and only
+//! if its path has both a step on A with j < M before it and j > 0 after it, and a step on B
+//! with i < N before and i > 0 after. Two bits record which of the two a path has had.
 //!
-//! **Bends.** The cost of a bend lies between two triangles, so a third bit says on which rim the last step was. Of a closed
-//! strip the first triangle meets the last one: the search is made for either kind of first step.
+//! **Bends.** The cost of a bend lies between two triangles, so a third bit records the rim of
+//! the last step. The first triangle of a closed strip meets the last one: the search runs once
+//! for either kind of first step.
 //!
-//! The search keeps the cheapest way to each node in each state, and is exact.
+//! The search keeps the cheapest way to each node in each state, and is exact. O(8 N M) time
+//! and memory in the band.
 
 use super::band::Band;
 use super::bend::{Bends, Normals};
