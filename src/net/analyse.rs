@@ -1,15 +1,15 @@
-//! What a deformation does to a net: is it soft or hard (paper, "soft and hard deformations of a net")?
+//! Analysis of a deformation as soft or hard (Deryagin, "Soft and hard deformations of a net").
 //!
-//! The paper looks for glued nodes where the Jacobian determinant of the deformation is zero. That is neither necessary
-//! nor sufficient: (x, y, 0) has determinant 0 everywhere and leaves a sheet in a plane z = const as it is, and rolling
-//! a sheet up to a cylinder has a positive one and closes the sheet. A link is contracted if and only if the
-//! deformation brings its ends together; so the links themselves are measured here, those that lead back to the first
-//! row and column among them, and the determinant tells where space is turned inside out.
+//! The paper looks for glued nodes where the Jacobian determinant of the deformation vanishes, which is
+//! neither necessary nor sufficient: (x, y, 0) has determinant 0 everywhere and leaves a sheet in a
+//! plane z = const unchanged, and rolling a sheet up to a cylinder has a positive one and closes the
+//! sheet. A link is contracted if and only if the deformation brings its ends together; so the links
+//! are measured, closing links included, and the determinant shows where space is inverted. O(nodes).
 
 use super::field::{Step, deform};
-use super::hidden::Hidden;
+use super::hidden_cells::HiddenCells;
 use super::topology::{GluingType, Links, classify_node};
-use super::{Classes, Net, Planes, Real, Topology, each, fold, pieces};
+use super::{Classes, Net, Planes, Real, Topology, chunks, each, fold};
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::job::Job;
@@ -20,63 +20,64 @@ use glam::{DMat3, DVec3};
 pub struct Contracted {
     /// The link.
     pub link: u32,
-    /// What its first node's star has become, with all new links contracted; links that lead back count.
+    /// The type of its first node's star with all new links contracted, closing links included.
     pub star: GluingType,
 }
 
-/// What a deformation does to a net.
+/// The effect of a deformation on a net.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Analysis {
-    /// Of each link, those that lead back included: its new length divided by its old one. NaN if it had none, or an
-    /// end is missing.
+    /// The ratio of new to old length of each link, closing links included. NaN if the old length is 0 or
+    /// an end is missing.
     pub links: Vec<f64>,
-    /// Of each cell: its new area divided by its old one, negative where the surface is folded over, and where the
-    /// determinant is, if a field was given. NaN if it had none, or is not there.
+    /// The ratio of new to old area of each cell, negative where the surface is folded over or, if a field
+    /// was given, where the determinant is negative. NaN if the old area is 0 or the cell is missing.
     pub cells: Vec<f64>,
-    /// Of each cell, the determinant of the field's Jacobian at its centre; empty if no field was given.
+    /// The determinant of the field's Jacobian at the centre of each cell; empty without a field.
     pub determinants: Vec<f64>,
-    /// The links that have become a point: longer than the tolerance before and not glued, not longer now.
+    /// The links contracted to a point: longer than the tolerance before, not glued, and no longer than it
+    /// now.
     pub contracted: Vec<Contracted>,
     /// The glued links whose ends are farther apart than the tolerance now.
     pub torn: Vec<u32>,
-    /// The cells that are turned the other way than most.
+    /// The cells whose orientation differs from the majority.
     pub folded: Vec<u32>,
 }
 
 impl Analysis {
-    /// Soft: nothing newly glued, nothing torn, nothing folded over. Else it is hard.
+    /// True for a soft deformation: no new gluing, no tear, no fold. Otherwise it is hard.
     pub fn is_soft(&self) -> bool {
         self.contracted.is_empty() && self.torn.is_empty() && self.folded.is_empty()
     }
 }
 
-/// Compares a net after a deformation with what it was before. `tolerance`: lengths up to it are none.
+/// Compares a net after a deformation with the net before. `tolerance`: lengths up to it count as 0.
 ///
-/// A fold is where the surface comes to lie on itself: at a link whose two cells, which did not before, point the same way
-/// from it, in one plane; or in a cell two opposite sides of which cross that did not before. All of that within the
-/// tolerance and the rounding of the coordinates, and in cells that are wider than that. Folds part the cells into two
-/// sides; of the cells that hang together, those of the smaller side are folded. Where a fold ends in the middle of a
-/// surface, and parts nothing, the cells along it are. Affine maps that have an inverse fold nothing, nor does bending,
-/// however far, until no angle is left. Seams are not looked over, other than closures side to side. O(nodes), 24 bytes a
-/// node, and 13 more if there are folds.
+/// The net is folded at a link whose two cells lie on the same side of it in one plane, and in a cell
+/// two opposite sides of which cross, if they did not before; both within the tolerance and the rounding
+/// of the coordinates, in cells that are wider than that. Folds divide each connected component of cells
+/// into two sides, of which the smaller is folded; where a fold ends within the surface and divides
+/// nothing, the cells along it are. Invertible affine maps fold nothing, nor does bending until the
+/// dihedral angle vanishes. Links across seams other than closed sides are not tested. O(nodes), 24
+/// bytes a node, and 13 more if there are folds.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative, infinite or NaN, [`Error::SidesDiffer`],
-/// [`Error::CrossingCell`] if what is newly glued is no surface, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::CrossingCell`] if the new gluing crosses a cell, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Analysis> {
     if before.shape() != after.shape() {
         let (a, b) = (before.shape().node_count() as u32, after.shape().node_count() as u32);
         return Err(Error::SidesDiffer { a, b });
     }
     let mut found = compare(before, after, tolerance, &job.part(0.0, 0.5))?;
-    turn_over(&mut found, &fold::sides(before, after, tolerance, &job.part(0.5, 1.0))?);
+    mark_folds(&mut found, &fold::fold_signs(before, after, tolerance, &job.part(0.5, 1.0))?);
     Ok(found)
 }
 
-/// As [`analyse`], of what fields do to a net, which stays as it is. The determinants are found by central differences;
-/// where they have another sign than in most cells, the net is folded over. A determinant that is no larger than the error
-/// of the differences is 0, which is no sign; where none differs from the others, folds are found as [`analyse`] finds
-/// them. Also 8 bytes a node, and a copy of the net.
+/// As [`analyse`], for a chain of fields; the net stays unchanged. Determinants are found by central
+/// differences; cells whose sign differs from the majority are folded. A determinant below the error of
+/// the differences is 0 and has no sign; if no sign differs, folds are found as in [`analyse`]. Also 8
+/// bytes a node, and a copy of the net.
 ///
 /// # Errors
 /// Also those of [`deform`].
@@ -85,13 +86,13 @@ pub fn analyse_field(net: &Net<'_>, steps: &[Step<'_>], tolerance: f64, job: &Jo
     deform(&mut after, steps, &job.part(0.0, 0.3))?;
     let mut found = compare(net, &after, tolerance, &job.part(0.3, 0.6))?;
     found.determinants = each!(net.coordinates(), planes => determinants(planes, steps, &job.part(0.6, 0.8)))?;
-    if !turn_inside_out(&mut found) {
-        turn_over(&mut found, &fold::sides(net, &after, tolerance, &job.part(0.8, 1.0))?);
+    if !mark_inversions(&mut found) {
+        mark_folds(&mut found, &fold::fold_signs(net, &after, tolerance, &job.part(0.8, 1.0))?);
     }
     Ok(found)
 }
 
-/// The topology with more links contracted: the gluings that a hard deformation has brought about made part of the net.
+/// The topology with more links contracted: the gluings of a hard deformation made part of the net.
 /// Follow it with [`snap`](super::field::snap).
 ///
 /// # Errors
@@ -108,7 +109,7 @@ pub fn absorb(topology: &Topology, links: impl IntoIterator<Item = u32>) -> Resu
     Ok(glued.with_reversed(topology.is_reversed()))
 }
 
-/// All but what takes signs.
+/// The analysis without signs.
 fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Analysis> {
     if !(tolerance >= 0.0 && tolerance.is_finite()) {
         return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
@@ -119,7 +120,7 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     let width = 2 * shape.columns();
     let changes: Vec<_> = each!(before.coordinates(), old => each!(after.coordinates(), new => {
         let row = |i: usize, ratios: &mut [f64]| row_of_links((old, new), i, ratios, &classes, tolerance);
-        pieces::rows(&mut links, width, (&job.part(0.0, 0.5), "analyse"), row)?.collect()
+        chunks::map_rows(&mut links, width, (&job.part(0.0, 0.5), "analyse"), row)?.collect()
     }));
     let (mut contracted, mut torn) = (Vec::new(), Vec::new());
     for change in changes {
@@ -129,12 +130,12 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     }
     let contracted = with_stars(before.topology(), &contracted)?;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
-    let hidden = Hidden::of(before)?;
+    let hidden = HiddenCells::of(before)?;
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        pieces::rows(&mut cells, shape.columns() - 1, (&job.part(0.5, 1.0), "analyse"), |i, ratios| {
+        chunks::map_rows(&mut cells, shape.columns() - 1, (&job.part(0.5, 1.0), "analyse"), |i, ratios| {
             for (j, ratio) in ratios.iter_mut().enumerate().filter(|&(j, _)| !hidden.contains(i, j)) {
                 *ratio = area_vector(new, i, j).length() / area_vector(old, i, j).length();
-                // 0 / 0 is NaN already; an area out of nothing has no ratio either.
+                // 0 / 0 is NaN already; an area grown from 0 has no ratio either.
                 *ratio = if ratio.is_infinite() { f64::NAN } else { *ratio };
             }
         })?
@@ -143,7 +144,7 @@ fn compare(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> 
     Ok(Analysis { links, cells, determinants: Vec::new(), contracted, torn, folded: Vec::new() })
 }
 
-/// The ratios of the links of row i, those newly contracted, and those torn.
+/// Writes the ratios of the links of row i; returns those newly contracted and those torn.
 fn row_of_links<A: Real, B: Real>(
     (old, new): (&Planes<'_, A>, &Planes<'_, B>),
     i: usize,
@@ -153,7 +154,7 @@ fn row_of_links<A: Real, B: Real>(
 ) -> Result<(Vec<u32>, Vec<u32>)> {
     let shape = old.shape();
     let (mut contracted, mut torn) = (Vec::new(), Vec::new());
-    for (link, ratio) in (2 * shape.node(i, 0)..).zip(ratios) {
+    for (link, ratio) in (shape.horizontal_link(i, 0)..).zip(ratios) {
         let [(a, b), (c, d)] = shape.ends(link).map(|node| shape.place(node));
         let before = old.get(a, b).distance(old.get(c, d));
         let after = new.get(a, b).distance(new.get(c, d));
@@ -187,9 +188,9 @@ fn area_vector<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize) -> DVec3 {
     (planes.get(i + 1, j + 1) - planes.get(i, j)).cross(planes.get(i + 1, j) - planes.get(i, j + 1))
 }
 
-/// Notes the cells that are turned over, of those that are there. `sides`: 1 or -1 for each cell; or none at all.
-fn turn_over(found: &mut Analysis, sides: &[i8]) {
-    for ((cell, ratio), _) in (0..).zip(&mut found.cells).zip(sides).filter(|&(_, &side)| side < 0) {
+/// Records the existing cells of sign -1 as folded. `signs`: one for each cell, or none.
+fn mark_folds(found: &mut Analysis, signs: &[i8]) {
+    for ((cell, ratio), _) in (0..).zip(&mut found.cells).zip(signs).filter(|&(_, &sign)| sign < 0) {
         *ratio = -*ratio;
         if !ratio.is_nan() {
             found.folded.push(cell);
@@ -197,12 +198,12 @@ fn turn_over(found: &mut Analysis, sides: &[i8]) {
     }
 }
 
-/// Gives the ratios the signs of the determinants, and notes the cells where they differ from most. False if there are
-/// none such.
-fn turn_inside_out(found: &mut Analysis) -> bool {
+/// Gives ratios the signs of the determinants, and records the cells whose sign differs from the
+/// majority. False if none does.
+fn mark_inversions(found: &mut Analysis) -> bool {
     let sign = |determinant: f64| i64::from(determinant > 0.0) - i64::from(determinant < 0.0);
-    let there = found.cells.iter_mut().zip(&found.determinants).filter(|(ratio, _)| !ratio.is_nan());
-    let balance: i64 = there.map(|(_, &determinant)| sign(determinant)).sum();
+    let existing = found.cells.iter_mut().zip(&found.determinants).filter(|(ratio, _)| !ratio.is_nan());
+    let balance: i64 = existing.map(|(_, &determinant)| sign(determinant)).sum();
     for ((cell, ratio), &determinant) in (0..).zip(&mut found.cells).zip(&found.determinants) {
         if determinant < 0.0 {
             *ratio = -*ratio;
@@ -218,13 +219,13 @@ fn turn_inside_out(found: &mut Analysis) -> bool {
 fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'_>) -> Result<Vec<f64>> {
     let columns = planes.shape().columns() - 1;
     let mut determinants = alloc::zeroed(planes.shape().cell_count())?;
-    pieces::rows(&mut determinants, columns, (job, "analyse"), |i, row| {
+    chunks::map_rows(&mut determinants, columns, (job, "analyse"), |i, row| {
         for (j, determinant) in row.iter_mut().enumerate() {
-            let [a, b, c, d] = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| planes.get(i, j));
+            let [a, b, c, d] = planes.corners(i, j);
             let size = (c - a).length() + (d - b).length();
             let (jacobian, error) = differences((a + b + c + d) / 4.0, size, steps);
             let [x, y, z] = [jacobian.x_axis, jacobian.y_axis, jacobian.z_axis];
-            // The determinant changes by so much at most, if each column does by the error.
+            // The error bound of the determinant, given that of each column.
             let off = error * (x.cross(y).length() + y.cross(z).length() + z.cross(x).length());
             *determinant = if jacobian.determinant().abs() <= off { 0.0 } else { jacobian.determinant() };
         }
@@ -233,13 +234,13 @@ fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'
     Ok(determinants)
 }
 
-/// The Jacobian of a chain of fields at a point, by central differences over a step that balances what they neglect
-/// with what rounding does: the cube root of the precision, times the larger of `size` and the coordinates.
+/// The Jacobian of a chain of fields at a point, by central differences. The step balances truncation
+/// against rounding: the cube root of the precision, times the larger of `size` and the coordinates.
 pub fn jacobian(point: DVec3, size: f64, steps: &[Step<'_>]) -> DMat3 {
     differences(point, size, steps).0
 }
 
-/// The Jacobian, and by how much a column of it may be off.
+/// The Jacobian, and an error bound of its columns.
 fn differences(point: DVec3, size: f64, steps: &[Step<'_>]) -> (DMat3, f64) {
     let step = 6e-6 * size.max(point.abs().max_element());
     let offsets = DVec3::AXES.map(|axis| step * axis);
@@ -250,13 +251,13 @@ fn differences(point: DVec3, size: f64, steps: &[Step<'_>]) -> (DMat3, f64) {
     }
     let column = |k: usize| {
         let of = |values: &[f64]| values[2 * k] - values[2 * k + 1];
-        // The step as it was rounded.
+        // The rounded step.
         DVec3::new(of(&x), of(&y), of(&z)) / (points[k][0][k] - points[k][1][k])
     };
     let jacobian = DMat3::from_cols(column(0), column(1), column(2));
     let largest = |values: &[f64]| values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let ratio = [0, 1, 2].map(|k| jacobian.col(k).length()).into_iter().fold(0.0, f64::max);
-    // Some roundings of the results and of the terms they are sums of, and as much for what the differences neglect.
+    // Roundings of the results and of their terms, and as much again for truncation.
     let rounded =
         largest(&x).max(largest(&y)).max(largest(&z)).max(ratio * point.abs().max_element()).max(ratio * size);
     (jacobian, 32.0 * f64::EPSILON * rounded / step)

@@ -1,37 +1,10 @@
-//! What lies between two nets that were joined.
+//! Bridges: the cells between two nets that were joined (Deryagin, "Concatenation", Figs. 8 and 9),
+//! and the record of how each net was adapted, so that splitting is exact.
 
-use super::{Shape, Topology};
+use super::{Direction, Shape, Topology};
 use std::sync::Arc;
 
-/// Which way nets lie beside each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Direction {
-    /// The second net is right of the first: columns are appended.
-    Right,
-    /// The second net is below the first: rows are appended.
-    Down,
-}
-
-impl Direction {
-    /// Rows and columns exchanged.
-    #[must_use]
-    pub fn transposed(self) -> Self {
-        match self {
-            Direction::Right => Direction::Down,
-            Direction::Down => Direction::Right,
-        }
-    }
-
-    /// The nodes of a net in this direction, and across it: along a side that is joined.
-    pub(crate) fn extent(self, shape: Shape) -> (usize, usize) {
-        match self {
-            Direction::Right => (shape.columns(), shape.rows()),
-            Direction::Down => (shape.rows(), shape.columns()),
-        }
-    }
-}
-
-/// What a bridge looks like.
+/// The form of a bridge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum BridgeKind {
     /// A band between open sides.
@@ -42,19 +15,20 @@ pub enum BridgeKind {
     Thread,
 }
 
-/// What is done with the cells of a bridge.
+/// The treatment of the cells of a bridge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum BridgeMode {
-    /// They are cells like others.
+    /// Ordinary cells.
     #[default]
     Keep,
-    /// They are not there: the two nets are separate.
+    /// Absent cells: the two nets are separate.
     Hide,
-    /// The two sides coincide and are one: the links between them are contracted.
+    /// The two sides coincide: the links between them are contracted.
     Weld,
 }
 
-/// The physical properties that a host gives a bridge (paper, "tension, elasticity, stiffness"): kept, and not used.
+/// The physical properties that a host gives a bridge (Deryagin, "tension, elasticity, stiffness"):
+/// stored and not interpreted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BridgeProperties {
     /// Tension.
@@ -67,59 +41,72 @@ pub struct BridgeProperties {
     pub user: u64,
 }
 
-/// What was done to a net before it was joined to another, for that to be undone when they are taken apart.
+/// The record of what was done to a net before it was joined, from which splitting restores it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Origin {
-    /// The size it was joined with; a part of any other size is not this net any more.
+pub(crate) struct Adaptation {
+    /// The size it was joined with; a part of any other size is no longer this net.
     pub(crate) joined: Shape,
-    /// Its faces were taken the other way round: its rows were flipped, first of all.
+    /// First: its rows were flipped, as its faces had the opposite orientation.
     pub(crate) flipped: bool,
-    /// Its rows (or columns, across the direction) were replicated: those of `joined` that are copies.
+    /// Second: its rows (or columns, across the direction) were replicated; those of `joined` that are
+    /// copies.
     pub(crate) copies: Vec<u32>,
-    /// It was turned by so many places along its closed side, last of all.
+    /// Last: it was rotated by so many places along its closed side.
     pub(crate) twist: u32,
-    /// Its topology before all that.
+    /// Its topology before.
     pub(crate) topology: Topology,
-    /// Its own bridges before all that.
+    /// Its own bridges before.
     pub(crate) bridges: Vec<Bridge>,
 }
 
-/// The row or column of cells between two nets that were joined, and what it takes to take them apart again.
+impl Drop for Adaptation {
+    /// Frees nested records iteratively, so that their depth does not matter.
+    fn drop(&mut self) {
+        let mut open: Vec<Bridge> = std::mem::take(&mut self.bridges);
+        while let Some(mut bridge) = open.pop() {
+            for mut record in bridge.adaptations.iter_mut().filter_map(|record| Arc::into_inner(record.take()?)) {
+                open.append(&mut record.bridges);
+            }
+        }
+    }
+}
+
+/// The row or column of cells between two nets that were joined, with all that splitting needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bridge {
-    /// Which way the second net lies.
+    /// The direction from the first net to the second.
     pub direction: Direction,
-    /// The first row or column of the second net: the bridge is the cells between it and the one before.
+    /// The first row or column of the second net: the cells of the bridge lie before it.
     pub at: u32,
     /// The first node along the side: more than 0 in a net within a larger one.
     pub start: u32,
     /// One past the last node along the side.
     pub end: u32,
-    /// What it looks like.
+    /// The form.
     pub kind: BridgeKind,
-    /// What is done with it.
+    /// The treatment of its cells.
     pub mode: BridgeMode,
-    /// The host's.
+    /// Physical properties, for the host's use.
     pub properties: BridgeProperties,
-    /// What was done to the first net and to the second, if anything.
-    pub(crate) origins: [Option<Arc<Origin>>; 2],
-    /// How often the net was joined to others since: what was joined last is taken apart first.
+    /// The adaptations of the first net and of the second, if any.
+    pub(crate) adaptations: [Option<Arc<Adaptation>>; 2],
+    /// The number of times the net was joined since: the bridge made last is split first.
     pub(crate) nesting: u32,
 }
 
 impl Bridge {
     /// A bridge along a whole side of `count` nodes.
     pub fn new(direction: Direction, at: u32, count: u32, kind: BridgeKind, mode: BridgeMode) -> Self {
-        let (properties, origins) = (BridgeProperties::default(), [None, None]);
-        Bridge { direction, at, start: 0, end: count, kind, mode, properties, origins, nesting: 0 }
+        let (properties, adaptations) = (BridgeProperties::default(), [None, None]);
+        Bridge { direction, at, start: 0, end: count, kind, mode, properties, adaptations, nesting: 0 }
     }
 
-    /// True if its cells are not there.
+    /// True if its cells are absent.
     pub fn is_hidden(&self) -> bool {
         self.mode == BridgeMode::Hide
     }
 
-    /// True if the cell at (i, j) is one of its.
+    /// True if the cell at (i, j) belongs to it.
     pub fn has_cell(&self, i: usize, j: usize) -> bool {
         let (across, along) = match self.direction {
             Direction::Right => (j, i),
@@ -128,7 +115,7 @@ impl Bridge {
         across + 1 == self.at as usize && (self.start as usize..self.end as usize - 1).contains(&along)
     }
 
-    /// True if it runs from side to side of a net of that size, so that it can be taken apart there.
+    /// True if it runs from side to side of a net of that size, so that the net can be split there.
     pub fn is_whole(&self, shape: Shape) -> bool {
         self.start == 0 && self.end as usize == self.direction.extent(shape).1
     }

@@ -1,13 +1,13 @@
-//! Where a deformation has folded a net.
+//! Detection of folds that a deformation has made in a net.
 //!
-//! A fold is where the surface comes to lie on itself: at a link whose two cells point the same way from it, in one plane,
-//! so that the angle between them is none; or in a cell two opposite sides of which cross. Whether lines are in one plane,
-//! on which side of a line they are, and whether they cross is the same after every affine map that has an inverse. So no
-//! such map folds anything, and however far a surface is bent or flattened, it is folded only where no angle is left.
+//! A net is folded at a link whose two cells lie on the same side of it in one plane, and in a cell two
+//! opposite sides of which cross. Coplanarity, sides of a line and crossings are affine invariants.
+//! Invariant: no invertible affine map folds anything, and bending folds only where the dihedral angle
+//! vanishes within the tolerance and the rounding error of the nodes.
 //!
-//! No angle: nodes moved by the tolerance, and what rounding may have moved them, could close it.
+//! Folds then partition the cells into two sides by union-find with parity. O(nodes).
 
-use super::hidden::Hidden;
+use super::hidden_cells::HiddenCells;
 use super::topology::Forest;
 use super::{Classes, Net, Planes, Real, Shape, each};
 use crate::alloc;
@@ -17,57 +17,57 @@ use crate::mesh::Scalar;
 use crate::par;
 use glam::DVec3;
 
-/// What can be said of a link or a cell.
+/// The result of a fold test at a link or a cell.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Fold {
-    Yes,
-    No,
-    /// It is too small, or not there.
-    Unclear,
+enum FoldTest {
+    Folded,
+    Unfolded,
+    /// The cell is smaller than the error, or missing.
+    Undecided,
 }
 
-/// About so many cells are one thread's work at a time, and are looked at between two chances to cancel.
+/// Cells that one thread takes at a time, approximately, and that are tested between progress reports.
 const BLOCK: usize = 1 << 14;
 const STAGE: &str = "looking for folds";
 
-/// How much wider the margins are before the deformation: what is folded after must not have been nearly so before.
-const BEFORE: f64 = 8.0;
+/// The factor on error margins before the deformation: a fold must not have been nearly one before.
+const MARGIN_BEFORE: f64 = 8.0;
 
-/// Of each cell, -1 where it is turned over, else 1; empty if nothing is folded.
+/// The sign of each cell, -1 where it is turned over, else 1; empty if nothing is folded.
 ///
-/// Folds part the cells into those of one side and those of the other; of the parts that hang together, the smaller side is
-/// turned over. Where there is no such parting, as round the end of a fold, the cells at the fold itself are.
-pub(super) fn sides(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<i8>> {
-    let (shape, classes, hidden) = (before.shape(), Classes::of(before.topology())?, Hidden::of(before)?);
+/// Folds divide each connected component of cells into two sides, of which the smaller is turned over.
+/// Where they do not, as round the end of a fold, the cells at the fold are.
+pub(super) fn fold_signs(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<i8>> {
+    let (shape, classes, hidden) = (before.shape(), Classes::of(before.topology())?, HiddenCells::of(before)?);
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
-        let search = Search { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
+        let search = FoldSearch { shape, classes: &classes, hidden: &hidden, old, new, tolerance };
         let (lines, part) = ((BLOCK / shape.columns()).max(1), job.part(0.0, 0.5));
         let blocks = par::chunks_cancellable(&part, STAGE, shape.rows() - 1, lines, |mut rows| {
             rows.any(|i| search.is_folded_in_row(i))
         })?;
-        if blocks.contains(&true) { search.parted(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }
+        if blocks.contains(&true) { search.partition(&job.part(0.5, 1.0)) } else { Ok(Vec::new()) }
     }))
 }
 
-/// Two cells and the link between them, as the first has it.
+/// Two adjacent cells and their common link.
 type Pair = ([u32; 2], [(usize, usize); 2]);
 
-struct Search<'a, A, B> {
+struct FoldSearch<'a, A, B> {
     shape: Shape,
     classes: &'a Classes,
-    hidden: &'a Hidden,
+    hidden: &'a HiddenCells,
     old: &'a Planes<'a, A>,
     new: &'a Planes<'a, B>,
     tolerance: f64,
 }
 
-impl<A: Real, B: Real> Search<'_, A, B> {
+impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     fn is_folded_in_row(&self, i: usize) -> bool {
         (0..self.shape.columns() - 1)
             .any(|j| self.is_crossed(i, j) || self.pairs(i, j).any(|pair| self.is_folded(pair) == Some(true)))
     }
 
-    /// Cell (i, j) with its neighbours to the east and south, also over a side that is glued to the one opposite.
+    /// Cell (i, j) with its neighbours to the east and south, also across a closed side.
     fn pairs(&self, i: usize, j: usize) -> impl Iterator<Item = Pair> + '_ {
         let shape = self.shape;
         let (east, south) = ((j + 1) % (shape.columns() - 1), (i + 1) % (shape.rows() - 1));
@@ -76,46 +76,48 @@ impl<A: Real, B: Real> Search<'_, A, B> {
             ((south, j), [(i + 1, j), (i + 1, j + 1)], [(south, j), (south, j + 1)]),
         ];
         let class = move |(i, j): (usize, usize)| self.classes.representative(shape.node(i, j));
-        let is_shown = |(i, j): (usize, usize)| !self.hidden.contains(i, j);
+        let is_visible = |(i, j): (usize, usize)| !self.hidden.contains(i, j);
         pairs
             .into_iter()
             .filter(move |&(next, link, same)| {
-                next != (i, j) && link.map(class) == same.map(class) && is_shown((i, j)) && is_shown(next)
+                next != (i, j) && link.map(class) == same.map(class) && is_visible((i, j)) && is_visible(next)
             })
             .map(move |(next, link, _)| ([shape.cell(i, j), shape.cell(next.0, next.1)], link))
     }
 
-    /// True if two cells are folded onto each other that were not before. None if that cannot be said.
+    /// True if two cells are folded onto each other and were not before; `None` if undecided.
     fn is_folded(&self, (cells, link): Pair) -> Option<bool> {
         let cells = cells.map(|cell| self.shape.cell_place(cell));
         match at_link(self.new, link, cells, self.tolerance, 1.0) {
-            Fold::Yes => Some(at_link(self.old, link, cells, self.tolerance, BEFORE) == Fold::No),
-            Fold::No => Some(false),
-            Fold::Unclear => None,
+            FoldTest::Folded => {
+                Some(at_link(self.old, link, cells, self.tolerance, MARGIN_BEFORE) == FoldTest::Unfolded)
+            }
+            FoldTest::Unfolded => Some(false),
+            FoldTest::Undecided => None,
         }
     }
 
-    /// True if opposite sides of cell (i, j) cross that did not before.
+    /// True if opposite sides of cell (i, j) cross and did not before.
     fn is_crossed(&self, i: usize, j: usize) -> bool {
-        in_cell(self.new, i, j, self.tolerance, 1.0) == Fold::Yes
-            && in_cell(self.old, i, j, self.tolerance, BEFORE) == Fold::No
+        in_cell(self.new, i, j, self.tolerance, 1.0) == FoldTest::Folded
+            && in_cell(self.old, i, j, self.tolerance, MARGIN_BEFORE) == FoldTest::Unfolded
             && !self.hidden.contains(i, j)
     }
 
-    /// Of each cell, the side of the folds that it is on.
-    fn parted(&self, job: &Job<'_>) -> Result<Vec<i8>> {
+    /// The side of the folds that each cell is on.
+    fn partition(&self, job: &Job<'_>) -> Result<Vec<i8>> {
         let count = self.shape.cell_count();
         let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
         // Each cell twice: as it is, and turned over.
         let (mut forest, over) = (Forest::new(2 * count)?, count as u32);
         let mut folded = Vec::new();
-        let checked = |cell: u32, from: f64| match cell as usize % BLOCK {
+        let step = |cell: u32, from: f64| match cell as usize % BLOCK {
             0 => job.step(from + 0.4 * f64::from(cell) / count as f64, STAGE),
             _ => Ok(()),
         };
         for pair in cells().flat_map(|(i, j)| self.pairs(i, j)) {
             let [a, b] = pair.0;
-            checked(a, 0.0)?;
+            step(a, 0.0)?;
             match self.is_folded(pair) {
                 Some(true) => alloc::push(&mut folded, [a, b])?,
                 Some(false) => [[a, b], [a + over, b + over]].into_iter().for_each(|cells| forest.join(cells)),
@@ -147,85 +149,80 @@ impl<A: Real, B: Real> Search<'_, A, B> {
         }));
         at_ends.into_iter().for_each(|cell| signs[cell as usize] = -1);
         for ((sign, (i, j)), cell) in signs.iter_mut().zip(cells()).zip(0..) {
-            checked(cell, 0.6)?;
+            step(cell, 0.6)?;
             *sign = if self.is_crossed(i, j) { -1 } else { *sign };
         }
         Ok(signs)
     }
 }
 
-/// The corners of cell (i, j), in order.
-fn corners<T: Real>(planes: &Planes<'_, T>, (i, j): (usize, usize)) -> [DVec3; 4] {
-    [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| planes.get(i, j))
-}
-
-/// By how much nodes may be off.
+/// The error bound of nodes: the tolerance and their rounding.
 fn error<T: Real>(points: &[DVec3], tolerance: f64) -> f64 {
     let epsilon = if T::SCALAR == Scalar::F32 { f64::from(f32::EPSILON) } else { f64::EPSILON };
     let largest = points.iter().fold(0.0, |largest: f64, point| largest.max(point.abs().max_element()));
     tolerance + 8.0 * epsilon * largest
 }
 
-/// Vectors made of differences of nodes that may be off by `error`; scaled, so that products neither overflow nor vanish.
+/// Differences of nodes and their error bound, scaled so that products neither overflow nor vanish.
 fn scaled<const N: usize>(vectors: [DVec3; N], error: f64) -> ([DVec3; N], f64) {
     let largest = vectors.iter().fold(0.0, |largest: f64, vector| largest.max(vector.abs().max_element()));
     (vectors.map(|vector| vector / largest), error / largest)
 }
 
-/// Whether two cells at a link point the same way from it.
+/// The test of two cells at a link: on the same side of it, in one plane.
 fn at_link<T: Real>(
     planes: &Planes<'_, T>,
     link: [(usize, usize); 2],
     cells: [(usize, usize); 2],
     tolerance: f64,
     margin: f64,
-) -> Fold {
+) -> FoldTest {
     let [p, q] = link.map(|(i, j)| planes.get(i, j));
-    let cells = cells.map(|cell| corners(planes, cell));
+    let cells = cells.map(|(i, j)| planes.corners(i, j));
     let error = error::<T>(cells.as_flattened(), tolerance);
-    // From the link to the middle of the opposite side, twice.
+    // Twice the vectors from the link to the middle of the opposite sides.
     let [u, v] = cells.map(|[a, b, c, d]| (a - p) + (b - p) + (c - q) + (d - q));
     let ([along, u, v], error) = scaled([q - p, u, v], error);
     let [one, other] = [u, v].map(|away| along.cross(away));
     let is_wide = |area: DVec3, away: DVec3| area.length() > 2.0 * error * (along.length() + away.length());
     if !(is_wide(one, u) && is_wide(other, v)) {
-        return Fold::Unclear;
+        return FoldTest::Undecided;
     }
-    // The volume, and by how much it may be off.
+    // The error bound of the volume.
     let off = 2.0 * margin * error * (u.cross(v).length() + 2.0 * one.length() + 2.0 * other.length());
-    if one.dot(other) > 0.0 && one.dot(v).abs() <= off { Fold::Yes } else { Fold::No }
+    if one.dot(other) > 0.0 && one.dot(v).abs() <= off { FoldTest::Folded } else { FoldTest::Unfolded }
 }
 
-/// Whether two opposite sides of a cell cross.
-fn in_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64, margin: f64) -> Fold {
-    let points @ [a, b, c, d] = corners(planes, (i, j));
+/// The test of a cell: two opposite sides cross.
+fn in_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64, margin: f64) -> FoldTest {
+    let points @ [a, b, c, d] = planes.corners(i, j);
     let error = error::<T>(&points, tolerance);
     let found = [cross([a, b], [d, c], error, margin), cross([a, d], [b, c], error, margin)];
-    if found.contains(&Fold::Yes) {
-        Fold::Yes
+    if found.contains(&FoldTest::Folded) {
+        FoldTest::Folded
     } else if points.iter().all(|point| point.is_finite()) {
-        Fold::No
+        FoldTest::Unfolded
     } else {
-        Fold::Unclear
+        FoldTest::Undecided
     }
 }
 
-/// Whether the line from p to q and the line from r to s cross, between their ends. With a wide margin they may miss each other
-/// by it.
-fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> Fold {
+/// The test of two segments, p q and r s: they cross between their ends, or miss each other by less than
+/// the margin.
+fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> FoldTest {
     let ([u, v, across], error) = scaled([q - p, s - r, r - p], error);
     let normal = u.cross(v);
     let (area, size) = (normal.length(), u.length() + v.length());
     let is_wide = area * margin > 2.0 * error * size;
     if !is_wide {
-        return Fold::Unclear;
+        return FoldTest::Undecided;
     }
     let unit = normal / area;
-    // Where they meet, in parts of each; and what an error of the nodes makes of that.
+    // The parameters of the crossing, and their error bound.
     let [t, w] = [across.cross(v), across.cross(u)].map(|cross| cross.dot(unit) / area);
     let slack = 4.0 * error * size / area;
     let slack = if margin > 1.0 { -slack } else { slack };
     let is_between = |part: f64| part > slack && part < 1.0 - slack;
     let is_near = across.dot(unit).abs() <= 2.0 * margin * error * (1.0 + across.length() * size / area);
-    if is_near && is_between(t) && is_between(w) { Fold::Yes } else { Fold::No }
+    if is_near && is_between(t) && is_between(w) { FoldTest::Folded } else { FoldTest::Unfolded }
 }

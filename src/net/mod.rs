@@ -1,32 +1,38 @@
 //! Nets: tetragonal regular networks (TRN).
 //!
-//! The model is Deryagin's: H x W nodes in three coordinate matrices, joined to cells by their indices alone, and closed to
-//! surfaces of any kind by a characteristic matrix that says which links are contracted to a point.
+//! The model is A. A. Deryagin's ("Modelling of 3D objects and scenes by tetragonal regular networks"):
+//! H x W nodes in three coordinate matrices, joined to cells by their indices alone, and closed to
+//! surfaces of any kind by a characteristic matrix of contracted links. `docs/errata.md` lists where the
+//! paper is corrected.
 //!
 //! * [`Shape`]: size and numbering. [`Planes`], [`Coordinates`]: the matrices. [`Net`]: all together.
-//! * [`topology`]: what is glued to what, the classes of glued nodes, the 18 local gluings.
-//! * [`complex`]: what surface that makes. [`Net::validate`]: whether glued nodes lie together. [`derive()`]: what lies together.
-//! * [`closure`]: boxes, and surfaces with a side turned round. [`primitive`]: whole nets of standard shapes.
-//! * [`Bridge`]: what lies between nets that were joined.
-//! * Parts, flips, quarter turns, reformatting: methods of [`Net`]. [`concatenate`], [`Net::split`]: joining, taking apart.
-//! * [`stream`]: nets as bytes.
+//! * [`topology`]: the gluing, the classes of glued nodes, the 18 local gluings.
+//! * [`complex`]: the surface that the gluing makes. [`Net::validate`]: whether glued nodes coincide.
+//!   [`detect_gluing()`]: the gluing that coordinates imply.
+//! * [`closure`]: boxes, and surfaces with a reversed side. [`primitive`]: nets of standard shapes.
+//! * [`concatenate`], [`Net::split`]: joining and splitting, with a [`Bridge`] between.
+//! * Parts, flips, quarter turns, reformatting: methods of [`Net`].
+//! * [`field`], [`transform`]: deformations. [`analyse`]: their effect. [`normals`], [`measure`]: normals,
+//!   areas, volumes. [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]: meshes and height
+//!   fields. [`stream`]: nets as bytes.
 
 pub mod analyse;
 mod arrange;
 mod bridge;
+mod chunks;
 pub mod closure;
-mod coincide;
+mod coincidence;
 pub mod complex;
 pub mod convert;
-mod derive;
+mod detect_gluing;
+mod direction;
 pub mod field;
 mod fold;
-mod hidden;
+mod hidden_cells;
 mod join;
 pub mod measure;
 mod model;
 pub mod normals;
-mod pieces;
 mod planes;
 pub mod primitive;
 mod real;
@@ -40,8 +46,9 @@ pub mod topology;
 pub mod transform;
 mod validate;
 
-pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction};
-pub use derive::derive;
+pub use bridge::{Bridge, BridgeKind, BridgeMode, BridgeProperties};
+pub use detect_gluing::detect_gluing;
+pub use direction::Direction;
 pub use join::{JoinOptions, concatenate, concatenate_all};
 pub(crate) use model::each;
 pub use model::{Coordinates, Net};

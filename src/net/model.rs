@@ -1,4 +1,6 @@
-//! A net: coordinates and topology.
+//! The net: coordinates, topology and bridges (Deryagin, "Model").
+//!
+//! Invariant: coordinates and topology have one shape. Accessors are O(1).
 
 use super::{Bridge, Planes, Real, Shape, Topology};
 use crate::alloc;
@@ -15,7 +17,7 @@ pub enum Coordinates<'a> {
     F64(Planes<'a, f64>),
 }
 
-/// Does the same with coordinates of either type: `each!(&net.coordinates, planes => body)`.
+/// Evaluates one body for coordinates of either type: `each!(&net.coordinates, planes => body)`.
 macro_rules! each {
     ($coordinates:expr, $planes:ident => $body:expr) => {
         match $coordinates {
@@ -26,8 +28,20 @@ macro_rules! each {
 }
 pub(crate) use each;
 
+impl<'a> From<Planes<'a, f32>> for Coordinates<'a> {
+    fn from(planes: Planes<'a, f32>) -> Self {
+        Coordinates::F32(planes)
+    }
+}
+
+impl<'a> From<Planes<'a, f64>> for Coordinates<'a> {
+    fn from(planes: Planes<'a, f64>) -> Self {
+        Coordinates::F64(planes)
+    }
+}
+
 impl Coordinates<'_> {
-    /// Zeros, in memory of ours.
+    /// Owned zeros.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -61,27 +75,25 @@ impl Coordinates<'_> {
         each!(self, planes => planes.set(i, j, position));
     }
 
-    /// True for memory of the host's.
+    /// True for borrowed memory.
     pub fn is_borrowed(&self) -> bool {
         each!(self, planes => planes.is_borrowed())
     }
 
-    /// A copy in memory of ours, bit for bit.
+    /// An owned copy, bit for bit.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn copied(&self) -> Result<Coordinates<'static>> {
-        Ok(match self {
-            Coordinates::F32(planes) => Coordinates::F32(planes.copied()?),
-            Coordinates::F64(planes) => Coordinates::F64(planes.copied()?),
-        })
+        each!(self, planes => planes.copied().map(Coordinates::from))
     }
 }
 
-/// A tetragonal regular network: H x W nodes in space, what is glued to what, and the bridges that joined it from others.
+/// A tetragonal regular network: H x W nodes in space, their gluing, and the bridges between the nets
+/// that it was joined from.
 ///
-/// A node may have any coordinates; one with a coordinate that is NaN or infinite is missing, and so are the cells that
-/// touch it: see [`Net::is_present`].
+/// A node with a coordinate that is NaN or infinite is missing, and so are the cells that touch it: see
+/// [`Net::is_present`].
 #[derive(Debug)]
 pub struct Net<'a> {
     coordinates: Coordinates<'a>,
@@ -126,17 +138,17 @@ impl<'a> Net<'a> {
         &self.coordinates
     }
 
-    /// The same, to be written to.
+    /// The coordinate matrices, mutable.
     pub fn coordinates_mut(&mut self) -> &mut Coordinates<'a> {
         &mut self.coordinates
     }
 
-    /// What is glued to what.
+    /// The gluing.
     pub fn topology(&self) -> &Topology {
         &self.topology
     }
 
-    /// Glues otherwise. Positions stay what they are.
+    /// Replaces the gluing. Positions stay.
     ///
     /// # Panics
     /// If the sizes differ.
@@ -150,7 +162,7 @@ impl<'a> Net<'a> {
         &self.bridges
     }
 
-    /// The same, to be changed.
+    /// The bridges, mutable.
     pub fn bridges_mut(&mut self) -> &mut Vec<Bridge> {
         &mut self.bridges
     }
@@ -160,13 +172,19 @@ impl<'a> Net<'a> {
         self.coordinates.get(i, j)
     }
 
-    /// True if the cell at (i, j) is there: its four nodes have finite coordinates, and no hidden bridge has it.
-    /// A node that is missing takes nothing from the nodes that are glued to it: their cells are there, and the vertex is
-    /// where the first of its nodes is that is not missing. [`Complex::of`](super::complex::Complex::of) and
-    /// [`Net::to_mesh`] hold to this.
+    /// The position of a node in double precision.
+    pub(crate) fn position(&self, node: u32) -> DVec3 {
+        let (i, j) = self.shape().place(node);
+        self.get(i, j)
+    }
+
+    /// True if the cell at (i, j) exists: its four nodes have finite coordinates, and it belongs to no
+    /// hidden bridge. A missing node does not affect the nodes that are glued to it: their cells exist,
+    /// and the vertex lies at the first of its nodes that is not missing.
+    /// [`Complex::of`](super::complex::Complex::of) and [`Net::to_mesh`] follow this rule.
     pub fn is_present(&self, i: usize, j: usize) -> bool {
-        let corners = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
-        corners.into_iter().all(|(i, j)| self.get(i, j).is_finite()) && !self.is_hidden(i, j)
+        each!(&self.coordinates, planes => planes.corners(i, j)).into_iter().all(DVec3::is_finite)
+            && !self.is_hidden(i, j)
     }
 
     /// True if the cell at (i, j) belongs to a hidden bridge.
@@ -174,8 +192,8 @@ impl<'a> Net<'a> {
         self.bridges.iter().any(|bridge| bridge.is_hidden() && bridge.has_cell(i, j))
     }
 
-    /// A copy with coordinates of a type, with the same gluing and the same bridges. From double to single precision they are
-    /// rounded: glued nodes stay equal. What is too large becomes infinite, and the node missing.
+    /// A copy with coordinates of the given type. Rounding to single precision keeps glued nodes equal;
+    /// a coordinate that overflows becomes infinite, and the node missing.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -198,7 +216,7 @@ impl<'a> Net<'a> {
         Ok(Net { coordinates, topology: self.topology.copied()?, bridges })
     }
 
-    /// A copy in memory of ours.
+    /// An owned copy.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -208,12 +226,5 @@ impl<'a> Net<'a> {
             topology: self.topology.copied()?,
             bridges: alloc::collect(self.bridges.iter().cloned())?,
         })
-    }
-}
-
-impl<T: Real> Planes<'_, T> {
-    /// True if the three coordinates of node (i, j) are finite.
-    pub fn is_finite(&self, i: usize, j: usize) -> bool {
-        self.get(i, j).is_finite()
     }
 }

@@ -1,12 +1,15 @@
 //! Unit normals at the nodes.
 //!
-//! The normal of a point is the direction of the sum, over the corners of all cells there, of the cross products of the
-//! two sides that meet in the corner: cells as they are after gluing, corners of all nodes that are the point. At a
-//! node with four whole cells that sum is the product of the central differences, (E - W) x (S - N), as the terms in
-//! between cancel; this is the fast way. Poles and seams need the sum itself: on the cells as they lie in the matrices,
-//! it is zero at a pole.
+//! The normal of a vertex is the direction of the sum, over the corners of its cells, of the cross
+//! products of the two sides that meet there: cells reduced after gluing, corners of all nodes of the
+//! class. At a node with four whole cells the sum telescopes to the product of central differences,
+//! (E - W) x (S - N), which is the fast path. Poles and seams need the sum itself: over unreduced cells
+//! it vanishes at a pole.
+//!
+//! Invariant: nodes of one class get the same bits. O(nodes), and memory for the glued nodes only.
 
-use super::hidden::Hidden;
+use super::hidden_cells::HiddenCells;
+use super::shape::corner_places;
 use super::topology::{Groups, Reduced};
 use super::{Classes, Coordinates, Net, Planes, Real};
 use crate::alloc;
@@ -16,11 +19,11 @@ use crate::par;
 use crate::simd::{self, Kernel};
 use glam::DVec3;
 
-/// About so many nodes are one thread's work at a time.
+/// Nodes that one thread takes at a time, approximately.
 const BLOCK: usize = 1 << 15;
 
-/// So many glued nodes are one thread's work at a time.
-const GLUED: usize = 1 << 10;
+/// Classes that one thread takes at a time.
+const CLASSES_PER_TASK: usize = 1 << 10;
 
 const STAGE: &str = "normals";
 
@@ -35,11 +38,11 @@ pub fn normals(net: &Net<'_>, job: &Job<'_>) -> Result<(Coordinates<'static>, u6
 }
 
 /// Writes the unit normal of every node, in the net's type; nodes of one class get the same bits. Returns the number of
-/// nodes that have none and get zeros: missing ones, and those where the cells have no area or cancel out.
+/// nodes without a normal, which get zeros: missing ones, and those where the areas vanish or cancel.
 ///
-/// Columns go with the fingers of the right hand towards rows, and the normal with the thumb; the other way for
-/// topologies that are reversed. At open rims, beside missing nodes and beside hidden bridges the cells that are there
-/// decide. O(nodes), and memory for the glued nodes only.
+/// The normal is that of the right-handed rotation from the direction of columns to that of rows; the
+/// opposite for reversed topologies. At open rims, beside missing nodes and beside hidden bridges only
+/// existing cells count. O(nodes), and memory for the glued nodes only.
 ///
 /// # Errors
 /// [`Error::MixedScalars`] if the normals are of another type, [`Error::ArrayTooShort`] if of another size,
@@ -58,16 +61,16 @@ pub fn normals_into(net: &Net<'_>, out: &mut Coordinates<'_>, job: &Job<'_>) -> 
 
 fn write<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
     job.step(0.0, STAGE)?;
-    let corners = Corners::new(net, planes)?;
+    let corners = CornerSums::new(net, planes)?;
     let without: u64 = rows(&corners, out, &job.part(0.0, 0.8))?.into_iter().sum();
     Ok(without + glued(&corners, out, &job.part(0.8, 1.0))?)
 }
 
-/// What it takes to sum over the corners at a node.
-struct Corners<'a, T> {
+/// The data for sums over the corners at a node.
+struct CornerSums<'a, T> {
     planes: &'a Planes<'a, T>,
     matrices: [&'a [T]; 3],
-    hidden: Hidden,
+    hidden: HiddenCells,
     classes: Classes,
     groups: Groups,
     /// A bit for each node that is glued to another.
@@ -75,7 +78,7 @@ struct Corners<'a, T> {
     sign: f64,
 }
 
-impl<'a, T: Real> Corners<'a, T> {
+impl<'a, T: Real> CornerSums<'a, T> {
     fn new(net: &'a Net<'_>, planes: &'a Planes<'_, T>) -> Result<Self> {
         let classes = Classes::of(net.topology())?;
         let groups = classes.groups()?;
@@ -83,10 +86,10 @@ impl<'a, T: Real> Corners<'a, T> {
         for &node in groups.members() {
             is_glued[node as usize / 64] |= 1u64 << (node % 64);
         }
-        Ok(Corners {
+        Ok(CornerSums {
             planes,
             matrices: planes.matrices(),
-            hidden: Hidden::of(net)?,
+            hidden: HiddenCells::of(net)?,
             classes,
             groups,
             is_glued,
@@ -104,26 +107,26 @@ impl<'a, T: Real> Corners<'a, T> {
         DVec3::from_array(self.matrices.map(|matrix| matrix[at].into()))
     }
 
-    /// The corners, in the cells that are there, of the polygons that have node (i, j). A polygon with several corners of the
-    /// matrices in one point is taken at the first of them.
-    fn sum(&self, i: usize, j: usize) -> Sum {
+    /// The sum over the corners at node (i, j) of the existing cells. Several corners of a cell in one
+    /// vertex count once, at the first of them.
+    fn sum(&self, i: usize, j: usize) -> VectorSum {
         let shape = self.planes.shape();
-        let mut sum = Sum::default();
+        let mut sum = VectorSum::default();
         for (ci, corner_row) in [(i.wrapping_sub(1), 1), (i, 0)] {
             for (cj, corner_column) in [(j.wrapping_sub(1), 1), (j, 0)] {
                 if ci < shape.rows() - 1 && cj < shape.columns() - 1 && !self.hidden.contains(ci, cj) {
                     let corner = if corner_row == 0 { corner_column } else { 3 - corner_column };
-                    sum = sum.add(Sum::of(self.corner(ci, cj, corner)));
+                    sum = sum.add(VectorSum::of(self.corner(ci, cj, corner)));
                 }
             }
         }
         sum
     }
 
-    /// The cross product of the sides at a corner of cell (i, j); zero if the cell is missing or has become a line or a
-    /// point.
+    /// The cross product of the sides at a corner of cell (i, j); zero if the cell is missing or reduced to
+    /// a line or a point.
     fn corner(&self, i: usize, j: usize, corner: usize) -> DVec3 {
-        let points = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| self.point(i, j));
+        let points = corner_places(i, j).map(|(i, j)| self.point(i, j));
         if !points.iter().all(|point| point.is_finite()) {
             return DVec3::ZERO;
         }
@@ -139,9 +142,9 @@ impl<'a, T: Real> Corners<'a, T> {
         (other(1) - points[corner]).cross(other(3) - points[corner])
     }
 
-    /// The unit vector along a sum, or zero if what was added cancels out but for rounding.
-    fn unit(&self, sum: Sum) -> DVec3 {
-        // Scaled first: squares of small sums would vanish.
+    /// The unit vector along a sum, or zero if the terms cancel but for rounding.
+    fn unit(&self, sum: VectorSum) -> DVec3 {
+        // Scaled first, as squares of small sums would underflow.
         let largest = sum.vector.abs().max_element();
         if largest.is_finite() && largest > 8.0 * f64::EPSILON * sum.size {
             self.sign * (sum.vector / largest).normalize()
@@ -160,26 +163,26 @@ impl<'a, T: Real> Corners<'a, T> {
     }
 }
 
-/// A sum of vectors, and of the sums of their absolute coordinates.
+/// A sum of vectors, and of their 1-norms, which bounds its rounding error.
 #[derive(Debug, Clone, Copy, Default)]
-struct Sum {
+struct VectorSum {
     vector: DVec3,
     size: f64,
 }
 
-impl Sum {
+impl VectorSum {
     fn of(vector: DVec3) -> Self {
-        Sum { vector, size: vector.abs().element_sum() }
+        VectorSum { vector, size: vector.abs().element_sum() }
     }
 
     fn add(self, other: Self) -> Self {
-        Sum { vector: self.vector + other.vector, size: self.size + other.size }
+        VectorSum { vector: self.vector + other.vector, size: self.size + other.size }
     }
 }
 
-/// The normals of all nodes that are not glued, those of one row and column inwards the fast way. Returns for each
-/// block the number of nodes without normal.
-fn rows<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<Vec<u64>> {
+/// The normals of all nodes that are not glued, of inner ones by the fast path. Returns the number of
+/// nodes without a normal for each block.
+fn rows<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<Vec<u64>> {
     let (shape, stride) = (out.shape(), out.stride());
     let lines = (BLOCK / stride).max(1);
     let [x, y, z] = out.matrices_mut().map(|matrix| matrix.chunks_mut(lines * stride));
@@ -194,11 +197,11 @@ fn rows<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_
 }
 
 /// The normals of row i.
-fn row<T: Real>(corners: &Corners<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u64 {
+fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u64 {
     let shape = corners.planes.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let mut without = 0;
-    let mut slowly = |j: usize, out: &mut [&mut [T]; 3]| {
+    let mut exact = |j: usize, out: &mut [&mut [T]; 3]| {
         if corners.is_glued(i, j) {
             return;
         }
@@ -206,39 +209,40 @@ fn row<T: Real>(corners: &Corners<'_, T>, i: usize, mut out: [&mut [T]; 3]) -> u
         (0..3).for_each(|axis| out[axis][j] = T::of(normal[axis]));
         without += u64::from(normal == [0.0; 3]);
     };
-    // With three columns no difference reads the node in the middle, which may be missing.
+    // With three columns no difference reads the middle node, which may be missing.
     if i == 0 || i + 1 == h || w < 4 {
-        (0..w).for_each(|j| slowly(j, &mut out));
+        (0..w).for_each(|j| exact(j, &mut out));
         return without;
     }
-    slowly(0, &mut out);
-    slowly(w - 1, &mut out);
+    exact(0, &mut out);
+    exact(w - 1, &mut out);
     let rows = [i - 1, i, i + 1].map(|i| corners.planes.row(i));
     let [x, y, z] = &mut out;
-    let all_good = simd::run(Differences { rows, sign: T::of(corners.sign), x, y, z });
+    let all_in_range = simd::run(Differences { rows, sign: T::of(corners.sign), x, y, z });
     let ends =
         [i - 1, i, i + 1].into_iter().all(|i| corners.planes.is_finite(i, 0) && corners.planes.is_finite(i, w - 1));
-    if !all_good || !ends || !corners.hidden.is_empty() {
+    if !all_in_range || !ends || !corners.hidden.is_empty() {
         for j in 1..w - 1 {
-            // Where the square of the length was out of range, the length is not 1.
+            // Where the squared length left the range, the length is not 1.
             let square = DVec3::from_array([0, 1, 2].map(|axis| out[axis][j].into())).length_squared();
             let is_unit = (square - 1.0).abs() < 1e-5;
             if !is_unit || corners.is_near_missing(i, j) || corners.is_near_hidden(i, j) {
-                slowly(j, &mut out);
+                exact(j, &mut out);
             }
         }
     }
     without
 }
 
-/// Gives all nodes of a class the sum over all of them, and returns how many have no normal.
-fn glued<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
+/// The normals of glued nodes: of each class the sum over its nodes. Returns the number of nodes without
+/// a normal.
+fn glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
     let (shape, groups) = (out.shape(), &corners.groups);
     let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
     let mut normals = alloc::zeroed(groups.len())?;
-    par::map_cancellable(job, STAGE, normals.chunks_mut(GLUED).enumerate(), |(chunk, normals)| {
-        for (normal, k) in normals.iter_mut().zip(GLUED * chunk..) {
-            let sum = places(k).fold(Sum::default(), |sum, (i, j)| sum.add(corners.sum(i, j)));
+    par::map_cancellable(job, STAGE, normals.chunks_mut(CLASSES_PER_TASK).enumerate(), |(chunk, normals)| {
+        for (normal, k) in normals.iter_mut().zip(CLASSES_PER_TASK * chunk..) {
+            let sum = places(k).fold(VectorSum::default(), |sum, (i, j)| sum.add(corners.sum(i, j)));
             *normal = corners.unit(sum).to_array();
         }
     })?;
@@ -253,8 +257,8 @@ fn glued<T: Real>(corners: &Corners<'_, T>, out: &mut Planes<'_, T>, job: &Job<'
     Ok(without)
 }
 
-/// The fast way, for the middle one of three rows, but for its first and last node. True if all is well: no length
-/// squared was not finite, or so large or small that it lost digits.
+/// Central differences for the middle one of three rows, without its first and last node. True if every
+/// squared length was within the range in which it keeps its digits.
 struct Differences<'a, T> {
     rows: [[&'a [T]; 3]; 3],
     sign: T,
@@ -272,7 +276,7 @@ impl<T: Real> Kernel for Differences<'_, T> {
     }
 }
 
-/// A function of its own, as only arguments are known not to overlap.
+/// A separate function, as only arguments are known not to alias.
 #[inline(always)]
 fn differences<T: Real>(
     [north, middle, south]: [[&[T]; 3]; 3],
@@ -281,26 +285,26 @@ fn differences<T: Real>(
     y: &mut [T],
     z: &mut [T],
 ) -> bool {
-    let (least, most) = (T::of(1e-30), T::of(1e30));
+    let (min, max) = (T::of(1e-30), T::of(1e30));
     let inner = x.len() - 2;
     let [west_x, west_y, west_z] = middle.map(|row| &row[..inner]);
     let [east_x, east_y, east_z] = middle.map(|row| &row[2..][..inner]);
     let [north_x, north_y, north_z] = north.map(|row| &row[1..][..inner]);
     let [south_x, south_y, south_z] = south.map(|row| &row[1..][..inner]);
     let (x, y, z) = (&mut x[1..][..inner], &mut y[1..][..inner], &mut z[1..][..inner]);
-    let mut bad = 0u32;
+    let mut out_of_range = 0u32;
     for j in 0..inner {
         let (a, b, c) = (east_x[j] - west_x[j], east_y[j] - west_y[j], east_z[j] - west_z[j]);
         let (d, e, f) = (south_x[j] - north_x[j], south_y[j] - north_y[j], south_z[j] - north_z[j]);
         let (nx, ny, nz) = (b * f - c * e, c * d - a * f, a * e - b * d);
         let square = nx * nx + ny * ny + nz * nz;
-        bad += u32::from(!(square > least && square < most));
-        let scale = sign / square.root();
+        out_of_range += u32::from(!(square > min && square < max));
+        let scale = sign / square.sqrt();
         x[j] = nx * scale;
         y[j] = ny * scale;
         z[j] = nz * scale;
     }
-    bad == 0
+    out_of_range == 0
 }
 
 #[cfg(test)]

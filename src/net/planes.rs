@@ -1,24 +1,28 @@
-//! The three coordinate matrices of a net, in memory of ours or of the host's.
+//! The three coordinate matrices X, Y, Z of a net (Deryagin, "Model"), owned or borrowed from the host.
+//!
+//! Structure of arrays: every owned matrix starts at a cache line, and loops over its rows vectorise.
+//! 12 or 24 bytes a node.
 
-use super::{Real, Shape};
+use super::Real;
+use super::shape::{Shape, corner_places};
 use crate::alloc;
 use crate::error::{Error, Result};
 use bytemuck::Zeroable;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Numbers that are written at a time by [`Planes::written`].
-const WRITTEN: usize = 1 << 13;
+/// Numbers in the buffer of [`Planes::from_rows`].
+const BUFFER_LENGTH: usize = 1 << 13;
 
-/// A quarter of a cache line. Whole ones, aligned, the allocator would clear by hand; memory of this alignment comes cleared from the
-/// system, and is touched only when it is used.
+/// The unit of storage. Memory of this alignment comes zeroed from the system and untouched; at the
+/// alignment of a cache line the allocator would clear it itself.
 #[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C, align(16))]
-struct Quarter([u8; 16]);
+struct AlignedChunk([u8; 16]);
 
-const LINE: usize = 64;
-/// Quarters in a line.
-const QUARTERS: usize = LINE / size_of::<Quarter>();
+/// Bytes of a cache line.
+const CACHE_LINE: usize = 64;
+const CHUNKS_PER_LINE: usize = CACHE_LINE / size_of::<AlignedChunk>();
 
 /// X, Y, Z: three matrices of `rows x columns` numbers, row after row, each row `stride` numbers after the one before.
 #[derive(Debug)]
@@ -30,65 +34,65 @@ pub struct Planes<'a, T> {
 
 #[derive(Debug)]
 enum Store<'a, T> {
-    /// One allocation, of which X begins at `start` and takes `each` quarters, as Y and Z do: each begins on a line.
-    Own { quarters: Vec<Quarter>, start: usize, each: usize },
+    /// One allocation: X starts at chunk `start`, a cache line, and X, Y and Z take `each` chunks.
+    Own { chunks: Vec<AlignedChunk>, start: usize, each: usize },
     /// The host's.
     Borrowed([&'a mut [T]; 3]),
 }
 
-/// The quarter that the first line begins with.
-fn first_of_line(quarters: &[Quarter]) -> usize {
-    quarters.as_ptr().align_offset(LINE).min(QUARTERS - 1)
+/// The first chunk at the start of a cache line.
+fn first_aligned(chunks: &[AlignedChunk]) -> usize {
+    chunks.as_ptr().align_offset(CACHE_LINE).min(CHUNKS_PER_LINE - 1)
 }
 
 impl<'a, T: Real> Planes<'a, T> {
-    /// Zeros, in memory of ours, without gaps between rows.
+    /// Owned zeros, without gaps between rows.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn zeroed(shape: Shape) -> Result<Self> {
-        let each = (shape.node_count() * size_of::<T>()).div_ceil(LINE) * QUARTERS;
-        let quarters: Vec<Quarter> = alloc::zeroed(QUARTERS - 1 + 3 * each)?;
-        let start = first_of_line(&quarters);
-        Ok(Planes { shape, stride: shape.columns(), store: Store::Own { quarters, start, each } })
+        let each = (shape.node_count() * size_of::<T>()).div_ceil(CACHE_LINE) * CHUNKS_PER_LINE;
+        let chunks: Vec<AlignedChunk> = alloc::zeroed(CHUNKS_PER_LINE - 1 + 3 * each)?;
+        let start = first_aligned(&chunks);
+        Ok(Planes { shape, stride: shape.columns(), store: Store::Own { chunks, start, each } })
     }
 
-    /// Matrices in memory of ours, of which each number is written once: X, Y and Z (0, 1, 2) in turn, some rows at a time.
+    /// Owned matrices, written once: `write` fills X, Y and Z (0, 1, 2) in order, some rows at a time.
     ///
-    /// Memory that was used before and is given out again would have to be zeroed for [`Planes::zeroed`], which takes as long
-    /// as copying to it. Here rows go through a buffer that stays in the cache.
-    pub(crate) fn written(shape: Shape, mut write: impl FnMut(usize, Range<usize>, &mut [T])) -> Result<Self> {
-        let (rows, columns, per_quarter) = (shape.rows(), shape.columns(), size_of::<Quarter>() / size_of::<T>());
-        let each = shape.node_count().div_ceil(QUARTERS * per_quarter) * QUARTERS;
-        let height = (WRITTEN / columns).clamp(1, rows);
-        let mut quarters: Vec<Quarter> = alloc::with_capacity(QUARTERS - 1 + 3 * each)?;
-        let start = first_of_line(&quarters);
-        let mut buffer: Vec<Quarter> = alloc::zeroed((height * columns + per_quarter - 1).div_ceil(per_quarter))?;
+    /// Recycled memory would have to be cleared for [`Planes::zeroed`], which takes as long as copying to
+    /// it. Here rows pass through a buffer that stays in the cache.
+    pub(crate) fn from_rows(shape: Shape, mut write: impl FnMut(usize, Range<usize>, &mut [T])) -> Result<Self> {
+        let (rows, columns, per_chunk) = (shape.rows(), shape.columns(), size_of::<AlignedChunk>() / size_of::<T>());
+        let each = shape.node_count().div_ceil(CHUNKS_PER_LINE * per_chunk) * CHUNKS_PER_LINE;
+        let height = (BUFFER_LENGTH / columns).clamp(1, rows);
+        let mut chunks: Vec<AlignedChunk> = alloc::with_capacity(CHUNKS_PER_LINE - 1 + 3 * each)?;
+        let start = first_aligned(&chunks);
+        let mut buffer: Vec<AlignedChunk> = alloc::zeroed((height * columns + per_chunk - 1).div_ceil(per_chunk))?;
         for axis in 0..3 {
-            quarters.resize(start + axis * each, Quarter::zeroed());
-            // The numbers at the start of the buffer that do not fill a quarter yet.
+            chunks.resize(start + axis * each, AlignedChunk::zeroed());
+            // Numbers at the start of the buffer that do not fill a chunk yet.
             let mut held = 0;
             for first in (0..rows).step_by(height) {
                 let range = first..rows.min(first + height);
                 let end = held + range.len() * columns;
                 write(axis, range, &mut bytemuck::cast_slice_mut(&mut buffer)[held..end]);
-                let full = end / per_quarter;
-                quarters.extend_from_slice(&buffer[..full]);
-                held = end % per_quarter;
+                let full = end / per_chunk;
+                chunks.extend_from_slice(&buffer[..full]);
+                held = end % per_chunk;
                 if held > 0 {
                     buffer[0] = buffer[full];
                 }
             }
             if held > 0 {
-                quarters.push(buffer[0]);
+                chunks.push(buffer[0]);
             }
         }
-        quarters.resize(start + 3 * each, Quarter::zeroed());
-        Ok(Planes { shape, stride: columns, store: Store::Own { quarters, start, each } })
+        chunks.resize(start + 3 * each, AlignedChunk::zeroed());
+        Ok(Planes { shape, stride: columns, store: Store::Own { chunks, start, each } })
     }
 
-    /// Matrices of the host's, read and written in place. `stride`: numbers from row to row, 0 for rows without gaps. The last
-    /// row needs its own numbers only.
+    /// Borrowed matrices, read and written in place. `stride`: numbers from row to row, 0 for rows
+    /// without gaps. The last row needs only its own numbers.
     ///
     /// # Errors
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`], [`Error::ArrayTooShort`].
@@ -129,7 +133,7 @@ impl<'a, T: Real> Planes<'a, T> {
         self.stride
     }
 
-    /// True for memory of the host's.
+    /// True for borrowed memory.
     pub fn is_borrowed(&self) -> bool {
         matches!(self.store, Store::Borrowed(_))
     }
@@ -138,22 +142,22 @@ impl<'a, T: Real> Planes<'a, T> {
     pub fn matrices(&self) -> [&[T]; 3] {
         let length = (self.shape.rows() - 1) * self.stride + self.shape.columns();
         match &self.store {
-            Store::Own { quarters, start, each } => [0, 1, 2].map(|axis| {
+            Store::Own { chunks, start, each } => [0, 1, 2].map(|axis| {
                 let from = start + axis * each;
-                &bytemuck::cast_slice(&quarters[from..from + each])[..length]
+                &bytemuck::cast_slice(&chunks[from..from + each])[..length]
             }),
             Store::Borrowed(matrices) => [0, 1, 2].map(|axis| &matrices[axis][..]),
         }
     }
 
-    /// The same, to be written to.
+    /// [`Planes::matrices`], mutable.
     pub fn matrices_mut(&mut self) -> [&mut [T]; 3] {
         let length = (self.shape.rows() - 1) * self.stride + self.shape.columns();
         match &mut self.store {
-            Store::Own { quarters, start, each } => {
-                let (x, rest) = quarters[*start..].split_at_mut(*each);
+            Store::Own { chunks, start, each } => {
+                let (x, rest) = chunks[*start..].split_at_mut(*each);
                 let (y, z) = rest.split_at_mut(*each);
-                [x, y, &mut z[..*each]].map(|quarters| &mut bytemuck::cast_slice_mut(quarters)[..length])
+                [x, y, &mut z[..*each]].map(|chunks| &mut bytemuck::cast_slice_mut(chunks)[..length])
             }
             Store::Borrowed([x, y, z]) => [x, y, z].map(|matrix| &mut matrix[..]),
         }
@@ -165,7 +169,7 @@ impl<'a, T: Real> Planes<'a, T> {
         self.matrices().map(|matrix| &matrix[start..start + self.shape.columns()])
     }
 
-    /// The same, to be written to.
+    /// [`Planes::row`], mutable.
     pub fn row_mut(&mut self, i: usize) -> [&mut [T]; 3] {
         let (start, columns) = (i * self.stride, self.shape.columns());
         self.matrices_mut().map(|matrix| &mut matrix[start..start + columns])
@@ -178,6 +182,17 @@ impl<'a, T: Real> Planes<'a, T> {
         DVec3::new(x, y, z)
     }
 
+    /// The corners of cell (i, j), in the order of [`Shape::corners`].
+    #[inline]
+    pub(crate) fn corners(&self, i: usize, j: usize) -> [DVec3; 4] {
+        corner_places(i, j).map(|(i, j)| self.get(i, j))
+    }
+
+    /// True if the three coordinates of node (i, j) are finite.
+    pub fn is_finite(&self, i: usize, j: usize) -> bool {
+        self.get(i, j).is_finite()
+    }
+
     /// Moves node (i, j), rounding to the type of the coordinates.
     #[inline]
     pub fn set(&mut self, i: usize, j: usize, position: DVec3) {
@@ -187,7 +202,7 @@ impl<'a, T: Real> Planes<'a, T> {
         }
     }
 
-    /// A copy in memory of ours, bit for bit.
+    /// An owned copy, bit for bit.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -211,17 +226,17 @@ mod tests {
         for (rows, columns) in [(2, 2), (3, 5), (17, 33), (300, 301)] {
             let shape = Shape::new(rows, columns).unwrap();
             let number = |axis: usize, at: usize| (100_000 * axis + at) as f32;
-            let written = Planes::written(shape, |axis, range, to: &mut [f32]| {
+            let written = Planes::from_rows(shape, |axis, range, to: &mut [f32]| {
                 to.iter_mut().zip(range.start * columns..).for_each(|(to, at)| *to = number(axis, at));
             });
             let written = written.unwrap();
             for (axis, matrix) in written.matrices().into_iter().enumerate() {
-                assert_eq!(matrix.as_ptr().align_offset(LINE), 0);
+                assert_eq!(matrix.as_ptr().align_offset(CACHE_LINE), 0);
                 assert!(matrix.len() == rows * columns && (0..).zip(matrix).all(|(at, &x)| x == number(axis, at)));
             }
             let zeroed = Planes::<f64>::zeroed(shape).unwrap();
             for matrix in zeroed.matrices() {
-                assert_eq!(matrix.as_ptr().align_offset(LINE), 0);
+                assert_eq!(matrix.as_ptr().align_offset(CACHE_LINE), 0);
                 assert!(matrix.len() == rows * columns && matrix.iter().all(|&x| x == 0.0));
             }
         }

@@ -1,4 +1,4 @@
-//! The two types of coordinates.
+//! The two scalar types of coordinates.
 
 use crate::mesh::Scalar;
 use std::fmt::Debug;
@@ -6,8 +6,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `f32` or `f64`.
 ///
-/// What nets compute node by node they compute in the nodes' own type, with the operations of IEEE 754 only and without
-/// fusing them: the same bits on every machine, whatever vectors it has.
+/// Computations on single nodes are in the nodes' own type, by IEEE 754 operations without contraction:
+/// the same bits on every machine, whatever its vector width.
 pub trait Real:
     bytemuck::Pod
     + Debug
@@ -22,18 +22,18 @@ pub trait Real:
     + Neg<Output = Self>
     + sealed::Sealed
 {
-    /// The name of the type.
+    /// The tag of the type.
     const SCALAR: Scalar;
 
-    /// The greatest finite number.
-    const GREATEST: f64;
+    /// The largest finite number.
+    const MAX: f64;
 
     /// Rounds to this type.
     fn of(value: f64) -> Self;
 
     /// The square root, correctly rounded.
     #[must_use]
-    fn root(self) -> Self;
+    fn sqrt(self) -> Self;
 }
 
 mod sealed {
@@ -44,7 +44,7 @@ mod sealed {
 
 impl Real for f32 {
     const SCALAR: Scalar = Scalar::F32;
-    const GREATEST: f64 = f32::MAX as f64;
+    const MAX: f64 = f32::MAX as f64;
 
     #[inline(always)]
     fn of(value: f64) -> Self {
@@ -52,14 +52,14 @@ impl Real for f32 {
     }
 
     #[inline(always)]
-    fn root(self) -> Self {
+    fn sqrt(self) -> Self {
         self.sqrt()
     }
 }
 
 impl Real for f64 {
     const SCALAR: Scalar = Scalar::F64;
-    const GREATEST: f64 = f64::MAX;
+    const MAX: f64 = f64::MAX;
 
     #[inline(always)]
     fn of(value: f64) -> Self {
@@ -67,7 +67,7 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn root(self) -> Self {
+    fn sqrt(self) -> Self {
         self.sqrt()
     }
 }

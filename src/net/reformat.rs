@@ -1,10 +1,11 @@
-//! Reformatting: rows and columns of a net replicated, which changes its size and not its surface (paper, "Reformatting", Fig. 7).
+//! Reformatting: rows and columns are replicated, which changes the size of a net and not its surface
+//! (Deryagin, "Reformatting", Fig. 7; the paper leaves open which row is repeated).
 //!
-//! The paper says that some row or column is repeated until the size is right. Here the copies lie behind the original; the
-//! links between them are contracted; the links along the row are those of the original, and a link that led back from the
-//! last row leads back from its last copy. Classes, faces and volume are then what they were.
+//! Copies follow their original; the links between them are contracted; the links along a copy are
+//! those of the original, and a closing link of the last row starts at its last copy.
+//! Invariant: classes, faces and volume stay what they were. O(nodes).
 
-use super::arrange::{Collected, Rearrange, carried, joined, rearranged};
+use super::arrange::{LinkCollector, Rearrangement, map_seam, merge_seams, rearrange};
 use super::topology::{Run, Seam};
 use super::{Bridge, Direction, Net, Planes, Real, Shape, Topology, each};
 use crate::alloc;
@@ -12,10 +13,10 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 use std::ops::Range;
 
-/// Which rows, or columns, are replicated.
+/// The rows, or columns, that are replicated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Replication {
-    /// All of them, as equally as it goes.
+    /// All, as evenly as possible.
     #[default]
     Uniform,
     /// The first one.
@@ -24,7 +25,7 @@ pub enum Replication {
     Last,
     /// The one with this index.
     At(u32),
-    /// The first and the last one, if they are a point each, in equal shares; if one of them is, that one; else as `Uniform`.
+    /// The poles among the first and the last one, in equal shares; without a pole as `Uniform`.
     AtPoles,
 }
 
@@ -38,19 +39,19 @@ impl Net<'_> {
         &self,
         rows: usize,
         columns: usize,
-        how: [Replication; 2],
+        replication: [Replication; 2],
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
         let old = self.shape();
         let shape = Shape::new(rows, columns)?;
-        let row_starts = starts(self.topology(), Direction::Down, rows, how[0], "rows")?;
-        let column_starts = starts(self.topology(), Direction::Right, columns, how[1], "columns")?;
+        let row_starts = starts(self.topology(), Direction::Down, rows, replication[0], "rows")?;
+        let column_starts = starts(self.topology(), Direction::Right, columns, replication[1], "columns")?;
         let mut topology = self.topology().rows_replicated(&row_starts)?;
         if columns > old.columns() {
-            topology = topology.transposed()?.rows_replicated(&column_starts)?.transposed()?;
+            topology = topology.along(Direction::Right, |topology| topology.rows_replicated(&column_starts))?;
         }
-        let picked = Picked { shape, rows: sources(&row_starts)?, columns: sources(&column_starts)? };
-        let mut net = Net::new(rearranged(self.coordinates(), &picked, job)?, topology);
+        let selection = IndexSelection { shape, rows: sources(&row_starts)?, columns: sources(&column_starts)? };
+        let mut net = Net::new(rearrange(self.coordinates(), &selection, job)?, topology);
         for bridge in self.bridges() {
             let bridge = bridge.moved(|i| row_starts[i as usize], |j| column_starts[j as usize]);
             alloc::push(net.bridges_mut(), bridge)?;
@@ -58,22 +59,22 @@ impl Net<'_> {
         Ok(net)
     }
 
-    /// The net without the rows and columns that are the one before them again: all links between the two are contracted, the
-    /// links along them are the same, and so are their coordinates, bit for bit. Two of each are left, and those that a bridge
-    /// ends on. The inverse of [`Net::reformatted`] for nets that have no such rows and columns themselves; seams that go on
-    /// in each other become one. O(nodes).
+    /// The net without the rows and columns that duplicate the one before: all links between the two
+    /// are contracted, and links and coordinates along them are equal bit for bit. At least two of
+    /// each are left, and those that a bridge ends on. The inverse of [`Net::reformatted`] for nets
+    /// without such rows and columns; seams that continue each other are merged. O(nodes).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn compacted(&self, job: &Job<'_>) -> Result<Net<'static>> {
-        let rows = self.repeated(Direction::Down)?;
-        let net = self.without(Direction::Down, &rows, &job.part(0.0, 0.5))?;
-        let columns = net.repeated(Direction::Right)?;
-        net.without(Direction::Right, &columns, &job.part(0.5, 1.0))
+        let rows = self.duplicate_lines(Direction::Down)?;
+        let net = self.without_lines(Direction::Down, &rows, &job.part(0.0, 0.5))?;
+        let columns = net.duplicate_lines(Direction::Right)?;
+        net.without_lines(Direction::Right, &columns, &job.part(0.5, 1.0))
     }
 
-    /// The rows (`Down`) or columns that are the one before them again.
-    fn repeated(&self, axis: Direction) -> Result<Vec<u32>> {
+    /// The rows (`Down`) or columns that duplicate the one before.
+    fn duplicate_lines(&self, axis: Direction) -> Result<Vec<u32>> {
         let count = axis.extent(self.shape()).0;
         let mut needed = alloc::filled(false, count)?;
         for bridge in self.bridges() {
@@ -87,8 +88,8 @@ impl Net<'_> {
         for (i, &needed) in needed.iter().enumerate().skip(1) {
             if count - found.len() > 2
                 && !needed
-                && self.topology().repeats(axis, i)
-                && each!(self.coordinates(), planes => planes.repeats(axis, i))
+                && self.topology().is_duplicate_line(axis, i)
+                && each!(self.coordinates(), planes => planes.is_duplicate_line(axis, i))
             {
                 alloc::push(&mut found, i as u32)?;
             }
@@ -96,23 +97,16 @@ impl Net<'_> {
         Ok(found)
     }
 
-    /// The net without some of its rows (`Down`) or columns, whose indices are in order; two at least are left.
-    pub(crate) fn without(&self, axis: Direction, gone: &[u32], job: &Job<'_>) -> Result<Net<'static>> {
-        if gone.is_empty() {
+    /// The net without some of its rows (`Down`) or columns, whose indices are in order; at least two
+    /// are left.
+    pub(crate) fn without_lines(&self, axis: Direction, removed: &[u32], job: &Job<'_>) -> Result<Net<'static>> {
+        if removed.is_empty() {
             return self.copied();
         }
-        let shape = self.shape();
-        let kept = complement(axis.extent(shape).0, gone)?;
-        let all = |count: usize| alloc::collect((0..count).map(|i| i as u32));
-        let (topology, rows, columns) = match axis {
-            Direction::Down => (self.topology().rows_kept(&kept)?, alloc::copied(&kept)?, all(shape.columns())?),
-            Direction::Right => {
-                let topology = self.topology().transposed()?.rows_kept(&kept)?.transposed()?;
-                (topology, all(shape.rows())?, alloc::copied(&kept)?)
-            }
-        };
-        let picked = Picked { shape: topology.shape(), rows, columns };
-        let mut net = Net::new(rearranged(self.coordinates(), &picked, job)?, topology);
+        let kept = complement(axis.extent(self.shape()).0, removed)?;
+        let topology = self.topology().along(axis, |topology| topology.rows_kept(&kept))?;
+        let selection = IndexSelection::along(axis, topology.shape(), alloc::copied(&kept)?)?;
+        let mut net = Net::new(rearrange(self.coordinates(), &selection, job)?, topology);
         let place = |i: u32| kept.partition_point(|&k| k < i) as u32;
         for bridge in self.bridges() {
             let bridge = match axis {
@@ -128,22 +122,23 @@ impl Net<'_> {
 }
 
 impl Bridge {
-    /// Where it is when rows and columns are elsewhere; what is behind the last is told by the one behind that.
+    /// The bridge in a net whose rows and columns are moved; ends are moved as the line they exclude.
     fn moved(&self, row: impl Fn(u32) -> u32, column: impl Fn(u32) -> u32) -> Bridge {
         let (at, start, end) = match self.direction {
             Direction::Right => (column(self.at), row(self.start), row(self.end)),
             Direction::Down => (row(self.at), column(self.start), column(self.end)),
         };
-        Bridge { at, start, end, origins: [None, None], ..self.clone() }
+        Bridge { at, start, end, ..self.unadapted() }
     }
 }
 
-/// Where each row (`Down`) or column starts in a net of `count` of them; one entry more than there are.
-fn starts(
+/// Where each row (`Down`) or column starts once there are `count` of them; one entry more than
+/// there are now. `option`: the name of the count in an error.
+pub(crate) fn starts(
     topology: &Topology,
     axis: Direction,
     count: usize,
-    how: Replication,
+    replication: Replication,
     option: &'static str,
 ) -> Result<Vec<u32>> {
     let old = axis.extent(topology.shape()).0;
@@ -152,7 +147,7 @@ fn starts(
     };
     let mut times: Vec<u32> = alloc::filled(1, old)?;
     let poles = [0, old - 1].map(|i| topology.is_point(axis, i));
-    match (how, poles) {
+    match (replication, poles) {
         (Replication::First, _) => times[0] += copies as u32,
         (Replication::Last, _) => times[old - 1] += copies as u32,
         (Replication::At(i), _) => match times.get_mut(i as usize) {
@@ -183,7 +178,7 @@ fn starts(
     Ok(starts)
 }
 
-/// For each new row, the old one that it is.
+/// The old index of each new row.
 fn sources(starts: &[u32]) -> Result<Vec<u32>> {
     let mut sources = alloc::with_capacity(starts.last().map_or(0, |&n| n as usize))?;
     for (i, ends) in (0..).zip(starts.windows(2)) {
@@ -192,31 +187,26 @@ fn sources(starts: &[u32]) -> Result<Vec<u32>> {
     Ok(sources)
 }
 
-/// The new rows that are copies.
+/// The new rows that are copies of the one before.
 pub(crate) fn copies(starts: &[u32]) -> Result<Vec<u32>> {
     let mut copies = Vec::new();
     starts.windows(2).flat_map(|ends| ends[0] + 1..ends[1]).try_for_each(|i| alloc::push(&mut copies, i))?;
     Ok(copies)
 }
 
-/// Where each row starts if these are the copies, among `count` rows.
+/// The starts of rows among `count`, given which are copies.
 pub(crate) fn starts_of_copies(count: usize, copies: &[u32]) -> Result<Vec<u32>> {
     let mut starts = complement(count, copies)?;
     alloc::push(&mut starts, count as u32)?;
     Ok(starts)
 }
 
-/// Where the sides of a net that is to have `count` rows (`Down`) or columns start.
-pub(crate) fn starts_for(topology: &Topology, axis: Direction, count: usize, how: Replication) -> Result<Vec<u32>> {
-    starts(topology, axis, count, how, "nodes of a side")
-}
-
-/// Those of 0..count that are not in the list, which is in order.
-fn complement(count: usize, gone: &[u32]) -> Result<Vec<u32>> {
-    let mut kept = alloc::with_capacity(count - gone.len().min(count))?;
-    let mut gone = gone.iter().peekable();
+/// The numbers of 0..count that are not in a list in order.
+fn complement(count: usize, removed: &[u32]) -> Result<Vec<u32>> {
+    let mut kept = alloc::with_capacity(count - removed.len().min(count))?;
+    let mut removed = removed.iter().peekable();
     for i in 0..count as u32 {
-        if gone.next_if_eq(&&i).is_none() {
+        if removed.next_if_eq(&&i).is_none() {
             alloc::push(&mut kept, i)?;
         }
     }
@@ -227,24 +217,16 @@ impl Topology {
     /// True if all links along row i (`Down`) or column i are contracted by name.
     pub(crate) fn is_point(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
-        (0..axis.extent(shape).1 - 1).all(|k| match axis {
-            Direction::Down => self.contracts(2 * shape.node(i, k)),
-            Direction::Right => self.contracts(2 * shape.node(k, i) + 1),
-        })
+        (0..axis.extent(shape).1 - 1).all(|k| self.contracts(axis.link_along(shape, i, k)))
     }
 
-    /// True if row i (`Down`) or column i, not the first, is glued to the one before link by link, and is glued in itself as
-    /// that is.
-    fn repeats(&self, axis: Direction, i: usize) -> bool {
+    /// True if row i (`Down`) or column i, not the first, is glued to the one before link by link, and
+    /// within itself as that is.
+    fn is_duplicate_line(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
-        let links = |i: usize, k: usize| match axis {
-            Direction::Down => [2 * shape.node(i, k), 2 * shape.node(i, k) + 1],
-            Direction::Right => [2 * shape.node(k, i) + 1, 2 * shape.node(k, i)],
-        };
-        (0..axis.extent(shape).1).all(|k| {
-            let ([before, across], [here, _]) = (links(i - 1, k), links(i, k));
-            self.contracts(across) && self.contracts(before) == self.contracts(here)
-        })
+        let along = |i: usize, k: usize| self.contracts(axis.link_along(shape, i, k));
+        (0..axis.extent(shape).1)
+            .all(|k| self.contracts(axis.link_across(shape, i - 1, k)) && along(i - 1, k) == along(i, k))
     }
 
     /// Row i is rows `starts[i]..starts[i + 1]`. O(contracted links + pairs of seams).
@@ -254,9 +236,9 @@ impl Topology {
             return Ok(self.clone());
         }
         let shape = Shape::new(rows, old.columns())?;
-        let mut links = Collected::new(shape);
+        let mut links = LinkCollector::new(shape);
         let mut done = Ok(());
-        let mut add = |links: &mut Collected, i: u32, j: usize, vertical: u32| {
+        let mut add = |links: &mut LinkCollector, i: u32, j: usize, vertical: u32| {
             if done.is_ok() {
                 done = links.add(2 * shape.node(i as usize, j) + vertical);
             }
@@ -276,43 +258,44 @@ impl Topology {
             if let Some(seam) = along_rows(seam, starts) {
                 alloc::push(&mut seams, seam)?;
             } else {
-                carried(seam, |(i, j)| Some((i64::from(starts[i as usize]), j)), &mut seams)?;
+                map_seam(seam, |(i, j)| Some((i64::from(starts[i as usize]), j)), &mut seams)?;
             }
         }
         Topology::assembled(shape, links.links(), seams, self.is_reversed())
     }
 
-    /// The rows of a list, which is in order and has two at least; the others are taken to be the one before them again. Two
-    /// rows that become neighbours are glued where all links between them were contracted.
+    /// The topology of the rows of a list, which is in order and has at least two; the others are taken
+    /// to duplicate the one before. Rows that become neighbours are glued where all links between them
+    /// were contracted.
     pub(crate) fn rows_kept(&self, kept: &[u32]) -> Result<Self> {
         let old = self.shape();
         let (h, w) = (old.rows(), old.columns());
         let shape = Shape::new(kept.len(), w)?;
-        let mut links = Collected::new(shape);
+        let mut links = LinkCollector::new(shape);
         for (new, &i) in kept.iter().enumerate() {
             let i = i as usize;
-            // The rows that are left behind, from this one on.
+            // The rows up to the next that is kept.
             let end = kept.get(new + 1).map_or(h + kept[0] as usize, |&next| next as usize);
             for j in 0..w {
-                if self.contracts(2 * old.node(i, j)) {
-                    links.add(2 * shape.node(new, j))?;
+                if self.contracts(old.horizontal_link(i, j)) {
+                    links.add(shape.horizontal_link(new, j))?;
                 }
-                if (i..end).all(|i| self.contracts(2 * old.node(i % h, j) + 1)) {
-                    links.add(2 * shape.node(new, j) + 1)?;
+                if (i..end).all(|i| self.contracts(old.vertical_link(i % h, j))) {
+                    links.add(shape.vertical_link(new, j))?;
                 }
             }
         }
         let mut seams = Vec::new();
         let place = |i: i64| kept.partition_point(|&k| i64::from(k) <= i).saturating_sub(1) as i64;
         for &seam in self.seams() {
-            carried(seam, |(i, j)| Some((place(i), j)), &mut seams)?;
+            map_seam(seam, |(i, j)| Some((place(i), j)), &mut seams)?;
         }
-        Topology::assembled(shape, links.links(), joined(&seams)?, self.is_reversed())
+        Topology::assembled(shape, links.links(), merge_seams(&seams)?, self.is_reversed())
     }
 }
 
-/// A seam from column to column within the same rows, as closed rows of a net within a larger one make, goes on through
-/// all copies.
+/// A seam from column to column within the same rows, as closed rows of a net within a larger one
+/// make, extended through all copies.
 fn along_rows(seam: Seam, starts: &[u32]) -> Option<Seam> {
     let Seam { a, b, count } = seam;
     let same = a.row == b.row && a.row_step == b.row_step && a.column_step == 0 && b.column_step == 0;
@@ -327,7 +310,7 @@ fn along_rows(seam: Seam, starts: &[u32]) -> Option<Seam> {
 
 impl<T: Real> Planes<'_, T> {
     /// True if row i (`Down`) or column i has the bits of the one before.
-    fn repeats(&self, axis: Direction, i: usize) -> bool {
+    fn is_duplicate_line(&self, axis: Direction, i: usize) -> bool {
         let stride = self.stride();
         self.matrices().into_iter().all(|matrix| match axis {
             Direction::Down => {
@@ -341,21 +324,32 @@ impl<T: Real> Planes<'_, T> {
     }
 }
 
-/// New row i is old row `rows[i]`, and so are columns.
-pub(crate) struct Picked {
+/// A selection of rows and columns: new row i is old row `rows[i]`, and likewise columns.
+pub(crate) struct IndexSelection {
     pub(crate) shape: Shape,
     pub(crate) rows: Vec<u32>,
     pub(crate) columns: Vec<u32>,
 }
 
-impl Rearrange for Picked {
+impl IndexSelection {
+    /// A selection of rows (`Down`) or columns, for a new net of `shape`; all of the others.
+    pub(crate) fn along(axis: Direction, shape: Shape, selected: Vec<u32>) -> Result<Self> {
+        let all = alloc::collect((0..axis.extent(shape).1).map(|i| i as u32))?;
+        Ok(match axis {
+            Direction::Down => IndexSelection { shape, rows: selected, columns: all },
+            Direction::Right => IndexSelection { shape, rows: all, columns: selected },
+        })
+    }
+}
+
+impl Rearrangement for IndexSelection {
     fn shape(&self) -> Shape {
         self.shape
     }
 
     fn write<T: Real>(&self, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
         let columns = self.shape.columns();
-        // Columns in runs: whole rows where none is left out or repeated.
+        // Columns in runs: whole rows where none is dropped or repeated.
         for (&i, to) in self.rows[rows].iter().zip(to.chunks_exact_mut(columns)) {
             let mut from = &from[i as usize * stride..];
             from = &from[..from.len().min(stride)];

@@ -1,4 +1,6 @@
-//! Ungluing with a gap.
+//! Ungluing with a gap: the components of a vertex that falls apart retreat from each other.
+//!
+//! All nodes of a component move to one place. O(nodes), and a sort of the unglued nodes.
 
 use super::topology::{Classes, Gluing};
 use super::{Net, Shape};
@@ -7,28 +9,28 @@ use crate::error::{Error, Result};
 use glam::DVec3;
 
 impl Net<'_> {
-    /// Glues nodes; see [`Topology::glued`](super::Topology::glued). Positions stay what they are.
+    /// Glues nodes; see [`Topology::glued`](super::Topology::glued). Positions stay.
     ///
     /// # Errors
-    /// As there; the net is unchanged then.
+    /// As there; the net is then unchanged.
     pub fn glue(&mut self, gluings: &[Gluing]) -> Result<()> {
         let topology = self.topology().glued(gluings)?;
         self.set_topology(topology);
         Ok(())
     }
 
-    /// Unglues nodes; see [`Topology::unglued`](super::Topology::unglued). `separation`: how far what becomes separate
-    /// retreats from each other; 0 leaves positions what they are.
+    /// Unglues nodes; see [`Topology::unglued`](super::Topology::unglued). `separation`: the gap between
+    /// the components of a vertex; 0 leaves positions unchanged.
     ///
-    /// Each piece of a vertex that falls apart moves by half the separation, all its nodes to the same place, towards
-    /// the mean of its neighbours: the other ends of its links that are there and did not belong to the vertex; of
-    /// these only such as do not fall apart themselves, if there are any, so that the rims of a cut move away from the
-    /// cut and not along it. A piece without neighbours, or in the middle of them, stays. Returns the number of pieces
-    /// that moved. O(nodes).
+    /// Each component moves by half the separation, all its nodes to one place, towards the mean of its
+    /// neighbours: the other ends of its links that exist and did not belong to the vertex. Neighbours
+    /// that do not fall apart themselves take precedence, so that the rims of a cut move away from the
+    /// cut and not along it. A component without neighbours, or at their mean, stays. Returns the number
+    /// of components that moved. O(nodes).
     ///
     /// # Errors
-    /// As there, and [`Error::OptionOutOfRange`] for a separation that is no finite number from 0 on; the net is
-    /// unchanged then.
+    /// As there, and [`Error::OptionOutOfRange`] for a separation that is negative or not finite; the net
+    /// is then unchanged.
     pub fn unglue(&mut self, gluings: &[Gluing], separation: f64) -> Result<usize> {
         if !(separation.is_finite() && separation >= 0.0) {
             return Err(Error::OptionOutOfRange { option: "separation", value: separation });
@@ -36,14 +38,14 @@ impl Net<'_> {
         let topology = self.topology().unglued(gluings)?;
         let moves = if separation > 0.0 {
             let (before, after) = (Classes::of(self.topology())?, Classes::of(&topology)?);
-            let pieces = Pieces::new(&before, &after)?;
-            pieces.moves(self, &before, separation / 2.0)?
+            let components = SplitVertices::new(&before, &after)?;
+            components.moves(self, &before, separation / 2.0)?
         } else {
             Vec::new()
         };
         let shape = self.shape();
-        for (piece, position) in &moves {
-            for &node in piece {
+        for (component, position) in &moves {
+            for &node in component {
                 let (i, j) = shape.place(node);
                 self.coordinates_mut().set(i, j, *position);
             }
@@ -53,19 +55,18 @@ impl Net<'_> {
     }
 }
 
-/// The vertices that fall apart.
-struct Pieces {
-    /// (representative of the vertex, representative of the piece, node), in order.
+/// The vertices that fall apart into components.
+struct SplitVertices {
+    /// (representative of the vertex, representative of the component, node), in order.
     nodes: Vec<[u32; 3]>,
     /// All these nodes in order.
     split: Vec<u32>,
 }
 
-impl Pieces {
+impl SplitVertices {
     fn new(before: &Classes, after: &Classes) -> Result<Self> {
         let (mut nodes, mut split) = (Vec::new(), Vec::new());
         for class in before.groups()?.iter() {
-            // What was one vertex is one still if it is one piece.
             if class.iter().all(|&node| after.representative(node) == after.representative(class[0])) {
                 continue;
             }
@@ -75,40 +76,37 @@ impl Pieces {
         }
         nodes.sort_unstable();
         split.sort_unstable();
-        Ok(Pieces { nodes, split })
+        Ok(SplitVertices { nodes, split })
     }
 
-    /// The pieces that move, and where to.
+    /// The components that move, and their new positions.
     fn moves(&self, net: &Net<'_>, before: &Classes, step: f64) -> Result<Vec<(Vec<u32>, DVec3)>> {
         let mut moves = Vec::new();
-        for piece in self.nodes.chunk_by(|a, b| a[1] == b[1]) {
-            let links = [true, false].map(|whole| self.mean_link(net, before, piece, whole));
+        for component in self.nodes.chunk_by(|a, b| a[1] == b[1]) {
+            let links = [true, false].map(|whole| self.sum_of_links(net, before, component, whole));
             if let Some(direction) = links.into_iter().find_map(DVec3::try_normalize) {
-                let (i, j) = net.shape().place(piece[0][2]);
-                let nodes = alloc::collect(piece.iter().map(|&[.., node]| node))?;
-                alloc::push(&mut moves, (nodes, net.get(i, j) + direction * step))?;
+                let nodes = alloc::collect(component.iter().map(|&[.., node]| node))?;
+                alloc::push(&mut moves, (nodes, net.position(component[0][2]) + direction * step))?;
             }
         }
         Ok(moves)
     }
 
-    /// The sum of the links that lead out of the vertex of a piece; `whole`: to vertices that stay whole only.
-    fn mean_link(&self, net: &Net<'_>, before: &Classes, piece: &[[u32; 3]], whole: bool) -> DVec3 {
-        let place = |node: u32| {
-            let (i, j) = net.shape().place(node);
-            net.get(i, j)
-        };
+    /// The sum of the links that lead out of the vertex of a component; `whole`: only those to vertices
+    /// that stay whole.
+    fn sum_of_links(&self, net: &Net<'_>, before: &Classes, component: &[[u32; 3]], whole: bool) -> DVec3 {
         let out = |&(node, neighbour): &(u32, u32)| {
             before.representative(neighbour) != before.representative(node)
                 && !(whole && self.split.binary_search(&neighbour).is_ok())
         };
-        let links = piece.iter().flat_map(|&[.., node]| neighbours(net.shape(), node).map(move |other| (node, other)));
-        let vectors = links.filter(out).map(|(node, neighbour)| place(neighbour) - place(node));
+        let links =
+            component.iter().flat_map(|&[.., node]| neighbours(net.shape(), node).map(move |other| (node, other)));
+        let vectors = links.filter(out).map(|(node, neighbour)| net.position(neighbour) - net.position(node));
         vectors.filter(|vector| vector.is_finite()).sum()
     }
 }
 
-/// The nodes next to a node, not round the sides.
+/// The nodes next to a node, without closing links.
 fn neighbours(shape: Shape, node: u32) -> impl Iterator<Item = u32> {
     let ((i, j), w) = (shape.place(node), shape.columns() as u32);
     let around = [

@@ -1,4 +1,7 @@
-//! The size of a net, and the numbering of its nodes, links and cells.
+//! The size of a net and the numbering of its nodes, links and cells (Deryagin, "Model": H rows, W
+//! columns, and the characteristic matrix, whose elements are numbered as links are here).
+//!
+//! Connectivity is implicit: every question is answered by arithmetic on indices, in O(1).
 
 use crate::error::{Element, Error, Result};
 
@@ -7,11 +10,11 @@ pub const MAX_NODES: u64 = (1 << 31) - 1;
 
 /// `rows` x `columns` nodes (the paper's H and W), joined by links to cells.
 ///
-/// Everything counts from 0, row by row: node (i, j) is `i * columns + j`; cell (i, j), whose corners are the nodes (i, j),
-/// (i, j + 1), (i + 1, j + 1), (i + 1, j), is `i * (columns - 1) + j`. Every node has two links, one to the next node of its row and
-/// one to the next of its column, those of the last column and row to the first: link `2 * node` is horizontal,
-/// `2 * node + 1` vertical. The links that lead back close the net (paper, "characteristic matrix"); as long as they are not
-/// contracted they are not there.
+/// Numbers start at 0, row by row: node (i, j) is `i * columns + j`; cell (i, j), whose corners are
+/// the nodes (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j), is `i * (columns - 1) + j`. Every node
+/// has two links, one to the next node of its row and one to the next of its column: link `2 * node`
+/// is horizontal, `2 * node + 1` vertical. Those of the last column and row lead back to the first;
+/// these closing links exist only where they are contracted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Shape {
     rows: u32,
@@ -80,7 +83,17 @@ impl Shape {
         [a, a + 1, a + self.columns + 1, a + self.columns]
     }
 
-    /// The two nodes of a link; those that lead back end in the first column or row.
+    /// The link from node (i, j) to the next node of its row.
+    pub fn horizontal_link(self, i: usize, j: usize) -> u32 {
+        2 * self.node(i, j)
+    }
+
+    /// The link from node (i, j) to the next node of its column.
+    pub fn vertical_link(self, i: usize, j: usize) -> u32 {
+        2 * self.node(i, j) + 1
+    }
+
+    /// The two nodes of a link; closing links end in the first column or row.
     pub fn ends(self, link: u32) -> [u32; 2] {
         let node = link / 2;
         let (i, j) = self.place(node);
@@ -93,7 +106,7 @@ impl Shape {
         [node, end]
     }
 
-    /// The links between two nodes; there are two of them only where two rows or columns are all.
+    /// The links between two nodes: at most one, or two in a net of two rows or columns.
     pub(crate) fn links_between(self, [a, b]: [u32; 2]) -> impl Iterator<Item = u32> {
         [2 * a, 2 * a + 1, 2 * b, 2 * b + 1].into_iter().filter(move |&link| {
             let ends = self.ends(link);
@@ -101,7 +114,7 @@ impl Shape {
         })
     }
 
-    /// True for a link between neighbours, false for one that leads back to the first column or row.
+    /// True for a link between neighbours, false for a closing link.
     pub fn is_inner(self, link: u32) -> bool {
         let (i, j) = self.place(link / 2);
         if link & 1 == 0 { j + 1 < self.columns() } else { i + 1 < self.rows() }
@@ -113,7 +126,7 @@ impl Shape {
         Shape { rows: self.columns, columns: self.rows }
     }
 
-    /// [`Error::NoSuch`] unless there is such a node.
+    /// [`Error::NoSuch`] unless the node exists.
     pub(crate) fn check_node(self, node: u32) -> Result<()> {
         if (node as usize) < self.node_count() {
             Ok(())
@@ -121,4 +134,25 @@ impl Shape {
             Err(Error::NoSuch { element: Element::Node, index: node.into() })
         }
     }
+
+    /// [`Shape::cell_place`], or [`Error::NoSuch`].
+    pub(crate) fn checked_cell_place(self, cell: u32) -> Result<(usize, usize)> {
+        let exists = (cell as usize) < self.cell_count();
+        if exists {
+            Ok(self.cell_place(cell))
+        } else {
+            Err(Error::NoSuch { element: Element::Cell, index: cell.into() })
+        }
+    }
+}
+
+/// Row and column of the corners of the cell at (i, j), in the order of [`Shape::corners`].
+#[inline]
+pub(crate) fn corner_places(i: usize, j: usize) -> [(usize, usize); 4] {
+    [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
+}
+
+/// A pair of nodes or classes without regard to order: the smaller first.
+pub(crate) fn sorted_pair([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
 }

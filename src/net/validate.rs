@@ -1,31 +1,32 @@
-//! Whether what is glued lies together (paper: "the correctness of a topology must be checked by the coincidence of the
-//! coordinates of glued nodes"), and what is suspicious although it is allowed.
+//! Validation: whether glued nodes coincide (Deryagin: "the correctness of a topology must be checked by
+//! the coincidence of the coordinates of glued nodes"), and warnings on what is allowed but suspicious.
+//! O(nodes), and a sort of the findings.
 
-use super::coincide::{check_tolerance, coincide, links};
+use super::coincidence::{check_tolerance, coincide, coincident_links};
 use super::topology::{Links, star_links};
 use super::{Classes, Net, Shape, Topology};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 
-/// What is found.
+/// The kind of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum FindingKind {
     /// A violation: the ends of a contracted link are apart, or one of them is missing.
     LinkApart,
     /// A violation: two nodes that a seam glues are apart, or one of them is missing.
     SeamApart,
-    /// A warning: the two ends of a link between neighbours are one vertex by way of others, and the link is a loop
-    /// there unless it is taken to be contracted ([`Topology::saturated`]).
+    /// A warning: the two ends of a link between neighbours are one vertex by way of others, so that the
+    /// link is a loop unless it is contracted, as [`Topology::saturated`] does.
     Loop,
     /// A warning: the two ends of a link coincide and are not glued.
     ZeroLength,
-    /// A warning: rows or columns are closed and have fewer than four nodes, so that what they close has no inside.
+    /// A warning: closed rows or columns of fewer than four nodes enclose nothing.
     FewNodes,
 }
 
 impl FindingKind {
-    /// True if the gluing is wrong, false for what is only suspicious.
+    /// True for an error of the gluing, false for a warning.
     pub fn is_violation(self) -> bool {
         matches!(self, FindingKind::LinkApart | FindingKind::SeamApart)
     }
@@ -34,23 +35,23 @@ impl FindingKind {
 /// One finding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Finding {
-    /// What.
+    /// The kind.
     pub kind: FindingKind,
     /// The two nodes; the ends of the row or column for [`FindingKind::FewNodes`].
     pub nodes: [u32; 2],
     /// The link, or the number of the seam.
     pub element: u32,
-    /// How far the two nodes are apart; NaN if one is missing.
+    /// The distance of the two nodes; NaN if one is missing.
     pub distance: f64,
 }
 
 impl Net<'_> {
     /// Checks each contracted link and each pair of each seam: the two nodes must coincide, which with tolerance 0
-    /// means equal coordinates (0 and -0 are equal), or both be missing. Looks for what is suspicious besides.
+    /// means equal coordinates (0 and -0 are equal), or both be missing. Warnings follow.
     /// Violations come first, each kind in the order of its elements. O(nodes), and a sort of the findings.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`](crate::Error::OptionOutOfRange) (the tolerance is no finite number from 0 on),
+    /// [`Error::OptionOutOfRange`](crate::Error::OptionOutOfRange) for a tolerance that is negative or not finite,
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn validate(&self, tolerance: f64, job: &Job<'_>) -> Result<Vec<Finding>> {
         check_tolerance(tolerance)?;
@@ -58,11 +59,11 @@ impl Net<'_> {
         let classes = Classes::of(topology)?;
         let mut findings = Vec::new();
         let mut add = |kind, element, nodes: [u32; 2]| {
-            let [a, b] = nodes.map(|node| self.place(node));
+            let [a, b] = nodes.map(|node| self.position(node));
             alloc::push(&mut findings, Finding { kind, nodes, element, distance: (b - a).length() })
         };
         let apart = |nodes: [u32; 2]| {
-            let [a, b] = nodes.map(|node| self.place(node));
+            let [a, b] = nodes.map(|node| self.position(node));
             !coincide(a, b, tolerance) && (a.is_finite() || b.is_finite())
         };
         let mut check_link = |link| match shape.ends(link) {
@@ -81,7 +82,7 @@ impl Net<'_> {
         for link in loops(topology, &classes)? {
             add(FindingKind::Loop, link, shape.ends(link))?;
         }
-        links(self.coordinates(), tolerance, job, |link| {
+        coincident_links(self.coordinates(), tolerance, job, |link| {
             if classes.contracts(link) { Ok(()) } else { add(FindingKind::ZeroLength, link, shape.ends(link)) }
         })?;
         for link in few_nodes(topology) {
@@ -90,18 +91,13 @@ impl Net<'_> {
         findings.sort_unstable_by_key(|finding| (finding.kind, finding.element, finding.nodes));
         Ok(findings)
     }
-
-    fn place(&self, node: u32) -> glam::DVec3 {
-        let (i, j) = self.shape().place(node);
-        self.get(i, j)
-    }
 }
 
-/// The links between neighbours that are one vertex, and that are not contracted by name.
+/// The links between neighbours that are one vertex and not contracted by name.
 fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
     let shape = topology.shape();
     let mut loops = Vec::new();
-    classes.glued(|node, _| {
+    classes.each_glued(|node, _| {
         let (i, j) = shape.place(node);
         let is_loop = |&link: &u32| shape.is_inner(link) && !topology.contracts(link) && classes.contracts(link);
         star_links(shape, i, j).into_iter().filter(is_loop).try_for_each(|link| alloc::push(&mut loops, link))
@@ -115,8 +111,8 @@ fn loops(topology: &Topology, classes: &Classes) -> Result<Vec<u32>> {
 fn few_nodes(topology: &Topology) -> impl Iterator<Item = u32> {
     let shape: Shape = topology.shape();
     let (h, w) = (shape.rows(), shape.columns());
-    let rows = (0..if w < 4 { h } else { 0 }).map(move |i| 2 * shape.node(i, w - 1));
-    let columns = (0..if h < 4 { w } else { 0 }).map(move |j| 2 * shape.node(h - 1, j) + 1);
+    let rows = (0..if w < 4 { h } else { 0 }).map(move |i| shape.horizontal_link(i, w - 1));
+    let columns = (0..if h < 4 { w } else { 0 }).map(move |j| shape.vertical_link(h - 1, j));
     let contracted = |link: &u32| topology.contracts(*link);
     rows.filter(contracted).take(1).chain(columns.filter(contracted).take(1))
 }

@@ -6,7 +6,7 @@ use gusset::mesh::Scalar;
 use gusset::net::closure::{BoxKind, Cuboid};
 use gusset::net::complex::Complex;
 use gusset::net::primitive::{Primitive, Request};
-use gusset::net::{Classes, Net, derive};
+use gusset::net::{Classes, Net, detect_gluing};
 use gusset::{Error, Job};
 use std::f64::consts::PI;
 
@@ -66,7 +66,7 @@ fn every_primitive_is_what_it_is() {
             assert!(!solid || (volume > 0.0) != turned, "{primitive:?}: faces from outside");
             // What lies together is what is glued.
             for tolerance in [0.0, 1e-6] {
-                let derived = derive(net.coordinates(), tolerance, &job).unwrap();
+                let derived = detect_gluing(net.coordinates(), tolerance, &job).unwrap();
                 let expected = net.topology().saturated().unwrap().with_reversed(false);
                 assert_eq!(derived, expected, "{primitive:?}");
             }

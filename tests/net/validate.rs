@@ -5,7 +5,7 @@ use glam::DVec3;
 use gusset::mesh::Scalar;
 use gusset::net::primitive::{Primitive, Request};
 use gusset::net::topology::{Diagonal, Gluing, Links, Matrix, Run};
-use gusset::net::{Classes, FindingKind, Net, Seam, Shape, Sides, Topology, closure, derive};
+use gusset::net::{Classes, FindingKind, Net, Seam, Shape, Sides, Topology, closure, detect_gluing};
 use gusset::{Element, Error, Job};
 
 fn sphere() -> Net<'static> {
@@ -47,7 +47,10 @@ fn a_moved_node_and_a_missing_one_are_found() {
     assert_eq!(kinds(&net, 0.0), []);
     for tolerance in [-1.0, f64::NAN, f64::INFINITY] {
         assert!(matches!(net.validate(tolerance, &Job::default()), Err(Error::OptionOutOfRange { .. })));
-        assert!(matches!(derive(net.coordinates(), tolerance, &Job::default()), Err(Error::OptionOutOfRange { .. })));
+        assert!(matches!(
+            detect_gluing(net.coordinates(), tolerance, &Job::default()),
+            Err(Error::OptionOutOfRange { .. })
+        ));
     }
 }
 
@@ -100,7 +103,7 @@ fn derived_from_classes() {
         };
         let net = Net::from_fn(topology.clone(), Scalar::F64, place).unwrap();
         assert_eq!(net.validate(0.0, &Job::default()).unwrap().iter().filter(|f| f.kind.is_violation()).count(), 0);
-        let derived = derive(net.coordinates(), 0.0, &Job::default()).unwrap();
+        let derived = detect_gluing(net.coordinates(), 0.0, &Job::default()).unwrap();
         // Rims that are glued through the inside may be known as seams besides: the classes count.
         assert_eq!(Classes::of(&derived).unwrap().table().unwrap(), classes.table().unwrap());
         assert_eq!(derived.links(), topology.saturated().unwrap().links());
@@ -109,7 +112,7 @@ fn derived_from_classes() {
     let shape = Shape::new(2, 2).unwrap();
     let cross = |i: usize, j: usize| DVec3::X * ((i + j) % 2) as f64;
     let net = Net::from_fn(Topology::of_sides(shape, Sides::SHEET), Scalar::F64, cross).unwrap();
-    assert_eq!(derive(net.coordinates(), 0.0, &Job::default()), Err(Error::CrossingCell { cell: 0 }));
+    assert_eq!(detect_gluing(net.coordinates(), 0.0, &Job::default()), Err(Error::CrossingCell { cell: 0 }));
 }
 
 #[test]
@@ -226,7 +229,7 @@ fn a_rim_folded_about_a_corner_is_derived() {
         let sheet = Topology::of_sides(shape, Sides::SHEET);
         let net = Net::from_fn(sheet, Scalar::F32, place).unwrap();
         for tolerance in [0.0, 1e-6] {
-            let derived = derive(net.coordinates(), tolerance, &Job::default()).unwrap();
+            let derived = detect_gluing(net.coordinates(), tolerance, &Job::default()).unwrap();
             let classes = Classes::of(&derived).unwrap();
             let nodes = || (0..h).flat_map(|i| (0..w).map(move |j| (i, j)));
             for ((a, b), (c, d)) in nodes().flat_map(|p| nodes().map(move |q| (p, q))) {
@@ -246,7 +249,7 @@ fn long_rims_are_derived_soon() {
     let net = Net::from_fn(topology, Scalar::F64, |i, j| along * j as f64 + across * i as f64).unwrap();
     let start = std::time::Instant::now();
     for tolerance in [0.0, 1e-6] {
-        assert_eq!(&derive(net.coordinates(), tolerance, &Job::default()).unwrap(), net.topology());
+        assert_eq!(&detect_gluing(net.coordinates(), tolerance, &Job::default()).unwrap(), net.topology());
     }
     assert!(start.elapsed().as_secs() < 60);
 }

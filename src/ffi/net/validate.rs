@@ -6,7 +6,7 @@ use crate::ffi::guard::{create, guard};
 use crate::ffi::input::{self, Versioned};
 use crate::ffi::net::{edit, gusset_net, read};
 use crate::ffi::status::gusset_status;
-use crate::net::{Finding, FindingKind, derive};
+use crate::net::{Finding, FindingKind, detect_gluing};
 use std::ptr;
 
 /// What is found.
@@ -133,7 +133,7 @@ pub unsafe extern "C" fn gusset_net_derive(
 ) -> gusset_status {
     guard(context, |job| {
         let net = edit(net)?;
-        let topology = derive(net.coordinates(), tolerance, job)?;
+        let topology = detect_gluing(net.coordinates(), tolerance, job)?;
         let reversed = net.topology().is_reversed();
         net.set_topology(topology.with_reversed(reversed));
         Ok(())

@@ -1,18 +1,19 @@
-//! Nets whose nodes are arranged anew: parts, transposed and flipped nets, quarter turns.
+//! Rearranged nets: parts, transposed and flipped nets, quarter turns (Deryagin, "Non-spatial
+//! operations").
 //!
-//! Coordinates keep their bits. Links, seams and bridges go with their nodes; links of sides stay links of sides. To exchange
-//! rows and columns, or to reverse either, turns the net over in space: [`Topology::is_reversed`] says so from then on, and
-//! normals stay what they were.
+//! Invariant: coordinates keep their bits, and links, seams and bridges follow their nodes. An
+//! exchange of rows and columns, or a reversal of either, mirrors the net in index space, which
+//! [`Topology::is_reversed`] records, so that normals stay what they were. O(nodes).
 //!
-//! `rows` writes matrices, `gluing` moves links, `runs` moves seams.
+//! `matrices` writes coordinates, `topology` moves links, `seams` moves seams.
 
-mod gluing;
-mod rows;
-mod runs;
+mod matrices;
+mod seams;
+mod topology;
 
-pub(crate) use gluing::{Collected, closing_rows};
-pub(crate) use rows::{Rearrange, planes, rearranged};
-pub(crate) use runs::{carried, joined};
+pub(crate) use matrices::{Rearrangement, build_planes, rearrange};
+pub(crate) use seams::{map_seam, merge_seams};
+pub(crate) use topology::{LinkCollector, closed_rows};
 
 use super::{Bridge, Direction, Net, Real, Shape, Topology};
 use crate::alloc;
@@ -21,8 +22,8 @@ use crate::job::Job;
 use std::ops::Range;
 
 impl Net<'_> {
-    /// The net within a range of rows and a range of columns: the links within it, of each seam what has both ends within it,
-    /// and the bridges that cross it. Links that lead back are within it if all rows, or all columns, are.
+    /// The net within a range of rows and a range of columns, with the links and pairs of seams within
+    /// it and the bridges that cross it. Closing links survive if all rows, or all columns, do.
     ///
     /// # Errors
     /// [`Error::NetTooSmall`], [`Error::OptionOutOfRange`] for ranges beyond the net, [`Error::CrossingCell`] if only what is
@@ -37,8 +38,8 @@ impl Net<'_> {
         let shape = Shape::new(rows.len(), columns.len())?;
         let topology = topology_part(self.topology(), &rows, &columns)?;
         topology.check_crossings()?;
-        let how = Part { shape, row: rows.start, column: columns.start };
-        let mut part = Net::new(rearranged(self.coordinates(), &how, job)?, topology);
+        let place = Part { shape, row: rows.start, column: columns.start };
+        let mut part = Net::new(rearrange(self.coordinates(), &place, job)?, topology);
         for bridge in self.bridges() {
             if let Some(bridge) = bridge.within(&rows, &columns) {
                 alloc::push(part.bridges_mut(), bridge)?;
@@ -52,9 +53,9 @@ impl Net<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn transposed(&self, job: &Job<'_>) -> Result<Net<'static>> {
-        let how = Transposed(self.shape().transposed());
-        let transpose = |bridge: &Bridge| Bridge { direction: bridge.direction.transposed(), ..bridge.unmarked() };
-        self.exchanged(&how, self.topology().transposed()?, transpose, job)
+        let map = Transposed(self.shape().transposed());
+        let transpose = |bridge: &Bridge| Bridge { direction: bridge.direction.transposed(), ..bridge.unadapted() };
+        self.mapped(&map, self.topology().transposed()?, transpose, job)
     }
 
     /// The last row first.
@@ -63,7 +64,7 @@ impl Net<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn flipped_rows(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let flip = |bridge: &Bridge| bridge.flipped(Direction::Down, self.shape());
-        self.exchanged(&FlippedRows(self.shape()), self.topology().flipped_rows()?, flip, job)
+        self.mapped(&FlippedRows(self.shape()), self.topology().flipped_rows()?, flip, job)
     }
 
     /// The last column first.
@@ -72,11 +73,11 @@ impl Net<'_> {
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn flipped_columns(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let flip = |bridge: &Bridge| bridge.flipped(Direction::Right, self.shape());
-        self.exchanged(&FlippedColumns(self.shape()), self.topology().flipped_columns()?, flip, job)
+        self.mapped(&FlippedColumns(self.shape()), self.topology().flipped_columns()?, flip, job)
     }
 
-    /// Turned by quarters, to the left as the matrix is written down: after one, the last column is the first row. What is
-    /// reversed stays so.
+    /// The net rotated by quarter turns, anticlockwise as the matrix is written down: after one, the
+    /// last column is the first row. The face orientation stays.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -89,21 +90,21 @@ impl Net<'_> {
         }
     }
 
-    fn exchanged(
+    fn mapped(
         &self,
-        how: &impl Rearrange,
+        map: &impl Rearrangement,
         topology: Topology,
         bridge: impl Fn(&Bridge) -> Bridge,
         job: &Job<'_>,
     ) -> Result<Net<'static>> {
-        let mut net = Net::new(rearranged(self.coordinates(), how, job)?, topology);
+        let mut net = Net::new(rearrange(self.coordinates(), map, job)?, topology);
         *net.bridges_mut() = alloc::collect(self.bridges().iter().map(bridge))?;
         Ok(net)
     }
 }
 
-/// What is glued within a rectangle; crossings are not looked for.
-pub(crate) fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
+/// The topology within a rectangle; crossed cells are not looked for.
+fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &Range<usize>) -> Result<Topology> {
     let cut = |topology: Topology, range: &Range<usize>, count: usize| -> Result<Topology> {
         if range.len() == count {
             return Ok(topology);
@@ -116,19 +117,19 @@ pub(crate) fn topology_part(topology: &Topology, rows: &Range<usize>, columns: &
     if columns.len() == shape.columns() {
         return Ok(topology);
     }
-    cut(topology.transposed()?, columns, shape.columns())?.transposed()
+    topology.along(Direction::Right, |topology| cut(topology.clone(), columns, shape.columns()))
 }
 
 impl Bridge {
-    /// The same without the account of what was done to the nets, which the new arrangement has made untrue.
-    fn unmarked(&self) -> Bridge {
-        Bridge { origins: [None, None], ..self.clone() }
+    /// The bridge without the adaptations of its nets, which hold no longer once nodes move.
+    pub(crate) fn unadapted(&self) -> Bridge {
+        Bridge { adaptations: [None, None], ..self.clone() }
     }
 
-    /// Where it is when rows (`Down`) or columns are reversed.
+    /// The bridge in a net whose rows (`Down`) or columns are reversed.
     fn flipped(&self, axis: Direction, shape: Shape) -> Bridge {
         let count = axis.extent(shape).0 as u32;
-        let bridge = self.unmarked();
+        let bridge = self.unadapted();
         if self.direction == axis {
             Bridge { at: count - self.at, ..bridge }
         } else {
@@ -136,7 +137,7 @@ impl Bridge {
         }
     }
 
-    /// What is within a rectangle, if a cell is.
+    /// The part of the bridge within a rectangle, if a cell of it is.
     pub(crate) fn within(&self, rows: &Range<usize>, columns: &Range<usize>) -> Option<Bridge> {
         let (across, along) = match self.direction {
             Direction::Right => (columns, rows),
@@ -148,19 +149,20 @@ impl Bridge {
             return None;
         }
         let whole = (start, end) == (self.start as usize, self.end as usize);
-        let bridge = if whole { self.clone() } else { self.unmarked() };
+        let bridge = if whole { self.clone() } else { self.unadapted() };
         let (start, end) = ((start - along.start) as u32, (end - along.start) as u32);
         Some(Bridge { at: (at - across.start) as u32, start, end, ..bridge })
     }
 }
 
-struct Part {
-    shape: Shape,
-    row: usize,
-    column: usize,
+/// The rectangle of a net from (row, column) on.
+pub(crate) struct Part {
+    pub(crate) shape: Shape,
+    pub(crate) row: usize,
+    pub(crate) column: usize,
 }
 
-impl Rearrange for Part {
+impl Rearrangement for Part {
     fn shape(&self) -> Shape {
         self.shape
     }
@@ -175,7 +177,7 @@ impl Rearrange for Part {
 
 struct FlippedRows(Shape);
 
-impl Rearrange for FlippedRows {
+impl Rearrangement for FlippedRows {
     fn shape(&self) -> Shape {
         self.0
     }
@@ -190,7 +192,7 @@ impl Rearrange for FlippedRows {
 
 struct FlippedColumns(Shape);
 
-impl Rearrange for FlippedColumns {
+impl Rearrangement for FlippedColumns {
     fn shape(&self) -> Shape {
         self.0
     }
@@ -206,10 +208,10 @@ impl Rearrange for FlippedColumns {
 
 struct Transposed(Shape);
 
-/// Rows and columns of a square that fits in the cache with its image.
+/// Side of a square tile that fits in the cache together with its image.
 const TILE: usize = 16;
 
-impl Rearrange for Transposed {
+impl Rearrangement for Transposed {
     fn shape(&self) -> Shape {
         self.0
     }

@@ -1,23 +1,25 @@
-//! The three closures of a box, the paper's cube among them (its Fig. 6).
+//! Three closures of a box, among them the cube of Deryagin's Fig. 6.
 //!
-//! A vertex of a box has the angle 3/2 pi around it, an odd multiple of a right angle, which only a corner of the net
-//! can give; a net has four corners and a box eight vertices. So some cells must degenerate. All three closures wrap
-//! the four lateral faces with a closed band of rows and differ in how the rows beyond it cover the two caps. Where a
-//! node lies on the box is a function of its row and column, and links are contracted that join a place to itself.
+//! A vertex of a box has total angle 3 pi / 2, an odd multiple of a right angle, which only a corner of
+//! the net provides; a net has four corners and a box eight vertices, so some cells must degenerate. All
+//! three closures wrap the four lateral faces by a closed band of rows and differ in the rows that cover
+//! the two caps. Invariant: the place of a node on the box is a function of its row and column, and the
+//! contracted links are those between equal places. O(nodes).
 
 use crate::error::{Error, Result};
 use crate::net::topology::{Links, Matrix, Run, Seam};
 use crate::net::{Shape, Sides, Topology};
 
-/// How the caps of a box are covered.
+/// The covering of the caps of a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum BoxKind {
-    /// Two opposite rims of the cap sweep over it until they meet in a slit, which is then zipped up from both ends.
-    /// All faces are unit quads, all vertices but the eight have four edges, and the characteristic matrix says it all.
+    /// Two opposite rims of the cap sweep over it until they meet in a slit, which then closes from both
+    /// ends. All faces are unit quads, all vertices but the eight have four edges, and the characteristic
+    /// matrix suffices.
     #[default]
     Slit,
-    /// The paper's crosswise unwrapping: one block of the net is the cap, the three blocks beside it are drawn together
-    /// to its sides. All faces are unit quads; the last row of each cap is a [`Seam`].
+    /// The paper's cross unwrapping: one block of the net is the cap, and the three blocks beside it are
+    /// contracted to its sides. All faces are unit quads; the last row of each cap is a [`Seam`].
     Cross,
     /// Concentric rings. Fewest nodes; cells on the diagonals of the caps are split into two triangles.
     Concentric,
@@ -50,7 +52,7 @@ impl Cuboid {
         Shape::new(c + 1 + 2 * self.cap_rows(), 2 * (a + b) + 1)
     }
 
-    /// The rows beyond the lateral faces, at each end.
+    /// The number of rows beyond the lateral faces at each end.
     fn cap_rows(&self) -> usize {
         let [a, b, _] = self.cells.map(|n| n as usize);
         match self.kind {
@@ -60,7 +62,7 @@ impl Cuboid {
         }
     }
 
-    /// What is glued to what.
+    /// The gluing.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (no cells), [`Error::TooLarge`], [`Error::OutOfMemory`].
@@ -72,10 +74,10 @@ impl Cuboid {
             for j in 0..w {
                 let here = self.place(i, j);
                 if j + 1 < w && here == self.place(i, j + 1) {
-                    matrix.set(2 * shape.node(i, j), true);
+                    matrix.set(shape.horizontal_link(i, j), true);
                 }
                 if i > 0 && here == self.place(i - 1, j) {
-                    matrix.set(2 * shape.node(i - 1, j) + 1, true);
+                    matrix.set(shape.vertical_link(i - 1, j), true);
                 }
             }
         }
@@ -90,7 +92,7 @@ impl Cuboid {
         self.depth(i) > 0
     }
 
-    /// How many rows row i is beyond the lateral faces.
+    /// The number of rows between row i and the lateral faces.
     fn depth(&self, i: usize) -> usize {
         let (cap, c) = (self.cap_rows(), self.cells[2] as usize);
         cap.saturating_sub(i).max(i.saturating_sub(cap + c))
@@ -101,8 +103,8 @@ impl Cuboid {
         i.saturating_sub(self.cap_rows()).min(self.cells[2] as usize) as u32
     }
 
-    /// Where node (i, j) is, in cells from the box's corner. Rows go from the bottom to the top, columns round the box
-    /// counter-clockwise seen from above.
+    /// The place of node (i, j), in cells from the corner of the box. Rows run from the bottom to the top,
+    /// columns round the box counter-clockwise seen from above.
     pub fn place(&self, i: usize, j: usize) -> [u32; 3] {
         let [a, b, _] = self.cells;
         let (depth, column) = (self.depth(i) as u32, j as u32 % (2 * (a + b)));
@@ -110,18 +112,18 @@ impl Cuboid {
             BoxKind::Slit => {
                 let (s, t) = (depth.min(b.div_ceil(2)), depth.saturating_sub(b.div_ceil(2)));
                 let [x, y] = self.rim(column);
-                [drawn_in(x, t, a), drawn_in(y, s, b)]
+                [inset(x, t, a), inset(y, s, b)]
             }
             BoxKind::Concentric => {
                 let [x, y] = self.rim(column);
-                [drawn_in(x, depth, a), drawn_in(y, depth, b)]
+                [inset(x, depth, a), inset(y, depth, b)]
             }
             BoxKind::Cross => self.crosswise(depth, column),
         };
         [x, y, self.level(i)]
     }
 
-    /// Where a column meets the rim of a cap: along x, along y, back along x, back along y.
+    /// The point of a column on the rim of a cap: along x, along y, back along x, back along y.
     fn rim(&self, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
         match column {
@@ -132,8 +134,8 @@ impl Cuboid {
         }
     }
 
-    /// The first block is the cap itself, from its rim at y = 0; the third, opposite, is drawn together to its rim at y
-    /// = b; the two between to those at x = a and x = 0, where they follow the first block's end.
+    /// The first block is the cap itself, from its rim at y = 0; the third, opposite, is contracted to the rim
+    /// at y = b; the two between to those at x = a and x = 0, where they follow the end of the first block.
     fn crosswise(&self, depth: u32, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
         let [x, y] = self.rim(column);
@@ -145,8 +147,8 @@ impl Cuboid {
     }
 }
 
-/// A coordinate between 0 and `size`, drawn in by `steps` from both ends; of an odd size the last step moves one end
-/// only.
-fn drawn_in(value: u32, steps: u32, size: u32) -> u32 {
+/// A coordinate clamped to the interval from 0 to `size` less `steps` at both ends; for an odd size the last
+/// step moves one end only.
+fn inset(value: u32, steps: u32, size: u32) -> u32 {
     value.clamp(steps.min(size.div_ceil(2)), size - steps.min(size / 2))
 }

@@ -1,8 +1,8 @@
-//! Closures that need more than [`Sides`]: boxes, and surfaces with a side turned round.
+//! Closures beyond [`Sides`]: boxes, and surfaces with a reversed or folded side.
 //!
-//! A net is a rectangle, and a closed surface is a rectangle whose sides are glued. What [`Sides`] say,
-//! and the characteristic matrix in general, glues neighbours and the ends of rows and columns; a side that is glued to
-//! another one the other way round, or to itself folded, is a [`Seam`].
+//! A closed surface is a rectangle with glued sides. [`Sides`], and the characteristic matrix in general,
+//! glue neighbours and the ends of rows and columns; a side glued to another in reverse, or to itself
+//! folded, is a [`Seam`]. O(nodes).
 
 mod cuboid;
 
@@ -12,32 +12,32 @@ use super::topology::{Links, Run, Seam};
 use super::{Shape, Sides, Topology};
 use crate::error::{Error, Result};
 
-/// A Möbius strip: the last column is the first one upside down. Euler's characteristic 0, one boundary loop.
+/// A Möbius strip: the last column is the first in reverse. Euler's characteristic 0, one boundary loop.
 ///
 /// # Errors
 /// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
 pub fn moebius(shape: Shape) -> Result<Topology> {
-    Topology::new(shape, Links::Sides(Sides::SHEET), &[turned_columns(shape)])
+    Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape)])
 }
 
-/// A Klein bottle: columns are closed, and the last column is the first one upside down. Euler's characteristic 0,
-/// closed.
+/// A Klein bottle: columns are closed, and the last column is the first in reverse. Euler's characteristic
+/// 0, closed.
 ///
 /// # Errors
 /// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
 pub fn klein(shape: Shape) -> Result<Topology> {
     let sides = Sides { columns_closed: true, ..Sides::SHEET };
-    Topology::new(shape, Links::Sides(sides), &[turned_columns(shape)])
+    Topology::new(shape, Links::Sides(sides), &[reversed_column(shape)])
 }
 
-/// A projective plane: opposite nodes of the rim are one. Euler's characteristic 1, closed.
+/// A projective plane: opposite nodes of the rim are glued. Euler's characteristic 1, closed.
 ///
 /// # Errors
 /// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
 pub fn projective_plane(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     let rows = Seam { a: Run::along_row(0, 0, 1), b: Run::along_row(h - 1, w - 1, -1), count: w };
-    Topology::new(shape, Links::Sides(Sides::SHEET), &[turned_columns(shape), rows])
+    Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape), rows])
 }
 
 /// A pillow: a tube laid flat whose two rims are folded shut. A sphere with four vertices of two edges, unlike any that
@@ -55,8 +55,8 @@ pub fn pillow(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(Sides::TUBE), &[folded(0), folded(h - 1)])
 }
 
-/// The last column is the first one upside down.
-fn turned_columns(shape: Shape) -> Seam {
+/// The seam that makes the last column the first in reverse.
+fn reversed_column(shape: Shape) -> Seam {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     Seam { a: Run::along_column(0, w - 1, 1), b: Run::along_column(h - 1, 0, -1), count: h }
 }

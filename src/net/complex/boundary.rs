@@ -1,14 +1,19 @@
-//! The boundary: edges of one face, in chains.
+//! The boundary: edges of one face, linked to chains. O(edges), and a sort at vertices with several.
 
-use super::scan::FanEnds;
-use super::{Edge, group};
+use super::vertex_sort;
 use crate::alloc;
 use crate::error::{Error, Result};
 
-/// The chains of edges that have one face each.
+/// Two vertices, each by its smallest node.
+pub type Edge = [u32; 2];
+
+/// The two boundary edges of one fan of faces at a vertex: the vertex, and their other ends.
+pub(super) type FanEnds = [u32; 3];
+
+/// The chains of edges of one face each.
 ///
-/// Where the boundary passes a vertex more than once, a chain goes on along the fan of faces it came along. All chains
-/// are loops, but for those that end at edges of three faces and more.
+/// Where the boundary passes a vertex more than once, a chain continues along the fan of faces that it
+/// came along. All chains are loops, except those that end at edges of three or more faces.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Boundary {
     offsets: Vec<u32>,
@@ -32,12 +37,12 @@ impl Boundary {
         &self.nodes[self.offsets[k] as usize..self.offsets[k + 1] as usize]
     }
 
-    /// True if chain k does not end where it begins.
+    /// True if chain k is open.
     pub fn is_open(&self, k: usize) -> bool {
         self.open[k]
     }
 
-    /// 1 for each chain that does not end where it begins, 0 for the others.
+    /// 1 for each open chain, 0 for the others.
     pub(crate) fn open_flags(&self) -> Result<Vec<u32>> {
         alloc::collect(self.open.iter().map(|&open| open.into()))
     }
@@ -52,7 +57,7 @@ impl Boundary {
         (0..self.len()).map(|k| self.get(k))
     }
 
-    /// 0, then the end of each chain among the nodes.
+    /// Where each chain starts among the nodes; one entry more than there are chains.
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
     }
@@ -62,8 +67,8 @@ impl Boundary {
         &self.nodes
     }
 
-    /// Chains of `edges` of a net of `count` nodes, each once, in the direction of its face or (`reversed`) against it.
-    /// `fan_ends`: the pairs of edges that belong together at vertices that have more than two. A sort of the edges.
+    /// The chains of `edges` of a net of `count` nodes, in the direction of their faces or (`reversed`)
+    /// against it. `fan_ends`: the pairs of edges that belong together at vertices with more than two.
     pub(super) fn of(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize, reversed: bool) -> Result<Self> {
         let limit = u64::from(u32::MAX / 2);
         if edges.len() as u64 > limit {
@@ -72,7 +77,7 @@ impl Boundary {
         let partners = partners(edges, fan_ends, count)?;
         let mut boundary = Boundary { offsets: alloc::filled(0, 1)?, ..Boundary::default() };
         let mut done: Vec<bool> = alloc::filled(false, edges.len())?;
-        // First those that have an end, from there; then the loops.
+        // Open chains first, from their ends; then loops.
         let mut walk = |end: usize| {
             if done[end / 2] {
                 return Ok(());
@@ -102,16 +107,16 @@ impl Boundary {
     }
 }
 
-/// For each end of each edge (number `2 * edge + side`) the end of the edge that the chain goes on with, or itself.
+/// For each end of each edge (number `2 * edge + side`) the end of the next edge of its chain, or itself.
 fn partners(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize) -> Result<Vec<u32>> {
-    group::sort(fan_ends, count, |fan| fan[0])?;
+    vertex_sort::sort(fan_ends, count, |fan| fan[0])?;
     let mut partners: Vec<u32> = alloc::collect((0..2 * edges.len()).map(|end| end as u32))?;
     // (vertex, the edge's other vertex, number)
     let mut ends: Vec<(u32, u32, u32)> = alloc::with_capacity(2 * edges.len())?;
     for (edge, &[a, b]) in (0..).zip(edges) {
         ends.extend([(a, b, 2 * edge), (b, a, 2 * edge + 1)]);
     }
-    group::sort(&mut ends, count, |end| end.0)?;
+    vertex_sort::sort(&mut ends, count, |end| end.0)?;
     let mut fans = fan_ends.iter().peekable();
     for group in ends.chunk_by(|a, b| a.0 == b.0) {
         let mut join = |a: u32, b: u32| {

@@ -1,13 +1,13 @@
-//! Connectedness and orientability.
+//! Connected components by union-find, and orientability by union-find with parity. O(nodes).
 
 use super::edges::faces;
 use super::presence::Presence;
-use super::scan::{Scan, Side};
+use super::row_scan::{RowScan, Side};
 use crate::alloc;
 use crate::error::Result;
 use crate::net::topology::{Classes, Forest};
 
-/// The number of pieces. O(nodes), unless all cells are there, which hang together.
+/// The number of connected components; 1 if all cells exist. O(nodes).
 pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> {
     if presence.is_all() {
         return Ok(1);
@@ -26,9 +26,9 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
             [a, b, c, d].into_iter().for_each(|node| touched[node as usize] = true);
         }
     }
-    // A glued node that no cell touches joins nothing.
+    // A glued node that no cell touches connects nothing.
     let mut first: Vec<u32> = Vec::new();
-    classes.glued(|node, representative| {
+    classes.each_glued(|node, representative| {
         if first.is_empty() {
             first = alloc::filled(u32::MAX, shape.node_count())?;
         }
@@ -44,12 +44,12 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
     Ok(roots.count() as u64)
 }
 
-/// True if the faces can be turned so that no two run along an edge the same way; edges of three faces and more are
-/// left out. O(cells).
-pub(super) fn is_orientable(scan: &Scan<'_>, classes: &Classes, presence: &Presence) -> Result<bool> {
+/// True if the faces can be oriented so that no two traverse an edge in the same direction; edges of three
+/// or more faces do not count. O(cells).
+pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &Classes, presence: &Presence) -> Result<bool> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());
-    let mut signs = Signs::new(shape.cell_count())?;
+    let mut signs = ParityForest::new(shape.cell_count())?;
     let mut row: Vec<u8> = alloc::zeroed(w + 1)?;
     let mut next: Vec<u8> = alloc::zeroed(w + 1)?;
     let plain = |a: u32, b: u32| !scan.is_glued(a) && !scan.is_glued(b);
@@ -76,18 +76,18 @@ pub(super) fn is_orientable(scan: &Scan<'_>, classes: &Classes, presence: &Prese
     Ok(orientable)
 }
 
-/// Disjoint sets of cells, each with the sign of every cell relative to its root's.
-struct Signs {
-    /// Twice the parent, plus 1 if the sign is the other one.
+/// Disjoint sets of cells with the sign of each relative to its root.
+struct ParityForest {
+    /// Twice the parent, plus 1 if the signs differ.
     parents: Vec<u32>,
 }
 
-impl Signs {
+impl ParityForest {
     fn new(count: usize) -> Result<Self> {
-        Ok(Signs { parents: alloc::collect((0..count).map(|cell| 2 * cell as u32))? })
+        Ok(ParityForest { parents: alloc::collect((0..count).map(|cell| 2 * cell as u32))? })
     }
 
-    /// Twice the root, plus 1 if the cell's sign is the other one.
+    /// Twice the root, plus 1 if the signs differ.
     fn find(&mut self, cell: u32) -> u32 {
         let mut at = 2 * cell;
         loop {
@@ -101,14 +101,14 @@ impl Signs {
         }
     }
 
-    /// Says that the signs are opposed or equal; false if they are known to be otherwise.
+    /// Requires opposite or equal signs; false if that contradicts earlier requirements.
     fn join(&mut self, a: u32, b: u32, opposed: bool) -> bool {
         let (a, b) = (self.find(a), self.find(b));
         if a / 2 == b / 2 {
             return (a ^ b) & 1 == u32::from(opposed);
         }
-        let (least, greatest) = (a.min(b), a.max(b));
-        self.parents[greatest as usize / 2] = least & !1 | (least ^ greatest ^ u32::from(opposed)) & 1;
+        let (min, max) = (a.min(b), a.max(b));
+        self.parents[max as usize / 2] = min & !1 | (min ^ max ^ u32::from(opposed)) & 1;
         true
     }
 }

@@ -1,40 +1,43 @@
-//! Edges and vertices where nodes are glued: what the pass over the rows has left to be brought together.
+//! Edges and vertices at glued nodes: the sides and corners that the pass over the rows collected, grouped
+//! by edge and by vertex. O(s log s) for s sides at most.
 
-use super::scan::{Corner, FanEnds, Scan, Sense, Side};
-use super::{Complex, group};
+use super::boundary::FanEnds;
+use super::quotient::Complex;
+use super::row_scan::{Corner, RowScan, Sense, Side};
+use super::vertex_sort;
 use crate::alloc;
 use crate::error::Result;
 
-/// Brings the sides of faces together to edges; their boundary is added to the scan's. A sort of the sides.
-pub(super) fn edges(scan: &mut Scan<'_>, complex: &mut Complex) -> Result<()> {
+/// Groups sides of faces to edges, and adds boundary edges to the scan's.
+pub(super) fn edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
-    group::sort(&mut scan.sides, count, |side| side.edge[0])?;
+    vertex_sort::sort(&mut scan.sides, count, |side| side.edge[0])?;
     for sides in scan.sides.chunk_by(|a, b| a.edge == b.edge) {
         complex.edges += 1;
-        let [least, greatest] = sides[0].edge;
+        let [min, max] = sides[0].edge;
         match faces(sides) {
-            [] => alloc::push(&mut complex.wires, [least, greatest])?,
-            [one] if one.sense == Sense::Up => alloc::push(&mut scan.rim, [least, greatest])?,
-            [_] => alloc::push(&mut scan.rim, [greatest, least])?,
+            [] => alloc::push(&mut complex.wires, [min, max])?,
+            [one] if one.sense == Sense::Up => alloc::push(&mut scan.rim, [min, max])?,
+            [_] => alloc::push(&mut scan.rim, [max, min])?,
             [a, b] if a.sense != b.sense => {}
-            [_, _] => alloc::push(&mut complex.conflicts, [least, greatest])?,
-            _ => alloc::push(&mut complex.branches, [least, greatest])?,
+            [_, _] => alloc::push(&mut complex.conflicts, [min, max])?,
+            _ => alloc::push(&mut complex.branches, [min, max])?,
         }
     }
     Ok(())
 }
 
-/// Those of the sides of an edge, which are in order, that belong to faces.
+/// The sides of an edge that belong to faces, given all of them in order.
 pub(super) fn faces(sides: &[Side]) -> &[Side] {
     &sides[..sides.partition_point(|side| side.sense != Sense::None)]
 }
 
-/// Brings the corners at each vertex together to fans: faces one after the other round it. More than one of them is a
-/// pinch; the boundary edges of each are added to the scan's. A sort of the corners.
-pub(super) fn fans(scan: &mut Scan<'_>, complex: &mut Complex) -> Result<()> {
+/// Groups the corners at each vertex to fans, sequences of adjacent faces round it. A vertex with several is
+/// a pinch; the boundary edges of each fan are added to the scan's.
+pub(super) fn fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
-    group::sort(&mut scan.corners, count, |corner| corner[0])?;
-    let mut link = Link::default();
+    vertex_sort::sort(&mut scan.corners, count, |corner| corner[0])?;
+    let mut link = VertexLink::default();
     for corners in scan.corners.chunk_by(|a, b| a[0] == b[0]) {
         if link.fans(corners, &mut scan.fan_ends)? > 1 {
             alloc::push(&mut complex.pinches, corners[0][0])?;
@@ -44,22 +47,22 @@ pub(super) fn fans(scan: &mut Scan<'_>, complex: &mut Complex) -> Result<()> {
     Ok(())
 }
 
-/// The link of a vertex: the edges that meet there are its points, and each face joins two of them. The space is used
-/// again for each vertex.
+/// The link of a vertex: its points are the edges that meet there, and each face joins two of them. The
+/// memory is reused for each vertex.
 #[derive(Default)]
-struct Link {
+struct VertexLink {
     /// The other ends of the edges, in order.
     points: Vec<u32>,
-    /// Of each, one that it is joined to, or itself.
+    /// The union-find parent of each.
     parents: Vec<usize>,
     /// The number of faces of each.
     degrees: Vec<u32>,
-    /// The points with one face, with the root of what they belong to.
+    /// The points with one face, each with the root of its component.
     ends: Vec<(usize, u32)>,
 }
 
-impl Link {
-    /// The number of pieces of the link; the two ends of each that has some are given to `ends`.
+impl VertexLink {
+    /// The number of components of the link; the two ends of each open one are appended to `ends`.
     fn fans(&mut self, corners: &[Corner], ends: &mut Vec<FanEnds>) -> Result<usize> {
         refill(&mut self.points, corners.iter().flat_map(|&[_, before, after]| [before, after]), 2 * corners.len())?;
         self.points.sort_unstable();
@@ -82,9 +85,9 @@ impl Link {
             }
         }
         self.ends.sort_unstable();
-        for piece in self.ends.chunk_by(|a, b| a.0 == b.0) {
-            // More than two only where a fan branches; what is left over ends a chain of the boundary.
-            for pair in piece.chunks_exact(2) {
+        for component in self.ends.chunk_by(|a, b| a.0 == b.0) {
+            // More than two only where a fan branches; an odd end terminates a chain of the boundary.
+            for pair in component.chunks_exact(2) {
                 alloc::push(ends, [corners[0][0], pair[0].1, pair[1].1])?;
             }
         }
@@ -100,7 +103,7 @@ impl Link {
     }
 }
 
-/// `count` new items in place of the old ones.
+/// Replaces the contents of a list by `count` items.
 fn refill<T>(list: &mut Vec<T>, items: impl Iterator<Item = T>, count: usize) -> Result<()> {
     list.clear();
     alloc::reserve(list, count)?;

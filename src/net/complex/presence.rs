@@ -1,11 +1,12 @@
-//! Which cells are there.
+//! The existing cells: those with four finite corners that no hidden bridge covers. O(nodes), 1 byte a cell
+//! unless all exist.
 
 use crate::alloc;
 use crate::error::Result;
-use crate::net::hidden::Hidden;
+use crate::net::hidden_cells::HiddenCells;
 use crate::net::{Net, Planes, Real, Shape, each};
 
-/// One byte for each cell, 1 if it is there; none if all of them are.
+/// One byte for each cell, 1 if it exists; none if all do.
 pub(super) struct Presence {
     cells: Option<Vec<u8>>,
 }
@@ -14,13 +15,13 @@ impl Presence {
     /// All cells.
     pub(super) const ALL: Presence = Presence { cells: None };
 
-    /// The cells whose corners are finite and that no hidden bridge has. O(nodes).
+    /// The existing cells of a net. O(nodes).
     pub(super) fn of(net: &Net<'_>) -> Result<Self> {
         let shape = net.shape();
         let columns = shape.columns() - 1;
         let mut cells: Vec<u8> = alloc::zeroed(shape.cell_count())?;
         each!(net.coordinates(), planes => finite_cells(planes, &mut cells)?);
-        let hidden = Hidden::of(net)?;
+        let hidden = HiddenCells::of(net)?;
         if !hidden.is_empty() {
             for (i, row) in cells.chunks_exact_mut(columns).enumerate() {
                 hidden.row(i).iter().for_each(|&[from, to]| row[from as usize..to as usize].fill(0));
@@ -30,12 +31,12 @@ impl Presence {
         Ok(Presence { cells: (!all).then_some(cells) })
     }
 
-    /// True if all cells are there.
+    /// True if all cells exist.
     pub(super) fn is_all(&self) -> bool {
         self.cells.is_none()
     }
 
-    /// Row i of cells into `row`, with a cell that is not there at both ends; rows outside the net have none.
+    /// Writes row i of cells to `row`, with a missing cell at both ends; rows outside the net have none.
     pub(super) fn row(&self, shape: Shape, i: usize, row: &mut [u8]) {
         let columns = shape.columns() - 1;
         let inner = &mut row[1..=columns];
@@ -62,7 +63,7 @@ fn finite_cells<T: Real>(planes: &Planes<'_, T>, cells: &mut [u8]) -> Result<()>
     Ok(())
 }
 
-/// Zero times a number is 0, unless the number is NaN or infinite.
+/// 1 for each finite node: 0 times a coordinate is 0 unless it is NaN or infinite.
 fn finite_nodes<T: Real>([x, y, z]: [&[T]; 3], finite: &mut [u8]) {
     let zero = T::of(0.0);
     for (((finite, &x), &y), &z) in finite.iter_mut().zip(x).zip(y).zip(z) {

@@ -1,8 +1,9 @@
-//! Nets of meshes whose faces are a rectangular grid.
+//! Recognition of a rectangular grid in the faces of a mesh.
 //!
-//! A cell of a grid is known by the half-edge of its face that runs from (i, j) to (i, j + 1). From there its four neighbours are
-//! a few half-edges away, and so is the half-edge that they are known by. To go right, say, as far as it goes is therefore to
-//! follow a map that is one to one, and ends at the border, at a pole, or where it began.
+//! A cell is represented by the half-edge of its face that runs from (i, j) to (i, j + 1); its four
+//! neighbours, and their half-edges, are a few half-edges away. A step in one direction is an injective
+//! map, so that a walk ends at the border, at a pole, or where it began. Every candidate is verified
+//! cell by cell: no mesh that is not a grid is accepted. O(faces).
 
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -11,10 +12,10 @@ use crate::mesh::{Across, MeshView, NONE, Topology as Pairing};
 use crate::net::topology::{Forest, Links, Run, Seam};
 use crate::net::{Net, Shape, Sides, Topology};
 
-/// A net that was found in a mesh.
+/// A net recognised in a mesh.
 #[derive(Debug)]
 pub struct GridNet {
-    /// The net, of the mesh's own coordinates, closed where the mesh is.
+    /// The net, with the mesh's coordinates, closed where the mesh is.
     pub net: Net<'static>,
     /// For each node its vertex.
     pub vertex_of_node: Vec<u32>,
@@ -22,13 +23,13 @@ pub struct GridNet {
     pub face_of_cell: Vec<u32>,
 }
 
-/// The net whose cells are the faces of a mesh: quads in rows and columns, which may be closed round, and at the first and the
-/// last row a fan of triangles round a pole each. `seed`: a face of the component that is meant; without it the mesh must have no
-/// other. Rows run as the first quad says, and round if only one direction is closed. O(H log d) for H half-edges and vertices
-/// of degree d.
+/// The net whose cells are the faces of a mesh: quads in rows and columns, which may be closed, and at
+/// the first and the last row a fan of triangles round a pole each. `seed`: a face of the component;
+/// without it the mesh must have one only. Rows run along the first edge of the first quad, or round if
+/// only one direction is closed. O(H log d) for H half-edges and vertices of degree d.
 ///
 /// # Errors
-/// [`Error::NoGrid`] with a face that shows it, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::NoGrid`] with a face that violates the grid, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Result<GridNet> {
     let pairing = Pairing::new(mesh, &job.part(0.0, 0.6))?;
     let walker = Walker { mesh, pairing: &pairing };
@@ -45,22 +46,22 @@ pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Res
 }
 
 /// Cells between two progress reports.
-const STEP: usize = 1 << 15;
+const CELLS_PER_REPORT: usize = 1 << 15;
 const STAGE: &str = "rows to nodes";
 
-/// Where a step leads.
+/// The neighbour of a cell in a direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Step {
-    /// To a quad, known by this half-edge.
-    Cell(u32),
-    /// To a triangle: the half-edge that was crossed, as its own.
+enum Neighbour {
+    /// A quad, by its representing half-edge.
+    Quad(u32),
+    /// A triangle, by its half-edge on the common edge.
     Triangle(u32),
-    /// Over the border.
-    End,
+    /// None: the border.
+    Border,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Way {
+enum Heading {
     Up,
     Right,
     Down,
@@ -81,8 +82,8 @@ impl Walker<'_> {
         self.mesh.faces().range(face as usize).len()
     }
 
-    /// `k` half-edges on round the face.
-    fn on(&self, h: u32, k: usize) -> u32 {
+    /// The half-edge `k` places further round the face.
+    fn advance(&self, h: u32, k: usize) -> u32 {
         (0..k).fold(h, |h, _| self.mesh.faces().next(h))
     }
 
@@ -90,19 +91,20 @@ impl Walker<'_> {
         self.mesh.faces().corner(h)
     }
 
+    /// The error at the face of a half-edge.
     fn no_grid(&self, h: u32) -> Error {
         Error::NoGrid { face: self.face(h) }
     }
 
     /// The neighbour of the quad of `h`.
-    fn step(&self, h: u32, way: Way) -> Result<Step> {
-        let turns = way as usize;
-        let edge = self.on(h, turns);
+    fn neighbour(&self, h: u32, heading: Heading) -> Result<Neighbour> {
+        let turns = heading as usize;
+        let edge = self.advance(h, turns);
         if self.pairing.is_ignored(edge) {
             return Err(self.no_grid(h));
         }
         let mate = match self.pairing.across(edge) {
-            Across::Free => return Ok(Step::End),
+            Across::Free => return Ok(Neighbour::Border),
             Across::Singular => return Err(self.no_grid(h)),
             Across::Mate(mate) => mate,
         };
@@ -112,32 +114,32 @@ impl Walker<'_> {
         }
         match self.size(self.face(mate)) {
             // Edge k of the one is edge k + 2 of the other.
-            4 => Ok(Step::Cell(self.on(mate, (6 - turns) % 4))),
-            3 => Ok(Step::Triangle(mate)),
+            4 => Ok(Neighbour::Quad(self.advance(mate, (6 - turns) % 4))),
+            3 => Ok(Neighbour::Triangle(mate)),
             _ => Err(self.no_grid(mate)),
         }
     }
 
-    /// As far as it goes: the last cell, and what is behind it, which is the first cell again if the way is closed.
-    fn far(&self, from: u32, way: Way) -> Result<(u32, Step)> {
+    /// The last cell of a walk and its neighbour, which is the first cell if the walk is closed.
+    fn walk(&self, from: u32, heading: Heading) -> Result<(u32, Neighbour)> {
         let mut at = from;
         loop {
-            match self.step(at, way)? {
-                Step::Cell(next) if next != from => at = next,
+            match self.neighbour(at, heading)? {
+                Neighbour::Quad(next) if next != from => at = next,
                 end => return Ok((at, end)),
             }
         }
     }
 }
 
-/// Rows of cells, each known by its half-edge, without those at poles.
+/// Rows of quads, by their representing half-edges, and the fans at the poles.
 struct Grid {
     cells: Vec<u32>,
     columns: usize,
     rows_closed: bool,
-    /// The column of the first row that the first column of the last row leads down to.
+    /// The column of the first row below the first cell of the last row, if columns are closed.
     shift: Option<usize>,
-    /// The triangles round the first and the last row's pole, as the half-edges that they share with quads.
+    /// The fans of triangles before the first and after the last row, as their half-edges shared with quads.
     poles: [Option<Vec<u32>>; 2],
 }
 
@@ -148,10 +150,10 @@ impl Grid {
         let count = walker.mesh.faces().len();
         grid.add_row(walker, head)?;
         let (mut row, mut next_report) = (head, 0);
-        while let Step::Cell(next) = walker.step(row, Way::Down)? {
+        while let Neighbour::Quad(next) = walker.neighbour(row, Heading::Down)? {
             if grid.cells.len() >= next_report {
                 job.step(0.5 * grid.cells.len() as f64 / count as f64, STAGE)?;
-                next_report = grid.cells.len() + STEP;
+                next_report = grid.cells.len() + CELLS_PER_REPORT;
             }
             grid.shift = grid.cells[..grid.columns].iter().position(|&cell| cell == next);
             if grid.shift.is_some() {
@@ -159,14 +161,14 @@ impl Grid {
             }
             grid.add_row(walker, next)?;
             row = next;
-            // Rows are no more than faces; a way that never ends is none of a grid.
+            // More rows than faces: an endless walk is none of a grid.
             if grid.cells.len() > count {
                 return Err(walker.no_grid(row));
             }
         }
         grid.check(walker, &job.part(0.5, 1.0))?;
         let last = grid.cells.len() - grid.columns;
-        grid.poles = [grid.pole(walker, 0, Way::Up)?, grid.pole(walker, last, Way::Down)?];
+        grid.poles = [grid.pole(walker, 0, Heading::Up)?, grid.pole(walker, last, Heading::Down)?];
         Ok(grid)
     }
 
@@ -180,9 +182,9 @@ impl Grid {
         let first = faces.range(face as usize).start as u32;
         let quad = match walker.size(face) {
             4 => first,
-            // A triangle at a pole has a quad across the side that is no meridian.
+            // A triangle at a pole has a quad across its side opposite to the pole.
             3 => {
-                let across = |k: usize| match walker.pairing.across(walker.on(first, k)) {
+                let across = |k: usize| match walker.pairing.across(walker.advance(first, k)) {
                     Across::Mate(mate) if walker.size(walker.face(mate)) == 4 => Some(mate),
                     _ => None,
                 };
@@ -194,33 +196,33 @@ impl Grid {
             }
             _ => return Err(Error::NoGrid { face }),
         };
-        let ends = |h: u32, way: Way| walker.far(h, way).map(|(_, end)| end);
-        let sideways = [ends(quad, Way::Left)?, ends(quad, Way::Right)?];
-        let pole_aside = sideways.iter().any(|end| matches!(end, Step::Triangle(_)));
-        let closed_up = matches!(ends(quad, Way::Up)?, Step::Cell(_));
-        let turn = pole_aside || (closed_up && !matches!(sideways[0], Step::Cell(_)));
-        let mut head = if turn { walker.on(quad, 1) } else { quad };
-        for way in [Way::Left, Way::Up] {
-            let (last, end) = walker.far(head, way)?;
-            // Closed rows and columns begin where the first quad is.
-            if !matches!(end, Step::Cell(_)) {
+        let ends = |h: u32, heading: Heading| walker.walk(h, heading).map(|(_, end)| end);
+        let sideways = [ends(quad, Heading::Left)?, ends(quad, Heading::Right)?];
+        let pole_aside = sideways.iter().any(|end| matches!(end, Neighbour::Triangle(_)));
+        let closed_up = matches!(ends(quad, Heading::Up)?, Neighbour::Quad(_));
+        let turn = pole_aside || (closed_up && !matches!(sideways[0], Neighbour::Quad(_)));
+        let mut head = if turn { walker.advance(quad, 1) } else { quad };
+        for heading in [Heading::Left, Heading::Up] {
+            let (last, end) = walker.walk(head, heading)?;
+            // Closed rows and columns start at the first quad.
+            if !matches!(end, Neighbour::Quad(_)) {
                 head = last;
             }
         }
         Ok(head)
     }
 
-    /// Adds the row that begins with a cell.
+    /// Adds the row that starts with a cell.
     fn add_row(&mut self, walker: &Walker<'_>, head: u32) -> Result<()> {
         let start = self.cells.len();
         let mut at = head;
         let closed = loop {
             alloc::push(&mut self.cells, at)?;
-            match walker.step(at, Way::Right)? {
-                Step::Cell(next) if next == head => break true,
-                Step::Cell(next) => at = next,
-                Step::End => break false,
-                Step::Triangle(h) => return Err(walker.no_grid(h)),
+            match walker.neighbour(at, Heading::Right)? {
+                Neighbour::Quad(next) if next == head => break true,
+                Neighbour::Quad(next) => at = next,
+                Neighbour::Border => break false,
+                Neighbour::Triangle(h) => return Err(walker.no_grid(h)),
             }
         };
         let columns = self.cells.len() - start;
@@ -230,12 +232,13 @@ impl Grid {
         if (columns, closed) == (self.columns, self.rows_closed) { Ok(()) } else { Err(walker.no_grid(head)) }
     }
 
-    /// Every cell is above the one below it, rows begin at the border, and no face is in the grid twice.
+    /// Verifies that each cell is above the next one of its column, that rows start at the border, and that
+    /// no face occurs twice.
     fn check(&self, walker: &Walker<'_>, job: &Job<'_>) -> Result<()> {
         let mut visited = alloc::filled(false, walker.mesh.faces().len())?;
         let rows = self.cells.len() / self.columns;
         for (k, &cell) in self.cells.iter().enumerate() {
-            if k % STEP == 0 {
+            if k % CELLS_PER_REPORT == 0 {
                 job.step(k as f64 / self.cells.len() as f64, STAGE)?;
             }
             if std::mem::replace(&mut visited[walker.face(cell) as usize], true) {
@@ -249,37 +252,39 @@ impl Grid {
                 (true, Some(_)) => return Err(walker.no_grid(cell)),
                 (true, None) => None,
             };
-            match (walker.step(cell, Way::Down)?, below) {
-                (Step::Cell(next), Some(&below)) if next == below => {}
-                (Step::End | Step::Triangle(_), None) => {}
+            match (walker.neighbour(cell, Heading::Down)?, below) {
+                (Neighbour::Quad(next), Some(&below)) if next == below => {}
+                (Neighbour::Border | Neighbour::Triangle(_), None) => {}
                 _ => return Err(walker.no_grid(cell)),
             }
-            if j == 0 && !self.rows_closed && walker.step(cell, Way::Left)? != Step::End {
+            if j == 0 && !self.rows_closed && walker.neighbour(cell, Heading::Left)? != Neighbour::Border {
                 return Err(walker.no_grid(cell));
             }
-            if i == 0 && self.shift.is_none() && matches!(walker.step(cell, Way::Up)?, Step::Cell(_)) {
+            if i == 0 && self.shift.is_none() && matches!(walker.neighbour(cell, Heading::Up)?, Neighbour::Quad(_)) {
                 return Err(walker.no_grid(cell));
             }
         }
         Ok(())
     }
 
-    /// The triangles beyond the row that begins at `first`: all of its cells have one, and they share their third corner; or none.
-    fn pole(&self, walker: &Walker<'_>, first: usize, way: Way) -> Result<Option<Vec<u32>>> {
+    /// The fan beyond the row that starts at `first`: every cell has a triangle, all with one third corner;
+    /// or none has.
+    fn pole(&self, walker: &Walker<'_>, first: usize, heading: Heading) -> Result<Option<Vec<u32>>> {
         if self.shift.is_some() {
             return Ok(None);
         }
         let mut triangles = Vec::new();
         let mut apex = None;
         for &cell in &self.cells[first..first + self.columns] {
-            match walker.step(cell, way)? {
-                Step::Triangle(h)
-                    if *apex.get_or_insert(walker.start(walker.on(h, 2))) == walker.start(walker.on(h, 2)) =>
+            match walker.neighbour(cell, heading)? {
+                Neighbour::Triangle(h)
+                    if *apex.get_or_insert(walker.start(walker.advance(h, 2)))
+                        == walker.start(walker.advance(h, 2)) =>
                 {
-                    // Neighbours share the edge to the pole: what is no fan would be open there.
+                    // Neighbours share the edge to the pole; otherwise it would be open there.
                     alloc::push(&mut triangles, h)?;
                 }
-                Step::End if triangles.is_empty() => {}
+                Neighbour::Border if triangles.is_empty() => {}
                 _ => return Err(walker.no_grid(cell)),
             }
         }
@@ -318,12 +323,12 @@ impl Grid {
     /// For each node its vertex.
     fn vertices(&self, walker: &Walker<'_>, shape: Shape) -> Result<Vec<u32>> {
         let mut vertices = alloc::with_capacity(shape.node_count())?;
-        let apex = |pole: &Option<Vec<u32>>| pole.as_ref().map(|pole| walker.start(walker.on(pole[0], 2)));
+        let apex = |pole: &Option<Vec<u32>>| pole.as_ref().map(|pole| walker.start(walker.advance(pole[0], 2)));
         let [top, bottom] = self.poles.each_ref().map(apex);
         vertices.extend(top.into_iter().flat_map(|apex| std::iter::repeat_n(apex, shape.columns())));
         let mut add_row = |row: &[u32], corners: [usize; 2]| {
-            vertices.extend(row.iter().map(|&cell| walker.start(walker.on(cell, corners[0]))));
-            vertices.extend(row.last().map(|&cell| walker.start(walker.on(cell, corners[1]))));
+            vertices.extend(row.iter().map(|&cell| walker.start(walker.advance(cell, corners[0]))));
+            vertices.extend(row.last().map(|&cell| walker.start(walker.advance(cell, corners[1]))));
         };
         for row in self.cells.chunks_exact(self.columns) {
             add_row(row, [0, 1]);
@@ -333,7 +338,7 @@ impl Grid {
         Ok(vertices)
     }
 
-    /// What is glued: nodes of the same vertex.
+    /// The gluing: nodes of the same vertex.
     fn topology(&self, shape: Shape, vertices: &[u32], vertex_count: usize) -> Result<Topology> {
         let sides = Sides {
             rows_closed: self.rows_closed,
@@ -344,7 +349,7 @@ impl Grid {
         };
         let mut seams = Vec::new();
         if let Some(shift) = self.shift.filter(|&shift| shift > 0) {
-            // The last row is the first, begun elsewhere: up to its end, and on from its start.
+            // The last row is the first from another column: up to its end, and from its start.
             let (last, end) = (shape.rows() as u32 - 1, self.columns as u32);
             let shift = shift as u32;
             let pairs = [(0, shift, end + 1 - shift), (end - shift, 0, shift + 1)];
@@ -353,7 +358,7 @@ impl Grid {
             }
         }
         let closed = Topology::new(shape, Links::Sides(sides), &seams)?;
-        // A surface that touches itself at a vertex.
+        // Nodes of one vertex that are not glued yet: a surface that touches itself there.
         let mut forest = Forest::new(shape.node_count())?;
         closed.each_contracted(|link| {
             let [a, b] = shape.ends(link);
@@ -370,7 +375,7 @@ impl Grid {
                 forest.join([*first, node]);
                 let place = |node: u32| {
                     let (i, j) = shape.place(node);
-                    Run::along_row(i as u32, j as u32, 0)
+                    Run::at(i, j)
                 };
                 alloc::push(&mut seams, Seam { a: place(*first), b: place(node), count: 1 })?;
                 touches = true;

@@ -1,13 +1,13 @@
-//! Nets of heights over a grid, and of organised points such as range images.
+//! Nets of height fields, and of organised points such as range images. O(nodes).
 
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{Positions, Scalar};
-use crate::net::arrange::planes;
-use crate::net::{Coordinates, Net, Planes, Real, Shape, Sides, Topology};
+use crate::net::arrange::build_planes;
+use crate::net::{Coordinates, Net, Planes, Real, Shape, Sides, Topology, each};
 use glam::DVec3;
 
-/// Heights over a grid: rows of numbers, as digital elevation models have them.
+/// A height field, as in digital elevation models.
 #[derive(Debug, Clone, Copy)]
 pub struct Heights<'a, T> {
     /// The size.
@@ -16,17 +16,18 @@ pub struct Heights<'a, T> {
     pub values: &'a [T],
     /// Numbers from row to row; 0 for rows without gaps.
     pub stride: usize,
-    /// From each column to the next (x), and from each row to the next (y): negative where rows run against y, as from north
-    /// to south. Neither is 0.
+    /// The step from column to column (x) and from row to row (y), negative for rows from north to south.
+    /// Neither is 0.
     pub spacing: [f64; 2],
-    /// Where the first node is if its height is 0.
+    /// The position of the first node at height 0.
     pub origin: DVec3,
     /// The number that stands for a missing height; NaN and infinities always do.
     pub no_data: Option<f64>,
 }
 
-/// The net of heights, in their type: x = origin + j spacing, y = origin + i spacing, z = origin + height. Missing heights become
-/// missing nodes. Faces are counter-clockwise from above, whichever way the rows run. O(nodes).
+/// The net of a height field, in its scalar type: x = origin + j spacing, y = origin + i spacing,
+/// z = origin + height. Missing heights become missing nodes. Faces are counter-clockwise from above,
+/// whatever the signs of the spacing. O(nodes).
 ///
 /// # Errors
 /// [`Error::StrideTooSmall`], [`Error::ArrayTooShort`], [`Error::SizeOverflow`]; [`Error::OptionOutOfRange`] for a spacing or an
@@ -43,7 +44,7 @@ where
     if let Some(value) = origin.to_array().into_iter().find(bad) {
         return Err(Error::OptionOutOfRange { option: "origin", value });
     }
-    // Neighbours must differ, and be finite, in the type that they are kept in.
+    // Neighbours must differ, and be finite, in the type of the heights.
     for (origin, step, count) in [(origin.x, dx, shape.columns()), (origin.y, dy, shape.rows())] {
         let at = |k: usize| T::of(origin + k as f64 * step);
         if at(0) == at(1) || at(count - 2) == at(count - 1) || !at(count - 1).into().is_finite() {
@@ -58,7 +59,7 @@ where
     }
     let columns = shape.columns();
     let stride = if stride == 0 { columns } else { stride };
-    let matrices = planes(shape, job, |axis, rows, to: &mut [T]| {
+    let matrices = build_planes(shape, job, |axis, rows, to: &mut [T]| {
         for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
             match axis {
                 0 => to.iter_mut().enumerate().for_each(|(j, x)| *x = T::of(origin.x + j as f64 * dx)),
@@ -79,8 +80,8 @@ fn height(value: f64, no_data: Option<f64>) -> f64 {
     if value.is_finite() && no_data != Some(value) { value } else { f64::NAN }
 }
 
-/// The net of organised points, such as range images: position i * columns + j is node (i, j), of the same value. A position of
-/// which a coordinate is NaN, infinite or `no_data` is a missing node. O(nodes).
+/// The net of organised points, such as a range image: position i * columns + j is node (i, j). A
+/// position with a coordinate that is NaN, infinite or `no_data` is a missing node. O(nodes).
 ///
 /// # Errors
 /// [`Error::ArrayTooShort`] for fewer positions than nodes, [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -110,7 +111,7 @@ fn organised<T: Real>(
     job: &Job<'_>,
 ) -> Result<Planes<'static, T>> {
     let no_data = no_data.map(|value| T::of(value).into());
-    planes(shape, job, |axis, rows, to: &mut [T]| {
+    build_planes(shape, job, |axis, rows, to: &mut [T]| {
         for (node, to) in (shape.node(rows.start, 0)..).zip(to) {
             let p = points.get(node);
             let missing = no_data.is_some_and(|value| p.to_array().contains(&value));
@@ -120,13 +121,9 @@ fn organised<T: Real>(
 }
 
 impl Net<'_> {
-    /// Makes missing every node of which a coordinate is `value`, rounded to their type: the number that stands for what was not
-    /// seen. O(nodes).
+    /// Makes every node missing that has the coordinate `value`, rounded to the scalar type. O(nodes).
     pub fn clear_no_data(&mut self, value: f64) {
-        match self.coordinates_mut() {
-            Coordinates::F32(planes) => clear(planes, value),
-            Coordinates::F64(planes) => clear(planes, value),
-        }
+        each!(self.coordinates_mut(), planes => clear(planes, value));
     }
 }
 

@@ -1,47 +1,48 @@
 //! The polygon mesh of a net.
 //!
-//! Classes of glued nodes become vertices, so that closed nets become closed meshes; cells become what is left of them when
-//! glued corners are one (paper, Fig. 4): quads, triangles, or nothing.
+//! Classes of glued nodes become vertices, and cells their reduced polygons (Deryagin, Fig. 4): quads,
+//! triangles, or nothing. Invariant: a closed net becomes a closed mesh, with positions bit for bit.
+//! O(nodes).
 
-use super::taken::Taken;
 use super::texture::Texture;
+use super::used_links::UsedLinks;
 use super::wires;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh, NONE, PositionBuffer, Scalar};
-use crate::net::hidden::Hidden;
+use crate::net::hidden_cells::HiddenCells;
 use crate::net::topology::Reduced;
 use crate::net::{Classes, Net, Planes, Real, each};
 use glam::DVec3;
 
 /// Nodes between two progress reports.
-const STEP: usize = 1 << 16;
+const NODES_PER_REPORT: usize = 1 << 16;
 const FACES: &str = "cells to faces";
 const NUMBERS: &str = "numbering vertices";
 
-/// How quads are cut into triangles.
+/// The diagonal that cuts a quad into triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Diagonal {
-    /// The shorter diagonal; from (i, j) to (i + 1, j + 1) where they are equal. Where that would be an edge that there is already,
-    /// as gluing may have it, the other one.
+    /// The shorter diagonal; from (i, j) to (i + 1, j + 1) where they are equal. Where it would repeat an
+    /// edge, which gluing makes possible, the other one.
     Shorter,
     /// From (i, j) to (i + 1, j + 1), with the same exception.
     Fixed,
 }
 
-/// How a net becomes a mesh.
+/// Options of [`Net::to_mesh`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MeshOptions {
     /// Triangles only; `None` keeps quads.
     pub triangles: Option<Diagonal>,
     /// One vertex for each class of glued nodes; else one for each node, and nothing is glued.
     pub weld: bool,
-    /// Vertices that neither a face nor a wire uses are kept, as long as they are finite.
+    /// Keeps finite vertices that neither a face nor a wire uses.
     pub keep_unused: bool,
-    /// A cell of which just one corner is missing becomes a triangle; else it is left out.
+    /// A cell with exactly one missing corner becomes a triangle; else it is dropped.
     pub fill_corners: bool,
-    /// Texture coordinates are wanted.
+    /// Computes texture coordinates.
     pub texture: bool,
 }
 
@@ -51,20 +52,20 @@ impl Default for MeshOptions {
     }
 }
 
-/// A net as a mesh, and what became what.
+/// A net as a mesh, and the maps between their elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NetMesh {
     /// The mesh; faces are counter-clockwise as the net's are. It may have none.
     pub mesh: Mesh,
     /// For each node its vertex, or `u32::MAX`.
     pub vertex_of_node: Vec<u32>,
-    /// For each vertex the smallest of its nodes. The vertex lies where the first of them does that is not missing.
+    /// For each vertex the smallest of its nodes. The vertex lies at the first of them that is not missing.
     pub node_of_vertex: Vec<u32>,
     /// For each face its cell.
     pub cell_of_face: Vec<u32>,
-    /// Edges without faces, as vertices: threads, and whatever else is left of cells whose opposite sides are glued.
+    /// Edges without faces, as vertices: those of cells whose opposite sides are glued, such as threads.
     pub wires: Vec<[u32; 2]>,
-    /// Texture coordinates, if they were asked for.
+    /// Texture coordinates, if requested.
     pub texture: Option<Texture>,
 }
 
@@ -86,14 +87,14 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
     let shape = net.shape();
     let first = job.part(0.0, 0.1);
     let classes = if options.weld {
-        Classes::new_cancellable(net.topology(), &first.part(0.0, 0.7), FACES)?
+        Classes::of_cancellable(net.topology(), &first.part(0.0, 0.7), FACES)?
             .table_cancellable(&first.part(0.7, 1.0), FACES)?
     } else {
         alloc::collect_cancellable((0..shape.node_count()).map(|node| node as u32), &first, FACES)?
     };
     let mut faces = Faces {
         columns: shape.columns() as u32,
-        places: Places::new(planes, &classes, &job.part(0.1, 0.2))?,
+        places: VertexPlaces::new(planes, &classes, &job.part(0.1, 0.2))?,
         planes,
         options,
         reversed: net.topology().is_reversed(),
@@ -101,15 +102,15 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
         offsets: alloc::with_capacity(shape.cell_count() + 1)?,
         cells: alloc::with_capacity(shape.cell_count())?,
         edges: Vec::new(),
-        taken: match options.triangles {
-            Some(_) => Some(Taken::new(shape, &classes, &job.part(0.2, 0.3), FACES)?),
+        used: match options.triangles {
+            Some(_) => Some(UsedLinks::new(shape, &classes, &job.part(0.2, 0.3), FACES)?),
             None => None,
         },
         classes: &classes,
     };
     faces.offsets.push(0);
-    let hidden = Hidden::of(net)?;
-    let often = (STEP / shape.columns()).max(1);
+    let hidden = HiddenCells::of(net)?;
+    let often = (NODES_PER_REPORT / shape.columns()).max(1);
     let mut skip = alloc::filled(false, shape.columns() - 1)?;
     for i in 0..shape.rows() - 1 {
         if i % often == 0 {
@@ -125,15 +126,16 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
     faces.finish(options, &job.part(0.7, 1.0))
 }
 
-/// Where nodes and classes are, if anywhere.
-struct Places {
+/// The nodes at which classes lie.
+struct VertexPlaces {
     /// Whether each node has finite coordinates.
     finite: Vec<bool>,
-    /// The classes whose smallest node is missing, and the first one of each that is not: in order, and hardly ever any.
+    /// The classes whose smallest node is missing, each with its first node that is not, in order. Rarely
+    /// any.
     elsewhere: Vec<[u32; 2]>,
 }
 
-impl Places {
+impl VertexPlaces {
     fn new<T: Real>(planes: &Planes<'_, T>, classes: &[u32], job: &Job<'_>) -> Result<Self> {
         let finite = finite(planes, &job.part(0.0, 0.5))?;
         let mut elsewhere = Vec::new();
@@ -145,10 +147,10 @@ impl Places {
         })?;
         elsewhere.sort_unstable();
         elsewhere.dedup_by_key(|entry| entry[0]);
-        Ok(Places { finite, elsewhere })
+        Ok(VertexPlaces { finite, elsewhere })
     }
 
-    /// The node whose place is that of the class.
+    /// The node whose position is that of the class.
     fn of_class(&self, class: u32) -> u32 {
         match self.elsewhere.binary_search_by_key(&class, |entry| entry[0]) {
             Ok(at) => self.elsewhere[at][1],
@@ -165,39 +167,39 @@ impl Places {
 fn finite<T: Real>(planes: &Planes<'_, T>, job: &Job<'_>) -> Result<Vec<bool>> {
     let (rows, columns) = (planes.shape().rows(), planes.shape().columns());
     let mut finite = alloc::filled(true, planes.shape().node_count())?;
-    let often = (STEP / columns).max(1);
+    let often = (NODES_PER_REPORT / columns).max(1);
     let zero = T::of(0.0);
     for (i, finite) in finite.chunks_exact_mut(columns).enumerate() {
         if i % often == 0 {
             job.step(i as f64 / rows as f64, FACES)?;
         }
         for row in planes.row(i) {
-            // x * 0 is 0 but for infinities and NaN.
+            // x * 0 is 0 except for infinities and NaN.
             finite.iter_mut().zip(row).for_each(|(finite, &x)| *finite &= x * zero == zero);
         }
     }
     Ok(finite)
 }
 
-/// Faces while they are collected, their corners as nodes.
+/// Faces under construction, their corners as nodes.
 struct Faces<'a, T> {
     columns: u32,
-    places: Places,
+    places: VertexPlaces,
     planes: &'a Planes<'a, T>,
     options: &'a MeshOptions,
     reversed: bool,
     classes: &'a [u32],
-    /// Where diagonals are drawn: the edges that none may repeat.
-    taken: Option<Taken>,
+    /// The edges that no diagonal may repeat, if quads are cut.
+    used: Option<UsedLinks>,
     nodes: Vec<u32>,
     offsets: Vec<u32>,
     cells: Vec<u32>,
-    /// Edges of classes that cells without a face have left.
+    /// Edges, as classes, of cells reduced to less than a face.
     edges: Vec<[u32; 2]>,
 }
 
 impl<T: Real> Faces<'_, T> {
-    /// A cell with its corners in turn.
+    /// Adds a cell, given its corners in order.
     fn add(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let finite = corners.map(|node| self.places.finite[node as usize]);
         match finite {
@@ -220,15 +222,15 @@ impl<T: Real> Faces<'_, T> {
         }
     }
 
-    /// A cell of which corners are missing: a triangle, if the three others are three points.
+    /// Adds a cell with missing corners: a triangle, if the other three are distinct points.
     fn add_corner(&mut self, corners: [u32; 4], finite: [bool; 4], cell: u32) -> Result<()> {
-        let mut there = (0..4).filter(|&k| finite[k]).map(|k| corners[k]);
-        let (Some(a), Some(b), Some(c)) = (there.next(), there.next(), there.next()) else { return Ok(()) };
+        let mut kept = (0..4).filter(|&k| finite[k]).map(|k| corners[k]);
+        let (Some(a), Some(b), Some(c)) = (kept.next(), kept.next(), kept.next()) else { return Ok(()) };
         let [p, q, r] = [a, b, c].map(|node| self.classes[node as usize]);
         if p != q && q != r && r != p { self.face(&[a, b, c], cell) } else { Ok(()) }
     }
 
-    /// A cell with one side contracted: of the two glued corners the latter stays.
+    /// Adds a cell with one side contracted; of the two glued corners the latter stays.
     fn triangle_of(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let class = |k: usize| self.classes[corners[k % 4] as usize];
         let mut kept = (0..4).filter(|&k| class(k) != class(k + 1)).map(|k| corners[k]);
@@ -236,23 +238,24 @@ impl<T: Real> Faces<'_, T> {
         self.face(&[a, b, c], cell)
     }
 
+    /// Adds a cell of four points.
     fn quad(&mut self, corners: [u32; 4], cell: u32) -> Result<()> {
         let [a, b, c, d] = corners;
         let along = match self.options.triangles {
             None => return self.face(&corners, cell),
             Some(Diagonal::Fixed) => true,
-            // Measured between classes, so that glued cells agree.
+            // Measured between classes, so that coincident cells agree.
             Some(Diagonal::Shorter) => {
                 let between = |p: u32, q: u32| (self.position(p) - self.position(q)).length_squared();
                 between(a, c) <= between(b, d)
             }
         };
         let ends = [[a, c], [b, d]].map(|ends| ends.map(|node| self.classes[node as usize]));
-        let is_taken = |k: usize| self.taken.as_ref().is_some_and(|taken| taken.has(ends[k]));
+        let is_used = |k: usize| self.used.as_ref().is_some_and(|used| used.contains(ends[k]));
         let [chosen, other] = if along { [0, 1] } else { [1, 0] };
-        let chosen = if is_taken(chosen) && !is_taken(other) { other } else { chosen };
-        if let Some(taken) = &mut self.taken {
-            taken.add(ends[chosen])?;
+        let chosen = if is_used(chosen) && !is_used(other) { other } else { chosen };
+        if let Some(used) = &mut self.used {
+            used.add(ends[chosen])?;
         }
         let [first, second] = if chosen == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
         self.face(&first, cell)?;
@@ -275,7 +278,7 @@ impl<T: Real> Faces<'_, T> {
         alloc::push(&mut self.cells, cell)
     }
 
-    /// Numbers the vertices: in the order of their nodes.
+    /// Numbers the vertices in the order of their nodes, and completes the mesh.
     fn finish(mut self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
         let edges = std::mem::take(&mut self.edges);
         let part = |from: f64, to: f64| job.part(from, to);
@@ -295,7 +298,7 @@ impl<T: Real> Faces<'_, T> {
                     vertex[node] = node_of_vertex.len() as u32;
                     alloc::push(&mut node_of_vertex, node as u32)?;
                 } else {
-                    // Of a node after its class's first one: what that has.
+                    // A node after the first of its class has that one's vertex.
                     vertex[node] = vertex[self.classes[node] as usize];
                 }
             }

@@ -1,4 +1,4 @@
-//! Texture coordinates of the mesh of a net.
+//! Texture coordinates of the mesh of a net: its parameters, column and row. O(nodes).
 
 use crate::alloc;
 use crate::error::Result;
@@ -8,19 +8,18 @@ use crate::net::Shape;
 
 /// Texture coordinates: column and row, each from 0 to 1 (u = j / (W - 1), v = i / (H - 1)).
 ///
-/// They belong to nodes, not to vertices: a vertex on a seam has one pair of coordinates on each side of it, so that an image
-/// goes round a closed net once and does not run back within its last column. This is what triangle networks, whose textures
-/// the paper complains of, leave to whoever draws them.
+/// They belong to nodes, not to vertices: a vertex on a seam has a pair of coordinates on each side, so
+/// that an image covers a closed net once and does not run back within its last column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texture {
     /// u and v, once for each node that a face uses, in the order of the nodes.
     pub coordinates: Vec<[f64; 2]>,
-    /// For each corner of the mesh, which of them.
+    /// For each corner of the mesh the index of its coordinates.
     pub corners: Vec<u32>,
 }
 
 impl Texture {
-    /// Of faces whose corners are nodes.
+    /// The texture coordinates of faces given by nodes.
     pub(super) fn new(shape: Shape, nodes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut number = alloc::filled_cancellable(NONE, shape.node_count(), &job.part(0.0, 0.2), stage)?;
         job.part(0.2, 0.4).ranges(stage, nodes.len(), |range| {

@@ -1,11 +1,12 @@
-//! Edges that are left of cells without a face.
+//! Wires: edges of cells that are reduced to less than a face.
 
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
+use crate::net::shape::sorted_pair;
 
-/// Those of some edges, as classes, that no face has, each once, in order. O(e log e) for e edges, and a look at every face if
-/// there are any.
+/// The edges, as pairs of classes, that belong to no face, each once, in order. O(e log e) for e edges,
+/// and O(faces log e) if there are any.
 pub(super) fn without_faces(
     mut edges: Vec<[u32; 2]>,
     offsets: &[u32],
@@ -14,7 +15,7 @@ pub(super) fn without_faces(
     job: &Job<'_>,
     stage: &'static str,
 ) -> Result<Vec<[u32; 2]>> {
-    edges.iter_mut().for_each(|edge| edge.sort_unstable());
+    edges.iter_mut().for_each(|edge| *edge = sorted_pair(*edge));
     edges.sort_unstable();
     edges.dedup();
     if edges.is_empty() {
@@ -26,8 +27,7 @@ pub(super) fn without_faces(
             let face = &nodes[ends[0] as usize..ends[1] as usize];
             let nexts = face.iter().skip(1).chain(face.first());
             for (&node, &next) in face.iter().zip(nexts) {
-                let mut edge = [classes[node as usize], classes[next as usize]];
-                edge.sort_unstable();
+                let edge = sorted_pair([classes[node as usize], classes[next as usize]]);
                 if let Ok(at) = edges.binary_search(&edge) {
                     has_face[at] = true;
                 }

@@ -1,35 +1,37 @@
 //! Free-form deformation: Sederberg and Parry, "Free-Form Deformation of Solid Geometric Models", 1986.
+//! A tensor product of Bernstein polynomials over a box; O(control points) a node.
 
-use super::{Field, Points, each_point, finite};
+use super::{Field, Points, check_finite, each_point};
 use crate::alloc;
 use crate::error::{Error, Result};
 use glam::DVec3;
 
 const MAX_POINTS: usize = Lattice::MAX_POINTS;
 
-/// A box of control points: what lies in the box follows them, what lies outside stays. In part: that part of the way.
+/// A box of control points, which points inside follow; points outside stay. In part: that part of the
+/// displacement.
 #[derive(Debug, Clone)]
 pub struct Lattice {
     low: DVec3,
     size: DVec3,
     counts: [usize; 3],
-    /// How far each control point is from where it would be if nothing moved; x runs first, z last.
+    /// The displacement of each control point from the uniform grid; x runs first, z last.
     offsets: Vec<DVec3>,
 }
 
 impl Lattice {
-    /// The most control points along an axis: Bernstein polynomials of high degree are slow, and follow single points
-    /// hardly at all.
+    /// The largest number of control points along an axis: Bernstein polynomials of higher degree are slow
+    /// and hardly follow single points.
     pub const MAX_POINTS: usize = 32;
 
-    /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each. `offsets`: how far each
-    /// control point is moved from its place in the even grid; x runs first, then y, then z.
+    /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each. `offsets`:
+    /// the displacement of each control point from the uniform grid; x runs first, then y, then z.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], [`Error::ArrayTooShort`], [`Error::OutOfMemory`].
     pub fn new(low: DVec3, high: DVec3, counts: [usize; 3], offsets: &[DVec3]) -> Result<Self> {
         let size = high - low;
-        finite(&[("low", low.dot(DVec3::ONE)), ("high", high.dot(DVec3::ONE))])?;
+        check_finite(&[("low", low.dot(DVec3::ONE)), ("high", high.dot(DVec3::ONE))])?;
         if let Some(value) = size.to_array().into_iter().find(|&side| !(side > 0.0 && side.is_finite())) {
             return Err(Error::OptionOutOfRange { option: "high", value });
         }
@@ -41,7 +43,7 @@ impl Lattice {
             let (needed, given) = ((needed * size_of::<DVec3>()) as u64, size_of_val(offsets) as u64);
             return Err(Error::ArrayTooShort { what: "offsets", needed, given });
         };
-        offsets.iter().try_for_each(|offset| finite(&[("offset", offset.dot(DVec3::ONE))]))?;
+        offsets.iter().try_for_each(|offset| check_finite(&[("offset", offset.dot(DVec3::ONE))]))?;
         Ok(Lattice { low, size, counts, offsets: alloc::copied(offsets)? })
     }
 
@@ -62,7 +64,7 @@ impl Lattice {
     }
 }
 
-/// The Bernstein polynomials of degree `count - 1` at t, by the triangle that de Casteljau's algorithm walks.
+/// The Bernstein polynomials of degree `count - 1` at t, by de Casteljau's triangle.
 fn bernstein(count: usize, t: f64) -> [f64; MAX_POINTS] {
     let mut weights = [0.0; MAX_POINTS];
     weights[0] = 1.0;

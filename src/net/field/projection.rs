@@ -1,11 +1,11 @@
-//! Projections: parallel, perspective, and every other map that takes lines to lines.
+//! Projective maps: parallel and central projection onto a plane, and every other 4 x 4 matrix.
 
-use super::{Field, Points, each_point_widely, finite, partly};
+use super::{Field, Points, along_line, check_finite, each_point_simd};
 use crate::error::{Error, Result};
 use glam::DVec3;
 
-/// A map of homogeneous coordinates: (x, y, z, 1) goes to `rows` times itself, and the first three are divided by the
-/// fourth. In part: that part of the straight way. Not defined where the fourth is 0.
+/// A projective map: (x, y, z, 1) is multiplied by `rows`, and the first three components are divided by
+/// the fourth. In part: along the line to the image. Undefined where the fourth component is 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
     map: Map,
@@ -14,8 +14,8 @@ pub struct Projection {
 #[derive(Debug, Clone, Copy)]
 enum Map {
     Rows([[f64; 4]; 4]),
-    /// Through an eye; `depth`: the normal times the way from the eye to the plane. Multiplied out to rows, terms as large
-    /// as the square of the distance from the origin would have to cancel.
+    /// Central projection; `depth`: the normal times the vector from the eye to the plane. As a matrix,
+    /// terms as large as the squared distance from the origin would have to cancel.
     Central {
         eye: DVec3,
         normal: DVec3,
@@ -39,7 +39,7 @@ impl Projection {
     /// [`Error::OptionOutOfRange`], also if the direction is parallel to the plane.
     pub fn parallel(point: DVec3, normal: DVec3, direction: DVec3) -> Result<Self> {
         let along = normal.dot(direction);
-        finite(&[("plane", normal.dot(point)), ("direction", along)])?;
+        check_finite(&[("plane", normal.dot(point)), ("direction", along)])?;
         if along == 0.0 {
             return Err(Error::OptionOutOfRange { option: "direction", value: along });
         }
@@ -53,8 +53,8 @@ impl Projection {
         Self::new(rows)
     }
 
-    /// Onto the plane through `point` with the given `normal`, along the lines through `eye`. Points behind the eye
-    /// come out on the plane too, turned round; those as high above the plane as the eye have no image.
+    /// Onto the plane through `point` with the given `normal`, along the lines through `eye`. Points behind
+    /// the eye have inverted images; those as high above the plane as the eye have none.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], also if the eye is in the plane.
@@ -63,9 +63,9 @@ impl Projection {
         if depth == 0.0 {
             return Err(Error::OptionOutOfRange { option: "eye", value: depth });
         }
-        finite(&[("plane", depth)])?;
-        finite(&eye.to_array().map(|value| ("eye", value)))?;
-        finite(&normal.to_array().map(|value| ("normal", value)))?;
+        check_finite(&[("plane", depth)])?;
+        check_finite(&eye.to_array().map(|value| ("eye", value)))?;
+        check_finite(&normal.to_array().map(|value| ("normal", value)))?;
         Ok(Projection { map: Map::Central { eye, normal, depth } })
     }
 }
@@ -78,14 +78,14 @@ impl Field for Projection {
                     let [x, y, z, w] = rows.map(|[a, b, c, d]| a * x + b * y + c * z + d);
                     [x / w, y / w, z / w]
                 };
-                each_point_widely(points, partly(strength, map));
+                each_point_simd(points, along_line(strength, map));
             }
             Map::Central { eye, normal, depth } => {
                 let map = |point: [f64; 3]| {
                     let ray = DVec3::from_array(point) - eye;
                     (eye + ray * (depth / normal.dot(ray))).to_array()
                 };
-                each_point_widely(points, partly(strength, map));
+                each_point_simd(points, along_line(strength, map));
             }
         }
     }

@@ -1,14 +1,14 @@
-//! Twist, taper, bend and shear about an axis of coordinates: Barr's "Global and Local Deformations of Solid
+//! Twist, taper, bend and shear about a coordinate axis: Barr, "Global and Local Deformations of Solid
 //! Primitives", 1984.
 //!
-//! To have them about any axis, put an [`Affine`](crate::net::transform::Affine) before them in the chain, and its
-//! inverse after.
+//! Conjugation by an [`Affine`](crate::net::transform::Affine) in the chain gives any other axis. O(1) a
+//! node.
 
-use super::{Field, Points, each_point, each_point_widely, finite};
+use super::{Field, Points, check_finite, each_point, each_point_simd};
 use crate::error::{Error, Result};
 use crate::net::transform::Axis;
 
-/// Turns about an axis, by an angle that grows along it. In part: by that part of the angle.
+/// A rotation about an axis by an angle that grows along it. In part: by that part of the angle.
 #[derive(Debug, Clone, Copy)]
 pub struct Twist {
     axis: Axis,
@@ -22,7 +22,7 @@ impl Twist {
     /// # Errors
     /// [`Error::OptionOutOfRange`] if a number is not finite; as for all that follow.
     pub fn new(axis: Axis, rate: f64, origin: f64) -> Result<Self> {
-        finite(&[("rate", rate), ("origin", origin)])?;
+        check_finite(&[("rate", rate), ("origin", origin)])?;
         Ok(Twist { axis, rate, origin })
     }
 }
@@ -37,7 +37,7 @@ impl Field for Twist {
     }
 }
 
-/// Widens or narrows along an axis. In part: at that part of the rate.
+/// A scaling across an axis that changes along it. In part: at that part of the rate.
 #[derive(Debug, Clone, Copy)]
 pub struct Taper {
     axis: Axis,
@@ -51,7 +51,7 @@ impl Taper {
     /// # Errors
     /// [`Error::OptionOutOfRange`].
     pub fn new(axis: Axis, rate: f64, origin: f64) -> Result<Self> {
-        finite(&[("rate", rate), ("origin", origin)])?;
+        check_finite(&[("rate", rate), ("origin", origin)])?;
         Ok(Taper { axis, rate, origin })
     }
 }
@@ -59,14 +59,14 @@ impl Taper {
 impl Field for Taper {
     fn map(&self, strength: f64, points: Points<'_>) {
         let rate = strength * self.rate;
-        each_point_widely(self.axis.last(points), |[u, v, w]| {
+        each_point_simd(self.axis.last(points), |[u, v, w]| {
             let ratio = 1.0 + rate * (w - self.origin);
             [u * ratio, v * ratio, w]
         });
     }
 }
 
-/// Bends an axis to an arc. In part: with that part of the curvature.
+/// A bend of an axis to an arc. In part: with that part of the curvature.
 #[derive(Debug, Clone, Copy)]
 pub struct Bend {
     axis: Axis,
@@ -77,12 +77,12 @@ pub struct Bend {
 
 impl Bend {
     /// The axis is bent from its coordinate `from` to `to`, towards the next axis (x after z), with the given
-    /// curvature; what is before stays, what is behind goes on straight. Lengths along the axis are kept.
+    /// curvature; points before stay, and the axis continues straight after. Lengths along it are kept.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], also if `to` is less than `from`; `to` may be infinite.
     pub fn new(axis: Axis, curvature: f64, from: f64, to: f64) -> Result<Self> {
-        finite(&[("curvature", curvature), ("from", from)])?;
+        check_finite(&[("curvature", curvature), ("from", from)])?;
         if to >= from {
             Ok(Bend { axis, curvature, from, to })
         } else {
@@ -98,7 +98,7 @@ impl Field for Bend {
             let bent = w.max(self.from).min(self.to) - self.from;
             let (rest, half) = (w - self.from - bent, 0.5 * curvature * bent);
             let (sine, cosine) = libm::sincos(2.0 * half);
-            // The point of the axis: its chord has the length 2 sin(half) / curvature and the direction half.
+            // The chord of the arc has length 2 sin(half) / curvature and direction half.
             let (half_sine, half_cosine) = libm::sincos(half);
             let chord = if half == 0.0 { bent } else { bent * half_sine / half };
             let u_new = chord * half_sine + u * cosine + rest * sine;
@@ -107,7 +107,8 @@ impl Field for Bend {
     }
 }
 
-/// Moves along one axis in proportion to the coordinate on another. In part: at that part of the rate.
+/// A displacement along one axis in proportion to the coordinate on another. In part: at that part of the
+/// rate.
 #[derive(Debug, Clone, Copy)]
 pub struct Shear {
     along: Axis,
@@ -119,9 +120,9 @@ impl Shear {
     /// The coordinate `along` grows by `rate` times the coordinate `by`.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`], also if both axes are one.
+    /// [`Error::OptionOutOfRange`], also if both axes are equal.
     pub fn new(along: Axis, by: Axis, rate: f64) -> Result<Self> {
-        finite(&[("rate", rate)])?;
+        check_finite(&[("rate", rate)])?;
         if along == by {
             return Err(Error::OptionOutOfRange { option: "axis", value: by.index() as f64 });
         }

@@ -1,13 +1,14 @@
-//! Deformations that are no fields: along the normals of the net, by a function of the host's; and gluing made exact
-//! again.
+//! Deformations that depend on the net: displacement along its normals, a host's function of rows, and
+//! [`snap`], which makes glued nodes equal again. O(nodes).
 
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::net::chunks;
 use crate::net::normals::normals;
-use crate::net::pieces;
 use crate::net::{Classes, Coordinates, Net, Planes, Real, each};
 
-/// Gives all nodes of a class the position of its representative, bit for bit. Returns how many nodes moved.
+/// Gives all nodes of a class the position of its representative, bit for bit. Returns the number of
+/// nodes that moved.
 ///
 /// O(H + W) for a net that is glued along its sides alone, else O(nodes).
 ///
@@ -41,7 +42,7 @@ fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
     moved
 }
 
-/// Moves every node along its normal, by `distance` times the normal. Nodes without a normal stay. O(nodes), and as
+/// Moves every node by `distance` along its unit normal. Nodes without a normal stay. O(nodes), and as
 /// much memory as the coordinates take.
 ///
 /// # Errors
@@ -57,7 +58,7 @@ pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
         (Coordinates::F64(planes), Coordinates::F64(normals)) => add(planes, normals, distance)?,
         _ => {}
     }
-    // Normals of a class are equal, and so are its positions, unless they were not before.
+    // Normals of a class are equal; its positions may not have been.
     snap(net).map(|_| ())
 }
 
@@ -66,8 +67,8 @@ fn add<T: Real>(planes: &mut Planes<'_, T>, normals: &Planes<'_, T>, distance: f
     let shape = planes.shape();
     for i in 0..shape.rows() {
         for (row, normal) in planes.row(i).into_iter().zip(normals.row(i)) {
-            let lost = |(&x, &n): (&T, &T)| x.into().is_finite() && !(x + distance * n).into().is_finite();
-            if let Some(j) = row.iter().zip(normal).position(lost) {
+            let overflows = |(&x, &n): (&T, &T)| x.into().is_finite() && !(x + distance * n).into().is_finite();
+            if let Some(j) = row.iter().zip(normal).position(overflows) {
                 return Err(Error::FieldUndefined { node: shape.node(i, j) });
             }
         }
@@ -89,11 +90,11 @@ pub enum RowsMut<'a> {
     F64([&'a mut [f64]; 3]),
 }
 
-/// Moves the nodes by a function of the host's, then [`snap`]s.
+/// Moves the nodes by a function of the host, then [`snap`]s.
 ///
-/// `map` is called on this thread, with the number of the first node and the coordinates of consecutive nodes, to be
-/// changed in place, from the first node to the last. If it fails, or the host cancels, what was done so far stays
-/// done.
+/// `map` is called on this thread with the number of the first node and the coordinates of consecutive
+/// nodes, which it changes in place, from the first node to the last. If it fails, or the host cancels,
+/// earlier changes remain.
 ///
 /// # Errors
 /// Those of `map`, [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -112,10 +113,14 @@ pub fn deform_rows(
     };
     match net.coordinates_mut() {
         Coordinates::F32(planes) => {
-            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F32(rows))))?;
+            chunks::for_each_chunk_in_order(planes, |first, rows| {
+                step(first).and_then(|()| map(first, RowsMut::F32(rows)))
+            })?;
         }
         Coordinates::F64(planes) => {
-            pieces::change_in_order(planes, |first, rows| step(first).and_then(|()| map(first, RowsMut::F64(rows))))?;
+            chunks::for_each_chunk_in_order(planes, |first, rows| {
+                step(first).and_then(|()| map(first, RowsMut::F64(rows)))
+            })?;
         }
     }
     snap(net).map(|_| ())

@@ -1,24 +1,24 @@
-//! Animation: the strength of a field as a function of time.
+//! Keyframe animation: the strength of a field as a function of time. O(log keys).
 
-use super::finite;
+use super::check_finite;
 use crate::error::{Error, Result};
 
-/// How a strength goes from one value to the next.
+/// The interpolation of strengths between two times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Easing {
-    /// Evenly.
+    /// Linear in time.
     #[default]
     Linear,
-    /// Starting and ending at rest: 3 t^2 - 2 t^3.
+    /// The smoothstep 3 t^2 - 2 t^3, at rest at both ends.
     Smooth,
-    /// Stays at the one until it jumps to the other.
+    /// Constant up to the next time.
     Hold,
 }
 
-/// A strength given at times, and between them by easing: before the first time and after the last it stays what it is
-/// there.
+/// A strength given at times and interpolated between them; constant before the first time and after the
+/// last.
 ///
-/// A field [`deform`](super::deform)s a copy of the net as it was at rest with the strength of the moment.
+/// For each frame, [`deform`](super::deform) a copy of the net at rest with the strength of its time.
 #[derive(Debug, Clone, Copy)]
 pub struct Timed<'a> {
     keys: &'a [[f64; 2]],
@@ -31,7 +31,7 @@ impl<'a> Timed<'a> {
     /// # Errors
     /// [`Error::OptionOutOfRange`].
     pub fn new(keys: &'a [[f64; 2]], easing: Easing) -> Result<Self> {
-        keys.iter().try_for_each(|&[time, strength]| finite(&[("time", time), ("strength", strength)]))?;
+        keys.iter().try_for_each(|&[time, strength]| check_finite(&[("time", time), ("strength", strength)]))?;
         if let Some(pair) = keys.windows(2).find(|pair| pair[0][0] >= pair[1][0]) {
             return Err(Error::OptionOutOfRange { option: "time", value: pair[1][0] });
         }

@@ -1,12 +1,12 @@
-//! Sheets laid onto surfaces: sphere, cylinder, torus. The wraps are what "hard" deformations are made of: they bring
-//! nodes together that the net did not glue. See [`analyse`](crate::net::analyse).
+//! Maps of sheets onto a sphere, a cylinder and a torus (Deryagin, "hard" deformations: they bring nodes
+//! together that the net did not glue, see [`analyse`](crate::net::analyse)). O(1) a node.
 
-use super::{Field, Points, each_point, each_point_widely, finite, partly};
+use super::{Field, Points, along_line, check_finite, each_point, each_point_simd};
 use crate::error::{Error, Result};
 use crate::net::transform::Axis;
 use glam::DVec3;
 
-/// Moves points onto a sphere, straight from its centre. In part: that part of the way. Not defined at the centre.
+/// The central projection onto a sphere. In part: along the line to the image. Undefined at the centre.
 #[derive(Debug, Clone, Copy)]
 pub struct Spherify {
     centre: DVec3,
@@ -15,9 +15,9 @@ pub struct Spherify {
 
 impl Spherify {
     /// # Errors
-    /// [`Error::OptionOutOfRange`] if a number is not finite, or the radius not above 0; as for all that follow.
+    /// [`Error::OptionOutOfRange`] if a number is not check_finite, or the radius not above 0; as for all that follow.
     pub fn new(centre: DVec3, radius: f64) -> Result<Self> {
-        finite(&[("centre", centre.x), ("centre", centre.y), ("centre", centre.z)])?;
+        check_finite(&[("centre", centre.x), ("centre", centre.y), ("centre", centre.z)])?;
         Ok(Spherify { centre, radius: positive("radius", radius)? })
     }
 }
@@ -27,13 +27,13 @@ impl Field for Spherify {
         let centre = self.centre.to_array();
         let map = |point: [f64; 3]| {
             let away = [0, 1, 2].map(|k| point[k] - centre[k]);
-            // Scaled first: squares could overflow or vanish.
+            // Scaled first, as squares could overflow or underflow.
             let largest = away[0].abs().max(away[1].abs()).max(away[2].abs());
             let [x, y, z] = away.map(|value| value / largest);
             let ratio = self.radius / (x * x + y * y + z * z).sqrt();
             [centre[0] + ratio * x, centre[1] + ratio * y, centre[2] + ratio * z]
         };
-        each_point_widely(points, partly(strength, map));
+        each_point_simd(points, along_line(strength, map));
     }
 
     fn is_total(&self) -> bool {
@@ -41,8 +41,9 @@ impl Field for Spherify {
     }
 }
 
-/// Rolls space up about an axis. Of the two axes that follow it (x after z), the first becomes the arc and the second
-/// the height above the cylinder; nothing moves along the axis. In part: that part of the straight way.
+/// Rolls space up about an axis. Of the two axes that follow it (x after z), the first becomes the arc and
+/// the second the height above the cylinder; coordinates along the axis stay. In part: along the line to
+/// the image.
 #[derive(Debug, Clone, Copy)]
 pub struct CylinderWrap {
     axis: Axis,
@@ -64,13 +65,13 @@ impl Field for CylinderWrap {
             let distance = self.radius + v;
             [distance * sine, distance * cosine, w]
         };
-        each_point(self.axis.last(points), partly(strength, map));
+        each_point(self.axis.last(points), along_line(strength, map));
     }
 }
 
 /// Rolls space up to a torus about an axis. Of the two axes that follow it (x after z), the first goes round the axis,
 /// and the second round the tube, from its outside towards the tip of the axis; the coordinate along the axis becomes
-/// the height above the torus. In part: that part of the straight way.
+/// the height above the torus. In part: along the line to the image.
 #[derive(Debug, Clone, Copy)]
 pub struct TorusWrap {
     axis: Axis,
@@ -98,7 +99,7 @@ impl Field for TorusWrap {
             let distance = self.major + thickness * tube_cosine;
             [distance * round_cosine, distance * round_sine, thickness * tube_sine]
         };
-        each_point(self.axis.last(points), partly(strength, map));
+        each_point(self.axis.last(points), along_line(strength, map));
     }
 }
 

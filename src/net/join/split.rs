@@ -1,35 +1,39 @@
-//! Taking joined nets apart.
+//! Splitting joined nets: the inverse of concatenation.
+//!
+//! Invariant: coordinates, links, seams and bridges of each part are bit for bit those of the net that
+//! was joined, unless the joined net was edited. O(nodes).
 
-use super::prepare::restored;
+use super::adapt::restored;
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::job::Job;
-use crate::net::arrange::{Rearrange, rearranged};
-use crate::net::{Bridge, BridgeMode, Direction, Net, Real, Shape, Topology};
+use crate::net::arrange::{Part, rearrange};
+use crate::net::{Bridge, BridgeMode, Direction, Net, Topology};
 use std::ops::Range;
 
 impl Net<'_> {
-    /// The two nets on either side of a bridge: bit for bit, and glued as, those that [`concatenate`](super::concatenate) joined,
-    /// unless something was changed since. The bridge must run from side to side of the net; of a net that was joined of
-    /// joined ones, the last bridge does, and nets come back whole if they are taken apart in the reverse order. What is glued
-    /// across the bridge is cut. O(nodes).
+    /// The two nets on either side of a bridge, bit for bit and with the gluing that
+    /// [`concatenate`](super::concatenate) found, unless the net was edited since. The bridge must run
+    /// from side to side of the net; in a net joined of joined ones the last bridge does, and splitting
+    /// in reverse order restores all. Gluings across the bridge are cut. O(nodes).
     ///
     /// # Errors
-    /// [`Error::NoSuch`], also for a bridge within a part of the net only; [`Error::CrossingCell`] if only what was glued
-    /// across the bridge made the opposite corners of a cell one; [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::NoSuch`], also for a bridge within a part of the net only; [`Error::CrossingCell`] if
+    /// a cell is crossed without the gluings across the bridge; [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).filter(|bridge| bridge.is_whole(self.shape())).ok_or(no_such)?;
         let mut parts = cut(self, bridge.direction, &[bridge.at as usize], &[index], job)?;
         let second = parts.pop().ok_or(no_such)?;
         let first = parts.pop().ok_or(no_such)?;
-        let [a, b] = &bridge.origins;
+        let [a, b] = &bridge.adaptations;
         let [a, b] = [a, b].map(Option::as_deref);
         Ok([restored(first, a, bridge.direction)?, restored(second, b, bridge.direction)?])
     }
 
-    /// The nets between the bridges of a direction that run from side to side and were made last, all at once: the inverse of
-    /// [`concatenate_all`](super::concatenate_all). O(nodes).
+    /// The nets between the last bridges of a direction that run from side to side, all at once: the
+    /// inverse of [`concatenate_all`](super::concatenate_all). O(nodes).
     ///
     /// # Errors
     /// As [`Net::split`].
@@ -47,23 +51,23 @@ impl Net<'_> {
         let parts = cut(self, direction, &cuts, &indices, job)?;
         let mut nets = alloc::with_capacity(parts.len())?;
         for (k, part) in parts.into_iter().enumerate() {
-            // The account of a net is with the bridge before it; that of the first net with the one behind it.
-            let origin = match k {
-                0 => indices.first().and_then(|&index| self.bridges()[index].origins[0].as_deref()),
-                _ => self.bridges()[indices[k - 1]].origins[1].as_deref(),
+            // The record of a net is with the bridge before it, that of the first net with the bridge after it.
+            let adaptation = match k {
+                0 => indices.first().and_then(|&index| self.bridges()[index].adaptations[0].as_deref()),
+                _ => self.bridges()[indices[k - 1]].adaptations[1].as_deref(),
             };
-            nets.push(restored(part, origin, direction)?);
+            nets.push(restored(part, adaptation, direction)?);
         }
         Ok(nets)
     }
 }
 
-/// The nets before, between and behind some places, which are in order; `gone` are the bridges there.
+/// The nets before, between and after cuts in order; `removed`: the bridges at the cuts.
 fn cut(
     net: &Net<'_>,
     direction: Direction,
     cuts: &[usize],
-    gone: &[usize],
+    removed: &[usize],
     job: &Job<'_>,
 ) -> Result<Vec<Net<'static>>> {
     let count = direction.extent(net.shape()).0;
@@ -83,9 +87,9 @@ fn cut(
             parts
         }
     };
-    let welded = gone.iter().any(|&index| net.bridges()[index].mode == BridgeMode::Weld);
+    let welded = removed.iter().any(|&index| net.bridges()[index].mode == BridgeMode::Weld);
     let crossed = crossed(net.topology(), direction, &ranges)?;
-    let mut bridges = bridges_cut(net, direction, &ranges, gone)?.into_iter();
+    let mut bridges = bridges_cut(net, direction, &ranges, removed)?.into_iter();
     let mut parts = alloc::with_capacity(ranges.len())?;
     for (k, (range, topology)) in ranges.iter().zip(topologies).enumerate() {
         if k % 256 == 0 {
@@ -94,18 +98,19 @@ fn cut(
         if welded || crossed[k] {
             topology.check_crossings()?;
         }
-        let how = Band { shape: topology.shape(), direction, first: range.start };
-        let mut part = Net::new(rearranged(net.coordinates(), &how, &Job::default())?, topology);
+        let (row, column) = direction.place(range.start, 0);
+        let place = Part { shape: topology.shape(), row, column };
+        let mut part = Net::new(rearrange(net.coordinates(), &place, &Job::default())?, topology);
         *part.bridges_mut() = bridges.next().unwrap_or_default();
-        let least = part.bridges().iter().map(|bridge| bridge.nesting).min().unwrap_or(0);
-        part.bridges_mut().iter_mut().for_each(|bridge| bridge.nesting -= least);
+        let innermost = part.bridges().iter().map(|bridge| bridge.nesting).min().unwrap_or(0);
+        part.bridges_mut().iter_mut().for_each(|bridge| bridge.nesting -= innermost);
         parts.push(part);
     }
     job.step(1.0, "taking nets apart")?;
     Ok(parts)
 }
 
-/// For each range, whether seams glue nodes of it to others.
+/// For each range, whether a seam glues nodes of it to others.
 fn crossed(topology: &Topology, direction: Direction, ranges: &[Range<usize>]) -> Result<Vec<bool>> {
     let mut crossed = alloc::filled(false, ranges.len())?;
     for seam in topology.seams() {
@@ -128,14 +133,14 @@ fn bridges_cut(
     net: &Net<'_>,
     direction: Direction,
     ranges: &[Range<usize>],
-    gone: &[usize],
+    removed: &[usize],
 ) -> Result<Vec<Vec<Bridge>>> {
     let shape = net.shape();
     let all = 0..direction.extent(shape).1;
     let mut cut = alloc::filled(Vec::new(), ranges.len())?;
-    let mut is_gone = alloc::filled(false, net.bridges().len())?;
-    gone.iter().for_each(|&index| is_gone[index] = true);
-    for bridge in net.bridges().iter().zip(is_gone).filter_map(|(bridge, gone)| (!gone).then_some(bridge)) {
+    let mut is_removed = alloc::filled(false, net.bridges().len())?;
+    removed.iter().for_each(|&index| is_removed[index] = true);
+    for bridge in net.bridges().iter().zip(is_removed).filter_map(|(bridge, removed)| (!removed).then_some(bridge)) {
         let (low, high) = if bridge.direction == direction {
             (bridge.at as usize - 1, bridge.at as usize)
         } else {
@@ -154,28 +159,4 @@ fn bridges_cut(
         }
     }
     Ok(cut)
-}
-
-/// Whole rows (`Down`) or columns from `first` on.
-struct Band {
-    shape: Shape,
-    direction: Direction,
-    first: usize,
-}
-
-impl Rearrange for Band {
-    fn shape(&self) -> Shape {
-        self.shape
-    }
-
-    fn write<T: Real>(&self, rows: Range<usize>, from: &[T], stride: usize, to: &mut [T]) {
-        let columns = self.shape.columns();
-        let (row, column) = match self.direction {
-            Direction::Down => (self.first, 0),
-            Direction::Right => (0, self.first),
-        };
-        for (i, to) in rows.zip(to.chunks_exact_mut(columns)) {
-            to.copy_from_slice(&from[(row + i) * stride + column..][..columns]);
-        }
-    }
 }

@@ -1,14 +1,14 @@
-//! Area, volume, moments and boxes of nets, and how plane their cells are.
+//! Area, volume, moments and bounding boxes of nets, and the planarity of their cells.
 //!
 //! A cell is the bilinear patch through its corners a, b, c, d. With N = (c - a) x (d - b):
 //!
-//! * its area vector is N / 2, of whatever surface within the same rim;
-//! * its part of the volume, by the divergence theorem, is (a + b + c + d) . N / 24, exactly that of the patch;
-//! * its area is |N| / 2: the midpoint rule, exact for plane cells, and for others off by the square of their size.
+//! * its area vector is N / 2, that of any surface with the same boundary;
+//! * its share of the volume, by the divergence theorem, is (a + b + c + d) . N / 24, exact for the patch;
+//! * its area is |N| / 2: the midpoint rule, exact for plane cells, else of second order in their size.
 //!
-//! A cell with glued corners that lie together needs no other formulas: a triangle is a patch with a side of no length,
-//! and what has become a line or a point adds nothing. Double precision throughout, and always the same order of
-//! summation.
+//! Cells with coincident corners need no other formulas: a triangle is a patch with a side of length 0,
+//! and a line or a point adds 0. Invariant: double precision throughout and one order of summation,
+//! whatever the number of threads and the width of vectors. O(nodes).
 
 mod moments;
 mod planarity;
@@ -16,7 +16,7 @@ mod planarity;
 pub use moments::{Moments, moments};
 pub use planarity::{Planarity, planarity};
 
-use super::hidden::Hidden;
+use super::hidden_cells::HiddenCells;
 use super::{Net, Planes, Real, Shape, each};
 use crate::error::Result;
 use crate::job::Job;
@@ -24,26 +24,27 @@ use crate::par;
 use crate::simd::{self, Kernel};
 use glam::DVec3;
 
-/// About so many nodes are one thread's work at a time.
+/// Nodes that one thread takes at a time, approximately.
 const BLOCK: usize = 1 << 15;
 
-/// So many cells, or nodes, are computed before they are summed up.
+/// Cells, or nodes, that are computed before they are summed.
 const CHUNK: usize = 64;
 
-/// So many sums go on side by side.
+/// Partial sums that are accumulated in parallel.
 const LANES: usize = 8;
 
-/// What [`measure`] finds. Cells that touch a missing node, or belong to a hidden bridge, are not there.
+/// The results of [`measure`]. Cells that touch a missing node, or belong to a hidden bridge, do not
+/// count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measures {
     /// The area of all cells.
     pub area: f64,
     /// The sum of the area vectors; zero for closed surfaces.
     pub area_vector: DVec3,
-    /// What the surface encloses, if it is closed; positive if the normals look outwards. For open ones: of the cone to
-    /// the first node that is there.
+    /// The enclosed volume of a closed surface, positive if the normals point outwards. Of an open surface:
+    /// that of the cone over it with its apex at the first existing node.
     pub volume: f64,
-    /// The smallest coordinates of nodes that are there; above `high` if there are none.
+    /// The smallest coordinates of existing nodes; above `high` if there are none.
     pub low: DVec3,
     /// The largest coordinates.
     pub high: DVec3,
@@ -57,7 +58,7 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
     let origin = origin(net);
     let total = each!(net.coordinates(), planes => {
-        let hidden = Hidden::of(net)?;
+        let hidden = HiddenCells::of(net)?;
         let (count, part) = (net.shape().rows() - 1, job.part(0.0, 0.7));
         let parts = par::chunks_cancellable(&part, "measure", count, rows_at_once(net.shape()), |rows| {
             rows.fold(Sums::default(), |sums, i| sums.add(row(planes, &hidden, i, origin)))
@@ -74,7 +75,8 @@ pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     })
 }
 
-/// The first node that is there: volumes and moments are computed about it, lest distant nets lose digits.
+/// The first existing node. Volumes and moments are computed about it, as distant nets would lose
+/// digits.
 fn origin(net: &Net<'_>) -> DVec3 {
     let shape = net.shape();
     let nodes = (0..shape.rows()).flat_map(|i| (0..shape.columns()).map(move |j| (i, j)));
@@ -104,7 +106,7 @@ impl Sums {
     }
 }
 
-fn row<T: Real>(planes: &Planes<'_, T>, hidden: &Hidden, i: usize, origin: DVec3) -> Sums {
+fn row<T: Real>(planes: &Planes<'_, T>, hidden: &HiddenCells, i: usize, origin: DVec3) -> Sums {
     let (above, below) = (planes.row(i), planes.row(i + 1));
     hidden.runs(i).fold(Sums::default(), |sums, run| {
         let nodes = run.start..run.end + 1;
@@ -129,7 +131,7 @@ impl<T: Real> Kernel for Strip<'_, T> {
         let mut cells = [[0.0; CHUNK]; 5];
         for start in (0..above[0].len() - 1).step_by(CHUNK) {
             let nodes = start..above[0].len().min(start + CHUNK + 1);
-            // What the last, shorter run does not overwrite.
+            // The entries that the last, shorter run does not overwrite.
             cells.iter_mut().for_each(|values| values[nodes.len() - 1..].fill(0.0));
             fill(above.map(|row| &row[nodes.clone()]), below.map(|row| &row[nodes.clone()]), self.origin, &mut cells);
             for (lanes, values) in lanes.iter_mut().zip(&cells) {
@@ -143,12 +145,13 @@ impl<T: Real> Kernel for Strip<'_, T> {
     }
 }
 
-/// |N|, N and (a + b + c + d - 4 origin) . N of the cells between two rows of nodes; zeros for those that miss a corner.
+/// |N|, N and (a + b + c + d - 4 origin) . N of the cells between two rows of nodes; zeros for cells with
+/// a missing corner.
 #[inline(always)]
 fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &mut [[f64; CHUNK]; 5]) {
     let [lengths, n_x, n_y, n_z, cones] = cells;
     let count = CHUNK.min(above[0].len() - 1);
-    // All of one length, so that nothing in the loop is checked.
+    // Of equal length, so that the loop has no bounds checks.
     let [a_x, a_y, a_z] = above.map(|row| &row[..=count]);
     let [d_x, d_y, d_z] = below.map(|row| &row[..=count]);
     for j in 0..count {
@@ -161,17 +164,17 @@ fn fill<T: Real>(above: [&[T]; 3], below: [&[T]; 3], origin: [f64; 3], cells: &m
         let sum = [(a[0] + c[0]) + (b[0] + d[0]), (a[1] + c[1]) + (b[1] + d[1]), (a[2] + c[2]) + (b[2] + d[2])];
         let n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
         let r = [sum[0] - 4.0 * origin[0], sum[1] - 4.0 * origin[1], sum[2] - 4.0 * origin[2]];
-        // 0 times a number is 0 unless it is missing.
-        let there = 0.0 * sum[0] + 0.0 * sum[1] + 0.0 * sum[2] == 0.0;
-        lengths[j] = if there { (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt() } else { 0.0 };
-        n_x[j] = if there { n[0] } else { 0.0 };
-        n_y[j] = if there { n[1] } else { 0.0 };
-        n_z[j] = if there { n[2] } else { 0.0 };
-        cones[j] = if there { r[0] * n[0] + r[1] * n[1] + r[2] * n[2] } else { 0.0 };
+        // 0 times a coordinate is 0 unless it is NaN or infinite.
+        let exists = 0.0 * sum[0] + 0.0 * sum[1] + 0.0 * sum[2] == 0.0;
+        lengths[j] = if exists { (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt() } else { 0.0 };
+        n_x[j] = if exists { n[0] } else { 0.0 };
+        n_y[j] = if exists { n[1] } else { 0.0 };
+        n_z[j] = if exists { n[2] } else { 0.0 };
+        cones[j] = if exists { r[0] * n[0] + r[1] * n[1] + r[2] * n[2] } else { 0.0 };
     }
 }
 
-/// The box round all nodes that are there.
+/// The bounding box of all existing nodes.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled).
@@ -181,16 +184,16 @@ pub(crate) fn bounds(net: &Net<'_>, job: &Job<'_>) -> Result<(DVec3, DVec3)> {
     each!(net.coordinates(), planes => {
         let rows_at_once = (BLOCK / net.shape().columns()).max(1);
         let parts = par::chunks_cancellable(job, "measure", net.shape().rows(), rows_at_once, |rows| {
-            rows.fold(empty, |found, i| join(found, simd::run(Extent(planes.row(i)))))
+            rows.fold(empty, |found, i| join(found, simd::run(RowBounds(planes.row(i)))))
         })?;
         Ok(parts.into_iter().fold(empty, join))
     })
 }
 
-/// The box round a row of nodes.
-struct Extent<'a, T>([&'a [T]; 3]);
+/// The bounding box of a row of nodes.
+struct RowBounds<'a, T>([&'a [T]; 3]);
 
-impl<T: Real> Kernel for Extent<'_, T> {
+impl<T: Real> Kernel for RowBounds<'_, T> {
     type Output = (DVec3, DVec3);
 
     #[inline(always)]
@@ -212,8 +215,8 @@ impl<T: Real> Kernel for Extent<'_, T> {
 fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; LANES]; 3]) {
     let count = CHUNK.min(rows[0].len());
     let [x, y, z] = rows.map(|row| &row[..count]);
-    // 0, and NaN for missing nodes: NaN compares as neither smaller nor larger. The places behind the last node are
-    // missing too.
+    // 0, and NaN for missing nodes, which compares as neither smaller nor larger. Entries after the last node
+    // are missing too.
     let (zero, mut missing) = (T::of(0.0), [T::of(f64::NAN); CHUNK]);
     for j in 0..count {
         missing[j] = zero * x[j] + zero * y[j] + zero * z[j];
@@ -223,14 +226,14 @@ fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; L
         for j in 0..count {
             values[j] = row[j] + values[j];
         }
-        let (mut least, mut most) = (low[axis], high[axis]);
+        let (mut min, mut max) = (low[axis], high[axis]);
         for part in values.as_chunks::<LANES>().0 {
             for lane in 0..LANES {
-                least[lane] = if part[lane] < least[lane] { part[lane] } else { least[lane] };
-                most[lane] = if part[lane] > most[lane] { part[lane] } else { most[lane] };
+                min[lane] = if part[lane] < min[lane] { part[lane] } else { min[lane] };
+                max[lane] = if part[lane] > max[lane] { part[lane] } else { max[lane] };
             }
         }
-        (low[axis], high[axis]) = (least, most);
+        (low[axis], high[axis]) = (min, max);
     }
 }
 
@@ -247,6 +250,6 @@ mod tests {
         let bits =
             |sums: Sums| [sums.lengths, sums.vector.x, sums.vector.y, sums.vector.z, sums.cones].map(f64::to_bits);
         assert_eq!(bits(simd::run(strip())), bits(strip().run()));
-        assert_eq!(simd::run(Extent(rows[0])), Extent(rows[0]).run());
+        assert_eq!(simd::run(RowBounds(rows[0])), RowBounds(rows[0]).run());
     }
 }

@@ -1,44 +1,45 @@
-//! Centroid and inertia of what a net encloses.
+//! Volume, centroid and inertia of the body that a closed net encloses, by the divergence theorem.
+//!
+//! The flux through each bilinear patch is integrated by the 3 x 3 product Gauss rule, which is exact:
+//! the integrands have degree at most 4 in each parameter. O(nodes).
 
 use super::{origin, rows_at_once};
 use crate::error::Result;
 use crate::job::Job;
-use crate::net::hidden::Hidden;
+use crate::net::hidden_cells::HiddenCells;
 use crate::net::{Net, each};
 use crate::par;
 use glam::{DMat3, DVec3, Vec3Swizzles};
 
-/// Volume, centroid and inertia of the body, of density 1, that a closed net encloses.
+/// Volume, centroid and inertia of the enclosed body, of density 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moments {
-    /// The volume; negative if the normals look inwards.
+    /// The volume; negative if the normals point inwards.
     pub volume: f64,
     /// The centre of mass; NaN if the volume is 0.
     pub centroid: DVec3,
-    /// The tensor of inertia about the centroid: on its diagonal the integrals of y^2 + z^2 and so on, beside it those
-    /// of -x y and so on.
+    /// The tensor of inertia about the centroid: diagonal entries integrate y^2 + z^2 and so on, the others
+    /// -x y and so on.
     pub inertia: DMat3,
 }
 
-/// Points and weights of Gauss for the interval from 0 to 1, exact to degree 5: on a bilinear patch, what the tensor of
-/// inertia takes has degree 4 each way.
+/// Points and weights of the three-point Gauss rule on the interval from 0 to 1, exact to degree 5.
 fn gauss() -> [(f64, f64); 3] {
     let off = (0.15f64).sqrt();
     [(0.5 - off, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.5 + off, 5.0 / 18.0)]
 }
 
-/// Exact, but for rounding, for the bilinear patches of the cells. For a net that is not closed the numbers mean
-/// nothing. O(nodes), no memory that depends on the net.
+/// The moments of the body that the bilinear patches of the cells enclose, exact but for rounding;
+/// undefined unless the net is closed. O(nodes), no memory that depends on the net.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
-    let (origin, hidden) = (origin(net), Hidden::of(net)?);
+    let (origin, hidden) = (origin(net), HiddenCells::of(net)?);
     let row = |i: usize| {
         let cells = hidden.runs(i).flatten();
-        let corners = cells.map(|j| [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]);
-        corners.fold(Integrals::default(), |sums, corners| {
-            let points = each!(net.coordinates(), planes => corners.map(|(i, j)| planes.get(i, j) - origin));
+        cells.fold(Integrals::default(), |sums, j| {
+            let points = each!(net.coordinates(), planes => planes.corners(i, j).map(|point| point - origin));
             if points.iter().all(|point| point.is_finite()) { sums.add(patch(points)) } else { sums }
         })
     };
@@ -83,7 +84,7 @@ impl Integrals {
     }
 }
 
-/// The flux through a patch of fields whose divergences are what is integrated.
+/// The flux through a patch of fields whose divergences are the integrands.
 fn patch([a, b, c, d]: [DVec3; 4]) -> Integrals {
     let mut sums = Integrals::default();
     for (u, wu) in gauss() {

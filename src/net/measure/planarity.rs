@@ -1,29 +1,29 @@
-//! How plane the cells are: whether a surface can be clad with plane quads (paper, "facing of smooth surfaces by
-//! quadrangular tiles").
+//! Planarity of the cells: whether a surface can be clad with plane quads (Deryagin, "Facing of smooth
+//! surfaces by quadrangular tiles"). O(nodes).
 
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::hidden::Hidden;
-use crate::net::{Net, each, pieces};
+use crate::net::hidden_cells::HiddenCells;
+use crate::net::{Net, chunks, each};
 use glam::DVec3;
 
-/// How plane the cells are.
+/// The planarity of the cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Planarity {
-    /// Of each cell: how far its corners are from the plane that lies evenly between them, divided by its longer
-    /// diagonal. 0 for triangles and less; NaN for cells that are not there.
+    /// The distance of each cell's corners from its mean plane, divided by its longer diagonal. 0 for
+    /// triangles and less; NaN for missing cells.
     pub cells: Vec<f64>,
-    /// The largest, and its cell; `None` if there are no cells.
+    /// The largest value and its cell; `None` without cells.
     pub worst: Option<(f64, u32)>,
-    /// The mean; NaN if there are no cells.
+    /// The mean; NaN without cells.
     pub mean: f64,
-    /// How many cells are above the tolerance.
+    /// The number of cells above the tolerance.
     pub above: u64,
 }
 
-/// The corners of a quad are all equally far from the plane through their centre that has its area vector as normal:
-/// two above it, two below. O(nodes), 8 bytes a cell.
+/// Measures each cell against its mean plane, through the mean of its corners and normal to its area
+/// vector: two corners lie above it and two below, all at one distance. O(nodes), 8 bytes a cell.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -31,33 +31,33 @@ pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planari
     if tolerance.is_nan() || tolerance < 0.0 {
         return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
     }
-    let (shape, hidden) = (net.shape(), Hidden::of(net)?);
+    let (shape, hidden) = (net.shape(), HiddenCells::of(net)?);
     let columns = shape.columns() - 1;
     let mut cells = alloc::filled(f64::NAN, shape.cell_count())?;
-    pieces::rows(&mut cells, columns, (job, "planarity"), |i, row| {
+    chunks::map_rows(&mut cells, columns, (job, "planarity"), |i, row| {
         for j in hidden.runs(i).flatten() {
-            let corners = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
-            row[j] = each!(net.coordinates(), planes => off(corners.map(|(i, j)| planes.get(i, j))));
+            row[j] = each!(net.coordinates(), planes => relative_distance(planes.corners(i, j)));
         }
     })?
     .for_each(drop);
-    let there = || cells.iter().enumerate().filter(|(_, off)| !off.is_nan());
-    let worst = there().fold(None, |worst: Option<(f64, u32)>, (cell, &off)| match worst {
-        Some((most, _)) if most >= off => worst,
-        _ => Some((off, cell as u32)),
+    let existing = || cells.iter().enumerate().filter(|(_, value)| !value.is_nan());
+    let worst = existing().fold(None, |worst: Option<(f64, u32)>, (cell, &value)| match worst {
+        Some((max, _)) if max >= value => worst,
+        _ => Some((value, cell as u32)),
     });
-    let mean = there().map(|(_, off)| off).sum::<f64>() / there().count() as f64;
-    let above = there().filter(|&(_, &off)| off > tolerance).count() as u64;
+    let mean = existing().map(|(_, value)| value).sum::<f64>() / existing().count() as f64;
+    let above = existing().filter(|&(_, &value)| value > tolerance).count() as u64;
     Ok(Planarity { cells, worst, mean, above })
 }
 
-fn off([a, b, c, d]: [DVec3; 4]) -> f64 {
+/// The distance of the corners from their mean plane over the longer diagonal.
+fn relative_distance([a, b, c, d]: [DVec3; 4]) -> f64 {
     let (p, q) = (c - a, d - b);
     let diagonal = p.length().max(q.length());
     if !diagonal.is_finite() {
         return f64::NAN;
     }
-    // Without area, without a plane: the corners are in a line, or so crooked that no side is above.
+    // Zero area has no mean plane: the corners are in a line, or twisted by a right angle.
     let normal = p.cross(q).normalize_or_zero();
     let distance = ((a - b) + (c - d)).dot(normal).abs() / 4.0;
     if diagonal > 0.0 { distance / diagonal } else { 0.0 }

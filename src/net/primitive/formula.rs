@@ -1,6 +1,6 @@
-//! Primitives that each have a formula of their own.
+//! Formulas of shapes that are not swept profiles. O(1) a node.
 
-use super::angle::on_circle;
+use super::unit_circle::on_circle;
 use crate::net::closure::Cuboid;
 
 /// From -1 at the first of `count` to 1 at the last; symmetric.
@@ -8,13 +8,14 @@ pub(super) fn across(k: usize, count: usize) -> f64 {
     (2.0 * k as f64 - (count - 1) as f64) / (count - 1) as f64
 }
 
-/// A point of the square -1..1 as a point of the unit disc: squares round the middle become circles.
+/// The map from the square -1..1 to the unit disc that takes concentric squares to circles.
 fn disc([u, v]: [f64; 2]) -> [f64; 2] {
     let (ring, length) = (u.abs().max(v.abs()), (u * u + v * v).sqrt());
     if ring == 0.0 { [0.0, 0.0] } else { [u / length * ring, v / length * ring] }
 }
 
-/// The middle of the square is the top of the unit sphere, its rim the bottom; squares round the middle are parallels.
+/// The map from the square to the unit sphere that takes its centre to the top, concentric squares to
+/// parallels and its rim to the bottom.
 pub(super) fn one_pole([u, v]: [f64; 2]) -> [f64; 3] {
     let (ring, length) = (u.abs().max(v.abs()), (u * u + v * v).sqrt());
     match ring {
@@ -27,6 +28,7 @@ pub(super) fn one_pole([u, v]: [f64; 2]) -> [f64; 3] {
     }
 }
 
+/// The point of node (i, j) on a box.
 pub(super) fn on_box(cuboid: &Cuboid, size: [f64; 3], i: usize, j: usize) -> [f64; 3] {
     let place = cuboid.place(i, j);
     [0, 1, 2].map(|x| f64::from(place[x]) * size[x] / f64::from(cuboid.cells[x]) - size[x] / 2.0)
@@ -37,14 +39,15 @@ pub(super) fn bulge(size: [f64; 2], thickness: f64, [u, v]: [f64; 2]) -> [f64; 3
     [size[0] / 2.0 * u, size[1] / 2.0 * v, thickness / 2.0 * ((1.0 - u * u) * (1.0 - v * v))]
 }
 
-/// A line through the circle of `radius` at `k` n-ths of a turn, turned half as fast; `from_middle` along it.
+/// The point at `from_middle` on a line through the circle of `radius` at `k` n-ths of a turn, which rotates
+/// half as fast.
 pub(super) fn strip(radius: f64, from_middle: f64, k: usize, n: usize) -> [f64; 3] {
     let ([c, s], [half_c, half_s]) = (on_circle(k, n), on_circle(k, 2 * n));
     let distance = radius + from_middle * half_c;
     [distance * c, distance * s, from_middle * half_s]
 }
 
-/// The figure eight (sin v, sin 2v), `section` n-ths of a turn along it, carried round as [`strip`] is.
+/// The figure eight (sin v, sin 2v) at `section` n-ths of a turn, swept as the line of [`strip`].
 pub(super) fn figure_eight(radius: f64, minor_radius: f64, section: [usize; 2], around: [usize; 2]) -> [f64; 3] {
     let [[c, s], [half_c, half_s]] = [on_circle(around[0], around[1]), on_circle(around[0], 2 * around[1])];
     let (p, q) = (on_circle(section[0], section[1])[1], on_circle(2 * section[0], section[1])[1]);
@@ -52,9 +55,10 @@ pub(super) fn figure_eight(radius: f64, minor_radius: f64, section: [usize; 2], 
     [distance * c, distance * s, minor_radius * (half_s * p + half_c * q)]
 }
 
-/// Boy's surface of a point of the square: with w in the unit disc and d = w^6 + sqrt(5) w^3 - 1, g = (-3/2 Im(w (1 -
-/// w^4) / d), -3/2 Re(w (1 + w^4) / d), Im((1 + w^6) / d) - 1/2), the point is g / |g|^2. All is multiplied by |d|^2,
-/// which may be nearly 0.
+/// Boy's surface in the parametrisation of Kusner and Bryant: with w in the unit disc and
+/// d = w^6 + sqrt(5) w^3 - 1, g = (-3/2 Im(w (1 - w^4) / d), -3/2 Re(w (1 + w^4) / d),
+/// Im((1 + w^6) / d) - 1/2), the point is g / |g|^2. All terms are multiplied by |d|^2, which may be nearly
+/// 0.
 pub(super) fn boy(square: [f64; 2]) -> [f64; 3] {
     let w = disc(square);
     let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];

@@ -1,133 +1,26 @@
-//! Whole nets of standard shapes: coordinates and topology.
+//! Nets of standard shapes: coordinates and topology (Deryagin, Figs. 5 and 6).
 //!
-//! Solids of revolution, and prisms and pyramids, which are their angular kin, are a profile carried round the z axis;
-//! the others each have a formula. All are centred at the origin. Nodes that are one point have the same bits: their
-//! coordinates are computed from indices that were reduced first. Closed surfaces have their faces counter-clockwise
-//! seen from outside, and so a positive volume.
+//! Solids of revolution, prisms and pyramids sweep a profile round the z axis; the others each have a
+//! formula. All are centred at the origin. Invariant: glued nodes have the same bits, as their coordinates
+//! are computed from reduced indices; closed surfaces have faces counter-clockwise seen from outside, and
+//! so a positive volume. O(nodes).
 
-mod angle;
-mod build;
-mod fill;
+mod construct;
+mod coordinates;
 mod formula;
 mod profile;
 mod revolve;
+mod solid;
+mod unit_circle;
 
-use super::closure::Cuboid;
+pub use solid::Primitive;
+
 use super::{Net, Shape};
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::mesh::Scalar;
 
-/// A shape and its measures, all positive.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Primitive<'a> {
-    /// A rectangle in the plane z = 0, seen from above.
-    Plane {
-        /// Along x and y.
-        size: [f64; 2],
-    },
-    /// Meridians and parallels; closed by two poles. At least 3 rows and 4 columns.
-    Sphere {
-        /// Radius.
-        radius: f64,
-    },
-    /// A disc whose rim is drawn together at the lowest point; closed by one pole. At least 4 rows and columns.
-    OnePoleSphere {
-        /// Radius.
-        radius: f64,
-    },
-    /// A cylinder without caps. At least 4 columns.
-    Tube {
-        /// Radius.
-        radius: f64,
-        /// Along z.
-        height: f64,
-    },
-    /// A cylinder with caps; both rims are rows. At least 4 rows and 4 columns.
-    Cylinder {
-        /// Radius.
-        radius: f64,
-        /// Along z.
-        height: f64,
-    },
-    /// A right prism over a regular polygon, with caps; all its vertices are nodes. At least 4 rows, and a column more
-    /// than sides.
-    Prism {
-        /// The number of lateral faces, 3 and more.
-        sides: u32,
-        /// Of the circle through the polygon's corners, one of which is on the x axis.
-        radius: f64,
-        /// Along z.
-        height: f64,
-    },
-    /// A cone with its base; the rim is a row. At least 3 rows and 4 columns.
-    Cone {
-        /// Of the base.
-        radius: f64,
-        /// Along z; the apex is above.
-        height: f64,
-    },
-    /// A right pyramid over a regular polygon, with its base; all its vertices are nodes. At least 3 rows, and a column
-    /// more than sides.
-    Pyramid {
-        /// The number of lateral faces, 3 and more.
-        sides: u32,
-        /// Of the circle through the polygon's corners, one of which is on the x axis.
-        radius: f64,
-        /// Along z; the apex is above.
-        height: f64,
-    },
-    /// A profile turned round the z axis. Each of its points is a row: where it is on the axis, the row is a pole. A
-    /// profile that ends where it begins makes a closed ring. At least 4 columns; rows are as the profile says.
-    Lathe {
-        /// Distances from the axis, 0 and more, and heights; at least two points.
-        profile: &'a [[f64; 2]],
-    },
-    /// A torus round the z axis. At least 4 rows and columns.
-    Torus {
-        /// From the axis to the middle of the tube.
-        radius: f64,
-        /// Of the tube, smaller than `radius`.
-        minor_radius: f64,
-    },
-    /// A box of cells. Rows and columns are as the cells say.
-    Cuboid {
-        /// Cells along x, y, z, and how the caps are covered.
-        cuboid: Cuboid,
-        /// Along x, y and z.
-        size: [f64; 3],
-    },
-    /// A Möbius strip round the z axis. At least 4 columns.
-    Moebius {
-        /// Of its middle line.
-        radius: f64,
-        /// Of the strip.
-        width: f64,
-    },
-    /// A Klein bottle as a tube with a figure-eight section that makes half a turn (an immersion: it passes through
-    /// itself). At least 4 rows and columns.
-    Klein {
-        /// From the axis to the middle of the tube.
-        radius: f64,
-        /// Of the section.
-        minor_radius: f64,
-    },
-    /// The projective plane as Boy's surface, in the parametrisation of R. Kusner and R. Bryant (an immersion). At
-    /// least 4 rows and columns.
-    ProjectivePlane {
-        /// A scale: 1 for the surface as published.
-        radius: f64,
-    },
-    /// A pillow: two sheets joined along their rim. At least 3 rows, and an odd number of columns, 5 and more.
-    Pillow {
-        /// Along x and y.
-        size: [f64; 2],
-        /// In the middle.
-        thickness: f64,
-    },
-}
-
-/// A net that is wanted.
+/// A request for the net of a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request<'a> {
     /// The shape.
@@ -141,12 +34,12 @@ pub struct Request<'a> {
 }
 
 impl<'a> Request<'a> {
-    /// Rows, if nothing is said.
+    /// The default number of rows.
     pub const ROWS: usize = 33;
-    /// Columns, if nothing is said.
+    /// The default number of columns.
     pub const COLUMNS: usize = 65;
 
-    /// A shape with as many rows and columns as are usual, in double precision.
+    /// A shape with default rows and columns, in double precision.
     pub fn new(primitive: Primitive<'a>) -> Self {
         Request { primitive, rows: 0, columns: 0, scalar: Scalar::F64 }
     }
@@ -156,18 +49,18 @@ impl<'a> Request<'a> {
     /// # Errors
     /// [`Error::OptionOutOfRange`] for too few rows or columns, [`Error::NetTooSmall`], [`Error::TooLarge`].
     pub fn shape(&self) -> Result<Shape> {
-        let or = |given: usize, usual: usize| if given == 0 { usual } else { given };
-        let (mut rows, columns) = (or(self.rows, Self::ROWS), or(self.columns, Self::COLUMNS));
+        let or_default = |given: usize, default: usize| if given == 0 { default } else { given };
+        let (mut rows, columns) = (or_default(self.rows, Self::ROWS), or_default(self.columns, Self::COLUMNS));
         match self.primitive {
             Primitive::Cuboid { cuboid, .. } => return cuboid.shape(),
             Primitive::Lathe { profile } => rows = profile.len(),
             _ => {}
         }
-        let (least_rows, least_columns) = self.primitive.least();
+        let (min_rows, min_columns) = self.primitive.min_size();
         let odd = matches!(self.primitive, Primitive::Pillow { .. }) && columns % 2 == 0;
         match () {
-            () if rows < least_rows => Err(Error::OptionOutOfRange { option: "rows", value: rows as f64 }),
-            () if columns < least_columns || odd => {
+            () if rows < min_rows => Err(Error::OptionOutOfRange { option: "rows", value: rows as f64 }),
+            () if columns < min_columns || odd => {
                 Err(Error::OptionOutOfRange { option: "columns", value: columns as f64 })
             }
             () => Shape::new(rows, columns),
@@ -183,57 +76,6 @@ impl<'a> Request<'a> {
     pub fn net(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let shape = self.shape()?;
         self.primitive.check(self.scalar)?;
-        build::net(&self.primitive, shape, self.scalar, job)
-    }
-}
-
-impl Primitive<'_> {
-    /// The least numbers of rows and columns.
-    fn least(&self) -> (usize, usize) {
-        match *self {
-            Primitive::Plane { .. } => (2, 2),
-            Primitive::Sphere { .. } | Primitive::Cone { .. } => (3, 4),
-            Primitive::Tube { .. } | Primitive::Lathe { .. } | Primitive::Moebius { .. } => (2, 4),
-            Primitive::Prism { sides, .. } => (4, sides as usize + 1),
-            Primitive::Pyramid { sides, .. } => (3, sides as usize + 1),
-            Primitive::Pillow { .. } => (3, 5),
-            _ => (4, 4),
-        }
-    }
-
-    /// [`Error::OptionOutOfRange`] for a measure that makes no sense.
-    fn check(&self, scalar: Scalar) -> Result<()> {
-        let (least, most) = match scalar {
-            Scalar::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX) / 8.0),
-            Scalar::F64 => (f64::MIN_POSITIVE, f64::MAX / 8.0),
-        };
-        let bad = |option, value| Err(Error::OptionOutOfRange { option, value });
-        let (measures, sides): (&[(&'static str, f64)], _) = match *self {
-            Primitive::Plane { size } => (&[("size", size[0]), ("size", size[1])], 3),
-            Primitive::Sphere { radius }
-            | Primitive::OnePoleSphere { radius }
-            | Primitive::ProjectivePlane { radius } => (&[("radius", radius)], 3),
-            Primitive::Tube { radius, height }
-            | Primitive::Cylinder { radius, height }
-            | Primitive::Cone { radius, height } => (&[("radius", radius), ("height", height)], 3),
-            Primitive::Prism { sides, radius, height } | Primitive::Pyramid { sides, radius, height } => {
-                (&[("radius", radius), ("height", height)], sides)
-            }
-            Primitive::Torus { radius, minor_radius } if minor_radius >= radius => {
-                return bad("minor radius", minor_radius);
-            }
-            Primitive::Torus { radius, minor_radius } | Primitive::Klein { radius, minor_radius } => {
-                (&[("radius", radius), ("minor radius", minor_radius)], 3)
-            }
-            Primitive::Lathe { profile } => return profile::check(profile, most),
-            Primitive::Cuboid { size: [x, y, z], .. } => (&[("size", x), ("size", y), ("size", z)], 3),
-            Primitive::Moebius { radius, width } => (&[("radius", radius), ("width", width)], 3),
-            Primitive::Pillow { size: [x, y], thickness } => (&[("size", x), ("size", y), ("thickness", thickness)], 3),
-        };
-        match measures.iter().find(|(_, value)| !(least..=most).contains(value)) {
-            Some(&(option, value)) => bad(option, value),
-            None if sides < 3 => bad("sides", sides.into()),
-            None => Ok(()),
-        }
+        construct::net(&self.primitive, shape, self.scalar, job)
     }
 }

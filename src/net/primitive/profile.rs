@@ -1,17 +1,17 @@
-//! Profiles: what is carried round the axis. Each point has its distance from the axis and its height.
+//! Profiles, which are swept round the axis: points given by distance from the axis and height. O(points).
 
-use super::angle::on_circle;
+use super::unit_circle::on_circle;
 use crate::alloc;
 use crate::error::{Error, Result};
 
 /// A point of a profile.
 pub(super) type Point = [f64; 2];
 
-/// [`Error::OptionOutOfRange`] for a point that is nowhere, too far away, or beyond the axis.
-pub(super) fn check(profile: &[Point], most: f64) -> Result<()> {
+/// [`Error::OptionOutOfRange`] for a point that is not finite, too far away, or beyond the axis.
+pub(super) fn check(profile: &[Point], max: f64) -> Result<()> {
     let bad = profile.iter().find_map(|&[distance, z]| match () {
-        () if !(0.0..=most).contains(&distance) => Some(distance),
-        () if !(-most..=most).contains(&z) => Some(z),
+        () if !(0.0..=max).contains(&distance) => Some(distance),
+        () if !(-max..=max).contains(&z) => Some(z),
         () => None,
     });
     bad.map_or(Ok(()), |value| Err(Error::OptionOutOfRange { option: "profile", value }))
@@ -33,20 +33,21 @@ pub(super) fn circle(distance: f64, radius: f64, rows: usize) -> Result<Vec<Poin
     }))
 }
 
-/// A polyline with `rows` points, its corners among them, at about equal distances. Needs a row for each corner.
+/// A polyline of `rows` points at nearly equal distances, its corners among them. Needs a row for each
+/// corner.
 pub(super) fn polyline(corners: &[Point], rows: usize) -> Result<Vec<Point>> {
     let lengths = corners.windows(2).map(|ends| libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]));
-    let mut pieces: Vec<(f64, usize)> = lengths.map(|length| (length, 1)).collect();
-    // Each further row goes where rows are farthest apart.
-    for _ in pieces.len()..rows - 1 {
-        let apart = |&(length, count): &(f64, usize)| length / count as f64;
-        if let Some(widest) = pieces.iter_mut().reduce(|a, b| if apart(b) > apart(a) { b } else { a }) {
+    let mut segments: Vec<(f64, usize)> = lengths.map(|length| (length, 1)).collect();
+    // Each further row divides the segment with the widest spacing.
+    for _ in segments.len()..rows - 1 {
+        let spacing = |&(length, count): &(f64, usize)| length / count as f64;
+        if let Some(widest) = segments.iter_mut().reduce(|a, b| if spacing(b) > spacing(a) { b } else { a }) {
             widest.1 += 1;
         }
     }
     let mut points = alloc::with_capacity(rows)?;
-    for (ends, &(_, count)) in corners.windows(2).zip(&pieces) {
-        points.extend((0..count).map(|k| [0, 1].map(|x| between(ends[0][x], ends[1][x], k, count))));
+    for (ends, &(_, count)) in corners.windows(2).zip(&segments) {
+        points.extend((0..count).map(|k| [0, 1].map(|x| lerp(ends[0][x], ends[1][x], k, count))));
     }
     points.extend(corners.last());
     Ok(points)
@@ -60,7 +61,7 @@ pub(super) fn polygon(sides: usize, columns: usize) -> Result<Vec<Point>> {
     for side in 0..sides {
         let (a, b) = (on_circle(side, sides), on_circle(side + 1, sides));
         let count = first(side + 1) - first(side);
-        points.extend((0..count).map(|k| [0, 1].map(|x| between(a[x], b[x], k, count))));
+        points.extend((0..count).map(|k| [0, 1].map(|x| lerp(a[x], b[x], k, count))));
     }
     points.push(on_circle(0, sides));
     Ok(points)
@@ -71,8 +72,8 @@ pub(super) fn unit_circle(columns: usize) -> Result<Vec<Point>> {
     alloc::collect((0..columns).map(|j| on_circle(j, columns - 1)))
 }
 
-/// k n-ths of the way; exactly `a` for none.
-fn between(a: f64, b: f64, k: usize, n: usize) -> f64 {
+/// Linear interpolation at k n-ths; exactly `a` for k = 0.
+fn lerp(a: f64, b: f64, k: usize, n: usize) -> f64 {
     let t = k as f64 / n as f64;
     a + (b - a) * t
 }

@@ -1,6 +1,6 @@
-//! A profile carried round the z axis, along a circle or a polygon.
+//! Sweeps of a profile round the z axis, along a circle or a polygon. O(nodes).
 
-use super::fill;
+use super::coordinates;
 use super::profile::Point;
 use crate::error::Result;
 use crate::job::Job;
@@ -16,7 +16,7 @@ pub(super) fn net(
     scalar: Scalar,
     job: &Job<'_>,
 ) -> Result<Net<'static>> {
-    fill::rows(topology(shape, profile)?, scalar, job, |i, [x, y, z]| {
+    coordinates::rows(topology(shape, profile)?, scalar, job, |i, [x, y, z]| {
         let [distance, height] = profile[i];
         for ((x, y), &[u, v]) in x.iter_mut().zip(y).zip(section) {
             (*x, *y) = (distance * u, distance * v);
@@ -25,8 +25,8 @@ pub(super) fn net(
     })
 }
 
-/// Rows are closed, those on the axis a point, and columns closed if the profile is. Faces of a closed surface are
-/// turned so that the volume is positive.
+/// Rows are closed, those on the axis contracted, and columns closed if the profile is. A closed surface is
+/// oriented so that its volume is positive.
 fn topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
     let last = profile.len() - 1;
     let ring = last >= 3 && profile[0] == profile[last];
@@ -35,9 +35,9 @@ fn topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
     let topology = if (1..last).any(on_axis) {
         let mut matrix = Matrix::of_sides(shape, sides)?;
         for i in (1..last).filter(|&i| on_axis(i)) {
-            (0..shape.columns() - 1).for_each(|j| matrix.set(2 * shape.node(i, j), true));
+            (0..shape.columns() - 1).for_each(|j| matrix.set(shape.horizontal_link(i, j), true));
         }
-        // A row that is a point makes triangles of its cells, and wires between two of them: none is crossed.
+        // A contracted row reduces its cells to triangles, or wires between two such rows: none is crossed.
         Topology::assembled(shape, Links::Matrix(matrix), Vec::new(), false)?
     } else {
         Topology::of_sides(shape, sides)
@@ -48,8 +48,8 @@ fn topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
 
 /// The volume that the profile encloses, up to a positive factor: truncated cones, signed by their heights.
 fn volume(profile: &[Point]) -> f64 {
-    // Scaled, so that squares stay within range.
-    let scale = profile.iter().flatten().fold(f64::MIN_POSITIVE, |most, value| most.max(value.abs()));
+    // Scaled, so that products stay in range.
+    let scale = profile.iter().flatten().fold(f64::MIN_POSITIVE, |max, value| max.max(value.abs()));
     let cone = |ends: &[Point]| {
         let [[a, low], [b, high]] = [ends[0], ends[1]].map(|point| point.map(|value| value / scale));
         (a * a + a * b + b * b) * (high - low)

@@ -1,6 +1,9 @@
-//! Rows and columns left out, as long as the surface hardly changes.
+//! Decimation: rows and columns are removed greedily, in the order of the deviation that each causes.
+//!
+//! Invariant: the deviation of removed nodes from the segments that replace them stays within half the
+//! tolerance for rows, and for columns. O(nodes log rows) approximately.
 
-use super::{least, selected, sides, with_sides};
+use super::{min_size, require_sides, selected, with_sides};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -10,7 +13,7 @@ use glam::DVec3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// What [`decimate`] makes.
+/// The result of [`decimate`].
 #[derive(Debug)]
 pub struct Decimated {
     /// The net of the rows and columns that were kept, bit for bit.
@@ -19,19 +22,20 @@ pub struct Decimated {
     pub rows: Vec<usize>,
     /// The columns that were kept.
     pub columns: Vec<usize>,
-    /// How far nodes are, at most, from the segments that replace their columns, plus the same for those that replace
-    /// rows; at most the tolerance.
+    /// The largest distance of removed nodes from the segments that replace them, that of rows plus that of
+    /// columns; at most the tolerance.
     pub deviation: f64,
 }
 
-/// Leaves out rows, and then columns, one after the other, always the one whose loss costs least.
+/// Removes rows, then columns, one at a time, always the one of least cost.
 ///
-/// What the loss of a row costs: how far, at most, any node of it, and of those left out beside it before, is from the
-/// segment that joins the nodes of its column in the rows that are kept on both sides. Rows may cost up to half the
-/// tolerance, and columns, judged at the rows that are left, as much. First and last ones are kept, three distinct
-/// rows of closed columns, and one or two between poles, lest the surface become another. A row that is missing in part is kept.
+/// The cost of a row: the largest distance of its nodes, and of those of removed rows beside it, from the
+/// segments that join the nodes of their columns in the kept rows on both sides. Rows may cost up to half
+/// the tolerance, and so may columns, evaluated at the kept rows. First and last ones are kept, three
+/// distinct rows of closed columns, and one or two between poles, so that the surface stays the same. Rows
+/// with some missing nodes are kept.
 ///
-/// About O(nodes x log rows).
+/// O(nodes log rows) approximately.
 ///
 /// # Errors
 /// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::GluedInside`], [`Error::OutOfMemory`],
@@ -40,47 +44,47 @@ pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimate
     if tolerance.is_nan() || tolerance < 0.0 {
         return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
     }
-    let (sides, limit) = (sides(net)?, tolerance / 2.0);
+    let (sides, limit) = (require_sides(net)?, tolerance / 2.0);
     let (h, w) = (net.shape().rows(), net.shape().columns());
     each!(net.coordinates(), planes => {
         let all = alloc::collect(0..w)?;
-        let [least_rows, least_columns] = least(sides, 4);
+        let [min_rows, min_columns] = min_size(sides, 4);
         let row = |k: usize, j: usize| planes.get(k, j);
-        let (rows, by_rows) = kept(h, least_rows, limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
+        let (rows, by_rows) = kept(h, min_rows, limit, &job.part(0.0, 0.5), |gap| deviation(row, gap, &all))?;
         let column = |k: usize, i: usize| planes.get(i, k);
-        let (columns, by_columns) = kept(w, least_columns, limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
-        let net = with_sides(selected(net, &rows, &columns)?, net, sides)?;
+        let (columns, by_columns) = kept(w, min_columns, limit, &job.part(0.5, 1.0), |gap| deviation(column, gap, &rows))?;
+        let net = with_sides(selected(net, &rows, &columns, &job.part(1.0, 1.0))?, net, sides)?;
         Ok(Decimated { net, rows, columns, deviation: by_rows + by_columns })
     })
 }
 
-/// Two lines that are kept, with nothing kept between them.
+/// Two consecutive kept lines.
 #[derive(Clone, Copy)]
 struct Gap {
     from: usize,
     to: usize,
 }
 
-/// How far nodes between the two lines are from the segments between these, at most: `node(k, j)` is node j of line k.
+/// The largest distance of nodes in a gap from the segments across it. `node(k, j)`: node j of line k.
 fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Gap, places: &[usize]) -> f64 {
-    let mut most = 0.0f64;
+    let mut max = 0.0f64;
     for &j in places {
         let (a, b) = (node(gap.from, j), node(gap.to, j));
         for k in gap.from + 1..gap.to {
             let point = node(k, j);
             let ends = a.is_finite() && b.is_finite();
             match (point.is_finite(), ends) {
-                (true, true) => most = most.max(squared_distance(point, a, b)),
-                // A hole all through stays a hole.
+                (true, true) => max = max.max(squared_distance(point, a, b)),
+                // A hole across the gap stays a hole.
                 (false, false) if !a.is_finite() && !b.is_finite() => {}
                 _ => return f64::INFINITY,
             }
         }
     }
-    most.sqrt()
+    max.sqrt()
 }
 
-/// From a point to a segment.
+/// The squared distance of a point from a segment.
 fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     let (along, to) = (b - a, point - a);
     let square = along.length_squared();
@@ -88,16 +92,16 @@ fn squared_distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     (to - t * along).length_squared()
 }
 
-/// Which of `count` lines are kept, and the largest cost of those that are not.
+/// The kept lines of `count`, and the largest cost of the removed ones.
 fn kept(
     count: usize,
-    least: usize,
+    min_lines: usize,
     limit: f64,
     job: &Job<'_>,
     cost: impl Fn(Gap) -> f64 + Sync,
 ) -> Result<(Vec<usize>, f64)> {
     job.step(0.0, "decimate")?;
-    // Doubly linked: the lines before and after each that is kept.
+    // A doubly linked list of the kept lines.
     let mut before = alloc::collect((0..count).map(|k| k.wrapping_sub(1)))?;
     let mut after = alloc::collect(1..count + 1)?;
     let mut queue = BinaryHeap::new();
@@ -111,16 +115,16 @@ fn kept(
     queue.extend(
         costs.into_iter().flatten().enumerate().map(|(k, cost)| candidate(cost, Gap { from: k, to: k + 2 }, k + 1)),
     );
-    let (mut left, mut most) = (count, 0.0f64);
+    let (mut left, mut max) = (count, 0.0f64);
     while let Some(Reverse((bits, _, line, from, to))) = queue.pop() {
-        if f64::from_bits(bits) > limit || bits == f64::INFINITY.to_bits() || left <= least {
+        if f64::from_bits(bits) > limit || bits == f64::INFINITY.to_bits() || left <= min_lines {
             break;
         }
         if (before[line], after[line]) != (from, to) {
-            // Out of date: a neighbour went.
+            // Out of date: a neighbour was removed.
             continue;
         }
-        (most, left) = (most.max(f64::from_bits(bits)), left - 1);
+        (max, left) = (max.max(f64::from_bits(bits)), left - 1);
         (after[from], before[to]) = (to, from);
         after[line] = line;
         for neighbour in [from, to] {
@@ -135,13 +139,14 @@ fn kept(
     }
     let mut lines = alloc::with_capacity(left)?;
     lines.extend(std::iter::successors(Some(0), |&line| Some(after[line]).filter(|&next| next < count)));
-    Ok((lines, most))
+    Ok((lines, max))
 }
 
-/// Least cost first; of equal ones the narrowest gap, so that gaps grow evenly and all costs together take O(n log n).
+/// Least cost first, among equal ones the narrowest gap, so that gaps grow evenly and all costs take O(n log
+/// n).
 type Candidate = Reverse<(u64, usize, usize, usize, usize)>;
 
 fn candidate(cost: f64, gap: Gap, line: usize) -> Candidate {
-    // Bits of numbers that are not negative are in their order.
+    // Bit patterns of non-negative numbers are in their order.
     Reverse((cost.to_bits(), gap.to - gap.from, line, gap.from, gap.to))
 }

@@ -1,7 +1,8 @@
-//! Nets of other sizes: resampled, halved again and again, or without the rows and columns that matter least.
+//! Nets of other sizes: resampled, levels of detail, decimated.
 //!
-//! All of this is for nets that are glued along whole sides (see [`Sides`]): the sides of the result are glued in the
-//! same way, and glued nodes have equal bits.
+//! For nets that are glued along whole sides (see [`Sides`]). Invariant: the result has the same sides,
+//! and glued nodes have equal bits. Splines after Catmull and Rom, "A class of local interpolating
+//! splines", 1974. O(nodes).
 
 mod decimate;
 mod pyramid;
@@ -9,31 +10,34 @@ mod pyramid;
 pub use decimate::{Decimated, decimate};
 pub use pyramid::pyramid;
 
+use super::arrange::rearrange;
 use super::field::snap;
-use super::{Coordinates, Net, Planes, Real, Shape, Sides, Topology};
+use super::reformat::IndexSelection;
+use super::{Coordinates, Net, Planes, Real, Shape, Sides, Topology, each};
+use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
 
-/// About so many nodes are one thread's work at a time.
+/// Nodes that one thread takes at a time, approximately.
 const BLOCK: usize = 1 << 14;
 
-/// How positions between nodes are found.
+/// The interpolation between nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Interpolation {
-    /// On the bilinear patches of the cells.
+    /// Bilinear patches.
     Bilinear,
-    /// On cubic splines after Catmull and Rom along rows and columns, which pass through all nodes with one tangent.
-    /// Where a row or column is closed they go on across the seam.
+    /// Catmull-Rom splines along rows and columns, which interpolate the nodes with continuous tangents,
+    /// across the seam where a row or column is closed.
     #[default]
     Bicubic,
 }
 
-/// A net of another size, whose nodes are spread evenly over the rows and columns of this one. First and last ones
-/// stay.
+/// A net of another size, with nodes evenly spaced in the parameters of this one. First and last rows and
+/// columns stay.
 ///
-/// Nodes that fall on nodes have their bits. Missing nodes make missing those that they have a part in. O(nodes of
-/// both).
+/// Nodes that coincide with old ones have their bits. New nodes that depend on missing ones are missing.
+/// O(nodes of both).
 ///
 /// # Errors
 /// [`Error::GluedInside`], [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -44,26 +48,24 @@ pub fn resample(
     interpolation: Interpolation,
     job: &Job<'_>,
 ) -> Result<Net<'static>> {
-    let (sides, shape) = (sides(net)?, Shape::new(rows, columns)?);
+    let (sides, shape) = (require_sides(net)?, Shape::new(rows, columns)?);
     let along = Taps::new(net.shape().columns(), columns, sides.rows_closed, interpolation)?;
     let across = Taps::new(net.shape().rows(), rows, sides.columns_closed, interpolation)?;
-    let coordinates = match net.coordinates() {
-        Coordinates::F32(planes) => Coordinates::F32(interpolated(planes, shape, &along, &across, job)?),
-        Coordinates::F64(planes) => Coordinates::F64(interpolated(planes, shape, &along, &across, job)?),
-    };
+    let coordinates =
+        each!(net.coordinates(), planes => Coordinates::from(interpolated(planes, shape, &along, &across, job)?));
     with_sides(coordinates, net, sides)
 }
 
-/// The sides of a net that is glued along them alone and has no bridges; else [`Error::GluedInside`].
-fn sides(net: &Net<'_>) -> Result<Sides> {
-    let alone = net.topology().seams().is_empty() && net.bridges().is_empty();
-    net.topology().sides().filter(|_| alone).ok_or(Error::GluedInside)
+/// The sides of a net with no other gluing and no bridges; else [`Error::GluedInside`].
+fn require_sides(net: &Net<'_>) -> Result<Sides> {
+    let plain = net.topology().seams().is_empty() && net.bridges().is_empty();
+    net.topology().sides().filter(|_| plain).ok_or(Error::GluedInside)
 }
 
-/// The fewest rows and columns for the surface to stay what it is, if closed ones keep `closed` nodes: a face between two
-/// poles must not become an edge, or the same face twice.
-fn least(sides: Sides, closed: usize) -> [usize; 2] {
-    let fewest = |is_closed: bool, poles: [bool; 2], across: [bool; 2]| match (poles, across) {
+/// The smallest numbers of rows and columns that preserve the surface, if closed ones keep `closed` nodes: a
+/// face between two poles must not become an edge, or the same face twice.
+fn min_size(sides: Sides, closed: usize) -> [usize; 2] {
+    let min = |is_closed: bool, poles: [bool; 2], across: [bool; 2]| match (poles, across) {
         _ if is_closed => closed,
         ([true, true], [false, false]) => 3,
         ([true, true], _) => 4,
@@ -71,10 +73,10 @@ fn least(sides: Sides, closed: usize) -> [usize; 2] {
         _ => 2,
     };
     let (rows, columns) = ([sides.pole_top, sides.pole_bottom], [sides.pole_left, sides.pole_right]);
-    [fewest(sides.columns_closed, rows, columns), fewest(sides.rows_closed, columns, rows)]
+    [min(sides.columns_closed, rows, columns), min(sides.rows_closed, columns, rows)]
 }
 
-/// A net glued as the given one, its glued nodes made equal.
+/// A net with the given sides and the orientation of another, its glued nodes made equal.
 fn with_sides(coordinates: Coordinates<'static>, like: &Net<'_>, sides: Sides) -> Result<Net<'static>> {
     let topology = Topology::of_sides(coordinates.shape(), sides).with_reversed(like.topology().is_reversed());
     let mut net = Net::new(coordinates, topology);
@@ -82,24 +84,15 @@ fn with_sides(coordinates: Coordinates<'static>, like: &Net<'_>, sides: Sides) -
     Ok(net)
 }
 
-/// The nodes of chosen rows and columns, bit for bit.
-fn selected(net: &Net<'_>, rows: &[usize], columns: &[usize]) -> Result<Coordinates<'static>> {
-    fn planes<T: Real>(from: &Planes<'_, T>, rows: &[usize], columns: &[usize]) -> Result<Planes<'static, T>> {
-        let mut to = Planes::zeroed(Shape::new(rows.len(), columns.len())?)?;
-        for (i, &row) in rows.iter().enumerate() {
-            for (to, from) in to.row_mut(i).into_iter().zip(from.row(row)) {
-                to.iter_mut().zip(columns).for_each(|(to, &j)| *to = from[j]);
-            }
-        }
-        Ok(to)
-    }
-    Ok(match net.coordinates() {
-        Coordinates::F32(from) => Coordinates::F32(planes(from, rows, columns)?),
-        Coordinates::F64(from) => Coordinates::F64(planes(from, rows, columns)?),
-    })
+/// The nodes of selected rows and columns, bit for bit.
+fn selected(net: &Net<'_>, rows: &[usize], columns: &[usize], job: &Job<'_>) -> Result<Coordinates<'static>> {
+    let indices = |list: &[usize]| alloc::collect(list.iter().map(|&k| k as u32));
+    let shape = Shape::new(rows.len(), columns.len())?;
+    let selection = IndexSelection { shape, rows: indices(rows)?, columns: indices(columns)? };
+    rearrange(net.coordinates(), &selection, job)
 }
 
-/// The nodes that a new node is made of, along one direction, and their weights.
+/// The nodes that a new node depends on, along one direction, and their weights.
 #[derive(Clone, Copy)]
 struct Tap {
     nodes: [u32; 4],
@@ -109,7 +102,7 @@ struct Tap {
 struct Taps(Vec<Tap>);
 
 impl Taps {
-    /// For `new` nodes spread evenly over `old` ones.
+    /// The taps of `new` nodes evenly spaced over `old` ones.
     fn new(old: usize, new: usize, closed: bool, interpolation: Interpolation) -> Result<Self> {
         let taps = (0..new).map(|k| {
             // k (old - 1) / (new - 1), exactly.
@@ -121,7 +114,7 @@ impl Taps {
                 Interpolation::Bicubic => Tap::cubic(before, old, closed, t),
             }
         });
-        Ok(Taps(crate::alloc::collect(taps)?))
+        Ok(Taps(alloc::collect(taps)?))
     }
 }
 
@@ -130,13 +123,13 @@ impl Tap {
         Tap { nodes: [first as u32, second as u32, third as u32, last as u32], weights }
     }
 
-    /// The spline of Catmull and Rom between nodes `k` and `k + 1` of `count`. Beyond an open end the polygon goes on
-    /// straight: the missing node is twice the last less the one before.
+    /// The Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is extrapolated linearly:
+    /// the missing node is twice the last less the one before.
     fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
         let (s, square) = (1.0 - t, t * t);
         let mut weights =
             [-0.5 * t * s * s, 1.0 + square * (1.5 * t - 2.5), 1.0 + s * s * (1.5 * s - 2.5), -0.5 * s * square];
-        // The last node of a closed row is its first again.
+        // The last node of a closed row repeats its first.
         let (mut before, mut after) = (k.wrapping_sub(1), k + 2);
         if k == 0 {
             before = if closed { count - 2 } else { 0 };
@@ -155,21 +148,21 @@ impl Tap {
         Tap::new([before, k, k, after], k + 1, weights)
     }
 
-    /// The number of the node that this is, if its weight is all.
+    /// The node of weight 1, if all other weights are 0.
     fn single(&self) -> Option<usize> {
         (0..4)
             .find(|&k| self.weights[k] == 1.0 && self.weights.iter().filter(|&&w| w != 0.0).count() == 1)
             .map(|k| self.nodes[k] as usize)
     }
 
-    /// Nodes without weight are left out, lest missing ones spread.
+    /// The weighted sum. Nodes of weight 0 are skipped, as missing ones would spread.
     fn apply(&self, value: impl Fn(usize) -> f64) -> f64 {
         let parts = self.nodes.iter().zip(self.weights).filter(|&(_, weight)| weight != 0.0);
         parts.map(|(&node, weight)| weight * value(node as usize)).sum()
     }
 }
 
-/// First across, a row at a time, then along the row.
+/// Interpolates across rows, a row at a time, then along the row.
 fn interpolated<T: Real>(
     from: &Planes<'_, T>,
     shape: Shape,
@@ -181,7 +174,7 @@ fn interpolated<T: Real>(
     let lines = (BLOCK / shape.columns()).max(1);
     let [x, y, z] = to.matrices_mut().map(|matrix| matrix.chunks_mut(lines * shape.columns()));
     let results = par::map_cancellable(job, "resample", x.zip(y).zip(z).enumerate(), |(block, ((x, y), z))| {
-        let mut line = crate::alloc::filled(0.0, from.shape().columns())?;
+        let mut line = alloc::filled(0.0, from.shape().columns())?;
         for (axis, matrix) in [x, y, z].into_iter().enumerate() {
             for (k, row) in matrix.chunks_mut(shape.columns()).enumerate() {
                 across.0[block * lines + k].blend_rows(from, axis, &mut line);
@@ -195,7 +188,7 @@ fn interpolated<T: Real>(
 }
 
 impl Tap {
-    /// The rows that this tap names, blended.
+    /// The weighted sum of rows.
     fn blend_rows<T: Real>(&self, from: &Planes<'_, T>, axis: usize, line: &mut [f64]) {
         if let Some(i) = self.single() {
             line.iter_mut().zip(from.row(i)[axis]).for_each(|(to, &from)| *to = from.into());

@@ -1,34 +1,36 @@
-//! One net of a scene, and back.
+//! Flattening: the visible nets of a scene joined to one, in the space of the scene, and the inverse.
+//! O(entries + instances + nodes).
 
 use super::{Content, Instance, Scene};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::join::{JoinOptions, join_mirrored};
+use crate::net::join::{JoinOptions, join_mirrored, starts};
 use crate::net::transform::Affine;
-use crate::net::{Coordinates, Direction, Net, Planes, Real};
+use crate::net::{Direction, Net, Planes, Real, each};
 use crate::par;
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
-/// Nodes that one thread transforms at a time.
+/// Nodes that one thread takes at a time.
 const BLOCK: usize = 1 << 15;
 
 /// A scene as one net.
 #[derive(Debug)]
 pub struct Flattened {
-    /// The nets of all visible instances, where they are in the space of the scene, with bridges between them.
+    /// The nets of all visible instances in the space of the scene, with bridges between them.
     pub net: Net<'static>,
-    /// For each of those nets in turn, the instance.
+    /// The instance of each of these nets, in order.
     pub instances: Vec<Instance>,
 }
 
 impl Scene {
-    /// Joins the nets of all visible instances to one. Nets under transforms that mirror are flipped along the side where the
-    /// others would be opposed to them; `options.turn` is taken to be true. O(entries + instances + nodes).
+    /// Joins the nets of all visible instances to one. Nets whose transforms mirror are flipped along the
+    /// side where face orientations would differ; `options.turn` counts as true. O(entries + instances +
+    /// nodes).
     ///
-    /// [`Net::split_all`] and [`Scene::of_flat`] are the inverse: nets come back as they are in the space of the scene, bit for
-    /// bit where transforms are the identity.
+    /// [`Net::split_all`] and [`Scene::of_flat`] are the inverse: they give the nets in the space of the
+    /// scene, bit for bit where transforms are the identity.
     ///
     /// # Errors
     /// [`Error::EmptyScene`] if no net is visible; those of [`Scene::instances`] and
@@ -52,22 +54,15 @@ impl Scene {
         let options = JoinOptions { turn: true, ..*options };
         let mut net = join_mirrored(&nets, &mirrored, &options, &job.part(0.2, 0.8))?;
         if instances.iter().any(|instance| instance.world != DAffine3::IDENTITY) {
-            let mut starts = alloc::with_capacity(nets.len() + 1)?;
-            starts.push(0);
-            for net in &nets {
-                starts.push(starts[starts.len() - 1] + options.direction.extent(net.shape()).0);
-            }
-            let place = |k: usize| instances[k].world;
-            match net.coordinates_mut() {
-                Coordinates::F32(planes) => transform(planes, options.direction, &starts, place, job)?,
-                Coordinates::F64(planes) => transform(planes, options.direction, &starts, place, job)?,
-            }
+            let starts = starts(nets.iter().map(|net| net.shape()), options.direction)?;
+            let world = |k: usize| instances[k].world;
+            each!(net.coordinates_mut(), planes => transform(planes, options.direction, &starts, world, job)?);
         }
         job.step(1.0, "nodes")?;
         Ok(Flattened { net, instances })
     }
 
-    /// A scene of the nets that a flat one was joined of, in one group. O(nodes).
+    /// A scene of the nets that a flat net was joined from, in one group. O(nodes).
     ///
     /// # Errors
     /// Those of [`Net::split_all`].
@@ -90,13 +85,13 @@ impl Scene {
     }
 }
 
-/// Moves net k, which lies between `starts[k]` and `starts[k + 1]` in the direction, by its transform. Coordinates are computed in
-/// double precision: nodes that are the same stay the same.
+/// Transforms each net k, which lies between `starts[k]` and `starts[k + 1]` in the direction, in double
+/// precision. Nodes of equal bits keep equal bits.
 fn transform<T: Real>(
     planes: &mut Planes<'static, T>,
     direction: Direction,
     starts: &[usize],
-    place: impl Fn(usize) -> DAffine3 + Sync,
+    world: impl Fn(usize) -> DAffine3 + Sync,
     job: &Job<'_>,
 ) -> Result<()> {
     let shape = planes.shape();
@@ -110,11 +105,11 @@ fn transform<T: Real>(
         let rows = x.chunks_mut(columns).zip(y.chunks_mut(columns)).zip(z.chunks_mut(columns));
         for (i, ((x, y), z)) in (first..).zip(rows) {
             match direction {
-                Direction::Down => move_nodes(x, y, z, place(starts.partition_point(|&start| start <= i) - 1)),
+                Direction::Down => move_nodes(x, y, z, world(starts.partition_point(|&start| start <= i) - 1)),
                 Direction::Right => {
                     for (k, ends) in starts.windows(2).enumerate() {
                         let here = ends[0]..ends[1];
-                        move_nodes(&mut x[here.clone()], &mut y[here.clone()], &mut z[here], place(k));
+                        move_nodes(&mut x[here.clone()], &mut y[here.clone()], &mut z[here], world(k));
                     }
                 }
             }
@@ -123,12 +118,12 @@ fn transform<T: Real>(
     Ok(())
 }
 
-fn move_nodes<T: Real>(x: &mut [T], y: &mut [T], z: &mut [T], place: DAffine3) {
-    if place == DAffine3::IDENTITY {
+fn move_nodes<T: Real>(x: &mut [T], y: &mut [T], z: &mut [T], map: DAffine3) {
+    if map == DAffine3::IDENTITY {
         return;
     }
-    let [a, b, c] = [place.matrix3.x_axis, place.matrix3.y_axis, place.matrix3.z_axis];
-    let origin = place.translation;
+    let [a, b, c] = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis];
+    let origin = map.translation;
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         let p = DVec3::new((*x).into(), (*y).into(), (*z).into());
         let q = a * p.x + b * p.y + c * p.z + origin;

@@ -1,24 +1,25 @@
-//! Scenes: nets in groups in groups (paper, "an unlimited number of levels of grouping is allowed").
+//! Scenes: nets in nested groups (Deryagin, "an unlimited number of levels of grouping is allowed").
 //!
-//! A scene is an arena of entries, nets and groups, each with a transform of its own into the space of the group it is in. An
-//! entry may be in several groups, and is then there several times: an instance for each way to it from an entry that is in no
-//! group. No group contains itself. Nothing here calls itself, so that a million levels are as good as one.
+//! A scene is an arena of entries, nets and groups, each with a local transform into the space of its
+//! group. An entry in several groups has several instances, one for each path to it from an entry in no
+//! group. Invariant: the graph of groups is acyclic. Nothing recurses, so that a million levels are as
+//! good as one.
 //!
-//! `cycle` keeps groups from containing themselves, `world` finds all instances, `flatten` makes one net of a scene.
+//! `reachability` detects cycles, `instances` lists instances, `flatten` joins a scene to one net.
 
-mod cycle;
 mod flatten;
-mod world;
+mod instances;
+mod reachability;
 
 pub use flatten::Flattened;
-pub use world::{Instance, MAX_INSTANCES};
+pub use instances::{Instance, MAX_INSTANCES};
 
 use super::Net;
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::mesh::NONE;
-use cycle::Marks;
 use glam::DAffine3;
+use reachability::Marks;
 use std::sync::Arc;
 
 /// Nets and groups of them.
@@ -31,14 +32,14 @@ pub struct Scene {
 #[derive(Debug)]
 struct Entry {
     content: Content,
-    /// Into the space of the group that it is in.
+    /// The transform into the space of its group.
     local: DAffine3,
     visible: bool,
-    /// The groups that it is in, once for each time; in no order.
+    /// The groups that contain it, with repetitions, in no order.
     parents: Vec<u32>,
 }
 
-/// What an entry is.
+/// The content of an entry.
 #[derive(Debug, Clone)]
 pub enum Content {
     /// A net.
@@ -47,28 +48,28 @@ pub enum Content {
     Group(Vec<u32>),
 }
 
-/// How much is in a scene.
+/// The numbers of elements of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
     /// Entries that are nets.
     pub nets: u32,
     /// Entries that are groups.
     pub groups: u32,
-    /// Instances of both; `u64::MAX` if there are more.
+    /// Instances of both, saturating at `u64::MAX`.
     pub instances: u64,
-    /// Instances of nets; `u64::MAX` if there are more.
+    /// Instances of nets, saturating at `u64::MAX`.
     pub net_instances: u64,
-    /// The longest way from an entry in no group: 1 if there are no children.
+    /// The longest path from an entry in no group, in entries: 1 without children.
     pub levels: u32,
 }
 
 impl Scene {
-    /// Without entries.
+    /// An empty scene.
     pub fn new() -> Self {
         Scene::default()
     }
 
-    /// Adds a net, in no group yet. Its index, which no other entry ever gets.
+    /// Adds a net, in no group yet. Returns its index, which is never reused.
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::OutOfMemory`].
@@ -95,15 +96,21 @@ impl Scene {
         Ok(index as u32)
     }
 
-    /// Puts an entry into a group, behind what is in it; again, if it is in it already. O(1) for an entry without descendants
-    /// or a group in no group; at most O(entries below the one or above the other, whichever are fewer).
+    /// Appends an entry to a group, possibly again. O(1) for an entry without descendants or a group in no
+    /// group; at most O(entries below the one or above the other, whichever are fewer).
     ///
     /// # Errors
     /// [`Error::NoSuch`], [`Error::SceneCycle`], [`Error::OutOfMemory`].
     pub fn add_child(&mut self, group: u32, child: u32) -> Result<()> {
         self.children(group)?;
         self.entry(child)?;
-        if self.is_within(group, child)? {
+        let Scene { entries, marks } = self;
+        let entry = |index: u32| entries[index as usize].as_ref();
+        let child_of = |index: u32, k: usize| match &entry(index)?.content {
+            Content::Group(children) => children.get(k).copied(),
+            Content::Net(_) => None,
+        };
+        if marks.is_reachable(child, group, child_of, |index, k| entry(index)?.parents.get(k).copied())? {
             return Err(Error::SceneCycle { entry: child });
         }
         alloc::reserve(&mut self.entry_mut(child)?.parents, 1)?;
@@ -114,10 +121,10 @@ impl Scene {
         Ok(())
     }
 
-    /// Takes an entry out of a group: the first one, if it is in it several times. O(children + groups that it is in).
+    /// Removes the first occurrence of an entry from a group. O(children + groups that contain it).
     ///
     /// # Errors
-    /// [`Error::NoSuch`], also if it is not in the group.
+    /// [`Error::NoSuch`], also if the group does not contain it.
     pub fn remove_child(&mut self, group: u32, child: u32) -> Result<()> {
         let no_such = Error::NoSuch { element: Element::Entry, index: child.into() };
         let at = self.children(group)?.iter().position(|&other| other == child).ok_or(no_such)?;
@@ -131,8 +138,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Removes an entry from the scene and from all groups. What was in a group is then in one group fewer. O(children of its
-    /// groups + groups of its children).
+    /// Removes an entry from the scene and from all groups; the children of a removed group remain. O(children
+    /// of its groups + groups of its children).
     ///
     /// # Errors
     /// [`Error::NoSuch`].
@@ -156,7 +163,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Places an entry in the space of the groups that it is in. Finite, or the transform is refused.
+    /// Sets the transform of an entry into the space of its groups, which must be finite.
     ///
     /// # Errors
     /// [`Error::NoSuch`], [`Error::OptionOutOfRange`].
@@ -169,7 +176,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Puts another net in the place of one: it keeps its index, its groups and its transform.
+    /// Replaces a net. The index, groups and transform of the entry stay.
     ///
     /// # Errors
     /// [`Error::NoSuch`], also for a group.
@@ -181,7 +188,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Shows an entry, or hides it and all that is in it.
+    /// Shows or hides an entry and its descendants.
     ///
     /// # Errors
     /// [`Error::NoSuch`].
@@ -190,7 +197,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Where an entry is in the space of its groups.
+    /// The transform of an entry into the space of its groups.
     ///
     /// # Errors
     /// [`Error::NoSuch`].
@@ -198,7 +205,7 @@ impl Scene {
         Ok(self.entry(index)?.local)
     }
 
-    /// True if the entry is shown; a group that it is in may still hide it.
+    /// True if the entry itself is visible; a group that contains it may still hide it.
     ///
     /// # Errors
     /// [`Error::NoSuch`].
@@ -206,7 +213,7 @@ impl Scene {
         Ok(self.entry(index)?.visible)
     }
 
-    /// What an entry is.
+    /// The content of an entry.
     ///
     /// # Errors
     /// [`Error::NoSuch`].
@@ -225,7 +232,7 @@ impl Scene {
         }
     }
 
-    /// What is in a group, in order.
+    /// The children of a group, in order.
     ///
     /// # Errors
     /// [`Error::NoSuch`], also for a net.
@@ -236,12 +243,12 @@ impl Scene {
         }
     }
 
-    /// One more than the largest index that an entry ever had.
+    /// One more than the largest index ever given.
     pub fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// True if nothing was ever added.
+    /// True if no entry was ever added.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }

@@ -1,4 +1,4 @@
-//! Compressed blocks: the rows of a net that are coded together, without knowledge of other blocks.
+//! Compressed blocks: ranges of rows that are coded independently of each other. O(nodes).
 
 use super::bytes::{Reader, Writer};
 use super::coder::{Decoder, Encoder};
@@ -6,17 +6,18 @@ use super::fit::{ORDERS, Sample};
 use super::header::{Mode, StreamInfo};
 use super::levels::{Bits, Levels};
 use super::predict::{Predictor, place};
-use super::rows::{Node, Row, Rows};
+use super::rows::{NodeState, Row, RowCoder};
 use crate::alloc;
 use crate::error::Result;
 use crate::net::{Classes, Planes, Shape, Topology};
 use std::ops::Range;
 
-/// Nodes that the fit of a block's predictors looks at, and the choice of the order of coordinates.
+/// Nodes in the sample for the predictors of a block.
 const SAMPLE: usize = 2048;
+/// Nodes in the sample for the order of coordinates.
 const ORDER_SAMPLE: usize = 512;
 
-/// Nodes that are not stored, as they have the coordinates of one that comes before them.
+/// Nodes that are not stored, as they repeat an earlier one.
 #[derive(Debug)]
 pub(super) struct Duplicates {
     shape: Shape,
@@ -36,22 +37,22 @@ impl Duplicates {
     pub(super) fn of(topology: &Topology) -> Result<Self> {
         let mut duplicates = Duplicates::none(topology.shape());
         let pairs = &mut duplicates.pairs;
-        Classes::of(topology)?.glued(|node, first| alloc::push(pairs, [node, first]))?;
+        Classes::of(topology)?.each_glued(|node, first| alloc::push(pairs, [node, first]))?;
         pairs.sort_unstable();
         pairs.dedup();
         Ok(duplicates)
     }
 
-    /// Calls `each` with the columns of the duplicates of row `i` and the node that each repeats.
-    pub(super) fn in_row(&self, i: usize, mut each: impl FnMut(usize, u32)) {
+    /// Calls `visit` with the column of each duplicate of row `i` and the node that it repeats.
+    pub(super) fn in_row(&self, i: usize, mut visit: impl FnMut(usize, u32)) {
         let start = self.shape.node(i, 0);
         let end = start + self.shape.columns() as u32;
         let from = self.pairs.partition_point(|pair| pair[0] < start);
         let row = self.pairs[from..].iter().take_while(|pair| pair[0] < end);
-        row.for_each(|&[node, first]| each((node - start) as usize, first));
+        row.for_each(|&[node, first]| visit((node - start) as usize, first));
     }
 
-    /// True if duplicates are bit for bit what they repeat.
+    /// True if duplicates equal the nodes that they repeat bit for bit.
     pub(super) fn are_exact<T: Bits>(&self, planes: &Planes<'_, T>) -> bool {
         let levels = |i: usize, j: usize| planes.row(i).map(|row| row[j].level());
         (0..self.shape.rows()).all(|i| {
@@ -64,7 +65,7 @@ impl Duplicates {
         })
     }
 
-    /// Gives the duplicates of some rows the coordinates of what they repeat.
+    /// Gives the duplicates of some rows the coordinates of the nodes that they repeat.
     pub(super) fn restore<T: Bits>(&self, planes: &mut Planes<'_, T>, rows: Range<usize>) {
         for i in rows {
             let matrices = planes.matrices_mut();
@@ -76,7 +77,7 @@ impl Duplicates {
     }
 }
 
-/// What the blocks of a net are coded with.
+/// The data for coding the blocks of a net.
 pub(super) struct Blocks<'a, T, L> {
     pub(super) info: &'a StreamInfo,
     pub(super) planes: &'a Planes<'a, T>,
@@ -85,21 +86,21 @@ pub(super) struct Blocks<'a, T, L> {
 }
 
 impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
-    /// Row `i`: what its nodes are, and their levels.
+    /// Loads row `i`: the states of its nodes, and their levels.
     fn load(&self, i: usize, row: &mut Row) {
         let numbers = self.planes.row(i);
         for (axis, (to, from)) in row.levels.iter_mut().zip(numbers).enumerate() {
             to.iter_mut().zip(from).for_each(|(level, &number)| *level = self.levels.level(axis, number));
         }
-        row.nodes.fill(Node::Coded);
+        row.nodes.fill(NodeState::Coded);
         if has_gaps(numbers) {
             for (j, node) in row.nodes.iter_mut().enumerate() {
                 if self.levels.is_missing(numbers.map(|row| row[j])) {
-                    *node = Node::Missing;
+                    *node = NodeState::Missing;
                 }
             }
         }
-        self.duplicates.in_row(i, |j, _| row.nodes[j] = Node::Duplicate);
+        self.duplicates.in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
     }
 
     fn sample(&self, rows: Range<usize>, count: usize) -> Result<Sample> {
@@ -107,7 +108,7 @@ impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
         Sample::new(rows, shape.rows(), shape.columns(), count, &self.levels, |i, row| self.load(i, row))
     }
 
-    /// The order of coordinates that suits the whole net.
+    /// The best order of coordinates for the whole net.
     pub(super) fn best_order(&self) -> Result<usize> {
         self.sample(0..self.info.shape.rows(), ORDER_SAMPLE)?.best_order(fraction(self.info))
     }
@@ -119,7 +120,7 @@ impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
         let (predictors, _) = self.sample(rows.clone(), SAMPLE)?.predictors(order, fraction(info), 3)?;
         let may_miss = rows.clone().any(|i| has_gaps(self.planes.row(i)));
         let mut coder = Encoder::new();
-        let mut state = Rows::new(info.shape.columns(), std::array::from_fn(|k| (order[k], predictors[k])))?;
+        let mut state = RowCoder::new(info.shape.columns(), std::array::from_fn(|k| (order[k], predictors[k])))?;
         let mut row = Row::new(info.shape.columns())?;
         for i in rows {
             self.load(i, &mut row);
@@ -164,17 +165,17 @@ pub(super) fn decode<T: Bits>(
     let words = from.raw(usize::try_from(words).unwrap_or(usize::MAX))?;
     let bits = from.varint()?;
     let bits = from.raw(usize::try_from(bits).unwrap_or(usize::MAX))?;
-    // What the encoder of a net with much in few bytes adds.
+    // Padding that the encoder adds to streams that are short for their content.
     let rest = from.raw(from.remaining())?;
     if rest.iter().any(|&byte| byte != 0) || (block + 1 < info.block_count() && !rest.is_empty()) {
         return Err(from.bad("there is something after the end"));
     }
     let mut coder = Decoder::new(words, bits)?;
-    let mut state = Rows::new(columns, predictors)?;
+    let mut state = RowCoder::new(columns, predictors)?;
     let mut row = Row::new(columns)?;
     for (k, i) in info.block_rows(block).enumerate() {
-        row.nodes.fill(Node::Coded);
-        duplicates.in_row(i, |j, _| row.nodes[j] = Node::Duplicate);
+        row.nodes.fill(NodeState::Coded);
+        duplicates.in_row(i, |j, _| row.nodes[j] = NodeState::Duplicate);
         state.code(&mut coder, &mut row, levels, may_miss, place(i, info.shape.rows()));
         let mut to = to.each_mut().map(|matrix| &mut matrix[k * columns..(k + 1) * columns]);
         if !store(&row, levels, &mut to) {
@@ -184,14 +185,14 @@ pub(super) fn decode<T: Bits>(
     if coder.is_sound() { Ok(()) } else { Err(start) }
 }
 
-/// Writes the numbers of a row; false if a level has none.
+/// Stores the numbers of a row; false if a level has no number.
 fn store<T: Bits>(row: &Row, levels: &impl Levels<T>, to: &mut [&mut [T]; 3]) -> bool {
     let mut sound = true;
     for (axis, (to, from)) in to.iter_mut().zip(&row.levels).enumerate() {
         let missing = levels.missing()[axis];
         for ((to, &level), &node) in to.iter_mut().zip(from).zip(&row.nodes) {
             *to = match node {
-                Node::Coded => levels.number(axis, level).unwrap_or_else(|| {
+                NodeState::Coded => levels.number(axis, level).unwrap_or_else(|| {
                     sound = false;
                     missing
                 }),
@@ -202,7 +203,7 @@ fn store<T: Bits>(row: &Row, levels: &impl Levels<T>, to: &mut [&mut [T]; 3]) ->
     sound
 }
 
-/// Bits behind the point of predictors' weights: for levels, which are small numbers, fewer.
+/// Bits after the binary point of predictors' weights: fewer for quantised levels, which are small.
 fn fraction(info: &StreamInfo) -> u32 {
     match info.mode {
         Mode::Quantised { .. } => 11,
@@ -210,9 +211,9 @@ fn fraction(info: &StreamInfo) -> u32 {
     }
 }
 
-/// True if a number of a row is no number.
+/// True if a coordinate of a row is not finite.
 fn has_gaps<T: Bits>(row: [&[T]; 3]) -> bool {
-    // Counted, not searched: without branches it is a matter of vectors.
+    // Counted, not searched, so that the loop vectorises.
     row.into_iter()
         .any(|numbers| numbers.iter().map(|&x| u32::from(!Into::<f64>::into(x).is_finite())).sum::<u32>() > 0)
 }

@@ -1,4 +1,4 @@
-//! Numbers to bytes and back, little-endian, every reading checked.
+//! Little-endian numbers in byte strings; every read is checked.
 
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -30,7 +30,7 @@ impl Writer {
         self.u64(value.to_bits())
     }
 
-    /// Seven bits a byte, the least first; all but the last byte have their eighth bit set.
+    /// LEB128: seven bits a byte, the low ones first; all but the last byte have their eighth bit set.
     pub(super) fn varint(&mut self, mut value: u64) -> Result<()> {
         while value >= 0x80 {
             self.u8(value as u8 | 0x80)?;
@@ -39,7 +39,7 @@ impl Writer {
         self.u8(value as u8)
     }
 
-    /// Small numbers of either sign take few bytes.
+    /// Zigzag and LEB128: small numbers of either sign take few bytes.
     pub(super) fn signed(&mut self, value: i64) -> Result<()> {
         self.varint((value << 1 ^ value >> 63) as u64)
     }
@@ -57,12 +57,12 @@ impl Writer {
     }
 }
 
-/// Takes numbers from bytes; what is not there is [`Error::BadStream`].
+/// Reads numbers from bytes; [`Error::BadStream`] where they end.
 #[derive(Debug, Clone)]
 pub(super) struct Reader<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// Where `bytes` begins in the stream.
+    /// The position of `bytes` in the stream.
     offset: u64,
 }
 
@@ -116,7 +116,7 @@ impl<'a> Reader<'a> {
         for shift in (0..64).step_by(7) {
             let byte = self.u8()?;
             value |= u64::from(byte & 0x7f) << shift;
-            // One way to write a number: no zeros at its end, no bits beyond the 64th.
+            // One encoding of each number: no trailing zeros, no bits beyond the 64th.
             if byte < 0x80 {
                 let good = (byte > 0 || shift == 0) && (shift < 63 || byte == 1);
                 return if good { Ok(value) } else { Err(self.bad("a number is written in an odd way")) };
@@ -140,7 +140,7 @@ impl<'a> Reader<'a> {
         i32::try_from(value).map_err(|_| self.bad("a number is too large"))
     }
 
-    /// Nothing may be left.
+    /// Requires that all bytes were read.
     pub(super) fn finish(self) -> Result<()> {
         if self.remaining() == 0 { Ok(()) } else { Err(self.bad("there is something after the end")) }
     }

@@ -1,5 +1,7 @@
-//! Symbols and bits to words and back: the range coder of the crate `constriction`, with models of ours, and beside it a plain
-//! sequence of bits for what has no structure.
+//! Entropy coding: the range coder of the crate `constriction` with adaptive models, and beside it a plain
+//! bit stream for incompressible bits.
+//!
+//! Invariant: one routine drives encoder and decoder through [`Coder`], so that they cannot differ.
 
 use super::model::{Model, PRECISION};
 use crate::alloc;
@@ -8,22 +10,22 @@ use constriction::backends::{Cursor, WriteWords};
 use constriction::stream::queue::{DefaultRangeDecoder, DefaultRangeEncoder};
 use constriction::stream::{Decode, Encode};
 
-/// What codes a sequence of numbers, in either direction: an encoder is given each number and writes it, a decoder ignores what
-/// it is given and returns what it reads. The same code runs both, and so they cannot differ.
+/// An encoder or a decoder of a sequence of numbers: an encoder writes each number that it is given, a decoder
+/// ignores it and returns the one it reads.
 pub(super) trait Coder {
-    /// A symbol by an adaptive model, which learns it.
+    /// Codes a symbol by an adaptive model, and updates the model.
     fn symbol<const N: usize>(&mut self, model: &mut Model<N>, symbol: usize) -> usize;
-    /// The `count` low bits of a number as they are; `count` is 64 at most.
+    /// Codes the `count` low bits of a number, at most 64.
     fn bits(&mut self, value: u64, count: u32) -> u64;
 }
 
-/// Memory that may run out.
+/// A fallible output buffer.
 #[derive(Debug, Default)]
-struct Words {
+struct WordBuffer {
     words: Vec<u32>,
 }
 
-impl WriteWords<u32> for Words {
+impl WriteWords<u32> for WordBuffer {
     type WriteError = Error;
 
     fn write(&mut self, word: u32) -> Result<()> {
@@ -31,11 +33,11 @@ impl WriteWords<u32> for Words {
     }
 }
 
-/// Writes; the first failure is told at the end.
+/// The encoder. Failures to allocate are reported at the end.
 pub(super) struct Encoder {
-    range: DefaultRangeEncoder<Words>,
+    range: DefaultRangeEncoder<WordBuffer>,
     bits: Vec<u64>,
-    /// Bits that fill no word yet, and how many.
+    /// Bits of an incomplete word, and their number.
     pending: u64,
     pending_count: u32,
     failed: bool,
@@ -43,7 +45,7 @@ pub(super) struct Encoder {
 
 impl Encoder {
     pub(super) fn new() -> Self {
-        let range = DefaultRangeEncoder::with_write_backend(Words::default());
+        let range = DefaultRangeEncoder::with_write_backend(WordBuffer::default());
         Encoder { range, bits: Vec::new(), pending: 0, pending_count: 0, failed: false }
     }
 
@@ -79,7 +81,7 @@ impl Coder for Encoder {
         let filled = self.pending_count + count;
         if filled >= 64 {
             self.failed |= alloc::push(&mut self.bits, self.pending).is_err();
-            // What did not fit; all of it did if the word was filled exactly.
+            // The bits that did not fit, if any.
             let used = 64 - self.pending_count;
             self.pending = if used < 64 { value >> used } else { 0 };
         }
@@ -88,7 +90,7 @@ impl Coder for Encoder {
     }
 }
 
-/// Reads. Beyond the end there are zeros; that and everything else that no encoder writes is told at the end.
+/// The decoder. It reads zeros beyond the end; malformed input is reported at the end.
 pub(super) struct Decoder<'a> {
     range: DefaultRangeDecoder<Cursor<u32, Vec<u32>>>,
     bits: &'a [u8],
@@ -107,7 +109,7 @@ impl<'a> Decoder<'a> {
         Ok(Decoder { range, bits, at: 0, failed: false })
     }
 
-    /// True if all that was read had been written.
+    /// True if exactly the input was read.
     pub(super) fn is_sound(&self) -> bool {
         !self.failed && self.at.div_ceil(8) == self.bits.len() as u64
     }
@@ -146,7 +148,7 @@ impl Coder for Decoder<'_> {
 }
 
 impl Decoder<'_> {
-    /// As `bits`, where there are not eight bytes any more.
+    /// `bits` within the last eight bytes.
     #[cold]
     fn bits_at_end(&mut self, count: u32) -> u64 {
         let bit = |at: u64| u64::from(self.bits.get((at / 8) as usize).copied().unwrap_or(0)) >> (at % 8) & 1;

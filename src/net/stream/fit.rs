@@ -1,17 +1,17 @@
-//! Predictors that suit a block, by weighted least squares on a sample of its nodes.
+//! Fitting of a block's predictors to a sample of its nodes: iteratively reweighted least squares.
 //!
-//! What counts is the logarithm of the residual, so that the weights of the fit fall with its square (Cauchy's; the fit is
-//! repeated with new weights): a few nodes at jumps of the surface do not spoil what is good for all others.
+//! The code length grows with the logarithm of the residual, so that observations have Cauchy weights: a
+//! few nodes at discontinuities do not spoil the fit of the others. O(sample) for each of few rounds.
 
 use super::levels::Levels;
-use super::predict::{BEFORE, EACH, Line, NEIGHBOURS, Predictor, WEIGHTS, place};
-use super::rows::{Node, Row};
+use super::predict::{Line, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS, WEIGHTS_PER_ERROR, place};
+use super::rows::{NodeState, Row};
 use crate::alloc;
 use crate::error::Result;
 
 /// All orders of three coordinates.
 pub(super) const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-/// What a weight of a predictor costs in a stream, in bits.
+/// The cost of a predictor's weight in a stream, in bits.
 const WEIGHT_BITS: f64 = 14.0;
 
 /// A node of the sample.
@@ -28,11 +28,11 @@ struct Point {
 /// Nodes of some rows of a block.
 pub(super) struct Sample {
     points: Vec<Point>,
-    /// Nodes of the block for each of the sample.
-    share: f64,
+    /// Nodes of the block per node of the sample.
+    nodes_per_point: f64,
 }
 
-/// A predictor, what the sample costs with it in bits, and how wrong it is at each point.
+/// A predictor, the cost of the sample with it in bits, and its errors.
 struct Fit {
     weights: [f64; WEIGHTS],
     cost: f64,
@@ -40,7 +40,7 @@ struct Fit {
 }
 
 impl Sample {
-    /// About `count` nodes in rows spread over `rows`. `load` gives a row.
+    /// About `count` nodes in rows spread over `rows`. `load` reads a row.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -52,7 +52,7 @@ impl Sample {
         levels: &L,
         load: impl Fn(usize, &mut Row),
     ) -> Result<Self> {
-        // Every `step`-th node of a few rows: more rows than nodes in each would be a waste, as three are read for one.
+        // Every `step`-th node of few rows, as three rows are read for one.
         let lines = (count / 64).clamp(1, rows.len().max(3) - 2);
         let step = (columns * lines / count).max(1);
         let mut points = alloc::with_capacity(lines * columns.div_ceil(step))?;
@@ -63,23 +63,25 @@ impl Sample {
             let first = at - 2;
             for i in first..=at {
                 load(i, &mut row);
-                known.iter_mut().zip(&row.nodes).for_each(|(known, &node)| *known = node == Node::Coded);
+                known.iter_mut().zip(&row.nodes).for_each(|(known, &node)| *known = node == NodeState::Coded);
                 for (line, from) in state.iter_mut().zip(&row.levels) {
                     enter(line, i - first, from, &known, levels);
                 }
             }
             for j in (0..columns).step_by(step).filter(|&j| known[j]) {
                 let neighbours = std::array::from_fn(|axis| state[axis].neighbours(j));
-                let own = std::array::from_fn(|axis| state[axis].here[BEFORE + j] - state[axis].here[BEFORE + j - 1]);
+                let own = std::array::from_fn(|axis| {
+                    state[axis].here[MARGIN_BEFORE + j] - state[axis].here[MARGIN_BEFORE + j - 1]
+                });
                 points.push(Point { neighbours, own, column: place(j, columns), row: place(at, height) });
             }
         }
         scale(&mut points, state.map(|line| levels.resolution(largest_value(&line))));
-        let share = (rows.len() * columns) as f64 / points.len().max(1) as f64;
-        Ok(Sample { points, share })
+        let nodes_per_point = (rows.len() * columns) as f64 / points.len().max(1) as f64;
+        Ok(Sample { points, nodes_per_point })
     }
 
-    /// The order of coordinates that costs the fewest bits.
+    /// The order of coordinates of least cost.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -94,7 +96,7 @@ impl Sample {
         Ok(best.1)
     }
 
-    /// Predictors for the coordinates in an order, and what the sample costs with them.
+    /// Predictors for the coordinates in an order, and the cost of the sample with them.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -108,17 +110,18 @@ impl Sample {
         Ok((std::array::from_fn(|k| Predictor::new(&fits[k].weights, fraction)), cost))
     }
 
-    /// The best of three: the parallelogram, the same with the errors of the coordinates before, and all weights free.
+    /// The best of three predictors: the parallelogram, with added errors of the coordinates before, and with
+    /// all weights free.
     fn fit(&self, axis: usize, before: &[Fit], rounds: usize) -> Result<Fit> {
-        let mut best = self.judged(axis, before, Predictor::PARALLELOGRAM)?;
+        let mut best = self.evaluated(axis, before, Predictor::PARALLELOGRAM)?;
         for free in [NEIGHBOURS, 0] {
-            if free == WEIGHTS - 2 * EACH && before.is_empty() {
+            if free == NEIGHBOURS && before.is_empty() {
                 continue;
             }
-            let mut fit = self.judged(axis, before, Predictor::PARALLELOGRAM)?;
+            let mut fit = self.evaluated(axis, before, Predictor::PARALLELOGRAM)?;
             for _ in 0..rounds {
-                let weights = self.solved(axis, before, &fit, free)?;
-                fit = self.judged(axis, before, weights)?;
+                let weights = self.refitted(axis, before, &fit, free)?;
+                fit = self.evaluated(axis, before, weights)?;
             }
             if fit.cost < best.cost {
                 best = fit;
@@ -132,18 +135,18 @@ impl Sample {
         let point = &self.points[at];
         let mut features = [0.0; WEIGHTS];
         features[..NEIGHBOURS].copy_from_slice(&point.neighbours[axis]);
-        for (fit, to) in before.iter().zip(features[NEIGHBOURS..].chunks_exact_mut(EACH)) {
+        for (fit, to) in before.iter().zip(features[NEIGHBOURS..].chunks_exact_mut(WEIGHTS_PER_ERROR)) {
             let error = fit.errors[at];
             to.copy_from_slice(&[error, error * point.column, error * point.row]);
         }
         features
     }
 
-    /// What weights cost.
-    fn judged(&self, axis: usize, before: &[Fit], weights: [f64; WEIGHTS]) -> Result<Fit> {
+    /// The cost and errors of given weights.
+    fn evaluated(&self, axis: usize, before: &[Fit], weights: [f64; WEIGHTS]) -> Result<Fit> {
         let used = weights.iter().filter(|&&weight| weight != 0.0).count();
         let mut fit = Fit { weights, cost: 0.0, errors: alloc::with_capacity(self.points.len())? };
-        // The logarithm of a product, taken now and then: it must stay a number.
+        // The logarithm of a product, taken before it leaves the range.
         let mut product = 1.0;
         for at in 0..self.points.len() {
             let features = self.features(axis, before, at);
@@ -158,14 +161,14 @@ impl Sample {
             }
         }
         fit.cost += libm::log2(product);
-        fit.cost += WEIGHT_BITS * used as f64 / self.share;
+        fit.cost += WEIGHT_BITS * used as f64 / self.nodes_per_point;
         Ok(fit)
     }
 
-    /// Least squares about the weights that `fit` has, with Cauchy's weights from its errors; the first `free` stay. Normal
-    /// equations, with a little added to the diagonal: what the sample says nothing about stays.
-    fn solved(&self, axis: usize, before: &[Fit], fit: &Fit, first: usize) -> Result<[f64; WEIGHTS]> {
-        let count = NEIGHBOURS + EACH * before.len();
+    /// Weighted least squares about the weights of `fit`, with Cauchy weights from its errors; weights before
+    /// `first` stay. Normal equations with a regularised diagonal, so that undetermined weights stay.
+    fn refitted(&self, axis: usize, before: &[Fit], fit: &Fit, first: usize) -> Result<[f64; WEIGHTS]> {
+        let count = NEIGHBOURS + WEIGHTS_PER_ERROR * before.len();
         let scale = 2.0 * median(&fit.errors)? + 1.0;
         let mut normal = [[0.0; WEIGHTS]; WEIGHTS];
         let mut right = [0.0; WEIGHTS];
@@ -191,10 +194,10 @@ impl Sample {
 
 /// The largest magnitude of a row.
 fn largest_value(line: &Line) -> f64 {
-    line.here[BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
+    line.here[MARGIN_BEFORE..].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
-/// Expresses differences in units of the resolution.
+/// Scales differences to units of the resolution.
 fn scale(points: &mut [Point], resolution: [f64; 3]) {
     for point in points {
         for ((neighbours, own), unit) in point.neighbours.iter_mut().zip(&mut point.own).zip(resolution) {
@@ -207,17 +210,17 @@ fn scale(points: &mut [Point], resolution: [f64; 3]) {
 fn enter<T, L: Levels<T>>(line: &mut Line, i: usize, row: &[i64], known: &[bool], levels: &L) {
     line.advance(i);
     let mut last = 0.0;
-    for ((to, &level), &known) in line.here[BEFORE..].iter_mut().zip(row).zip(known) {
+    for ((to, &level), &known) in line.here[MARGIN_BEFORE..].iter_mut().zip(row).zip(known) {
         let value = levels.value(level);
         if known && value.is_finite() {
             last = value;
         }
         *to = last;
     }
-    line.bridge_gaps(known);
+    line.fill_gaps(known);
     if i == 0 {
-        let first = line.here[BEFORE];
-        line.here[..BEFORE].fill(first);
+        let first = line.here[MARGIN_BEFORE];
+        line.here[..MARGIN_BEFORE].fill(first);
     }
 }
 
@@ -231,8 +234,8 @@ fn median(errors: &[f64]) -> Result<f64> {
     Ok(*magnitudes.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// Solves the symmetric equations of some rows, given below the diagonal; zeros elsewhere, and for equations that have no
-/// solution.
+/// Solves the symmetric equations of some rows, given by their lower triangle, by Cholesky factorisation.
+/// Zeros elsewhere, and if the solution is not finite.
 fn cholesky(
     mut normal: [[f64; WEIGHTS]; WEIGHTS],
     mut right: [f64; WEIGHTS],

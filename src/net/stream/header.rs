@@ -1,4 +1,4 @@
-//! The first bytes of a stream.
+//! The header of a stream: 128 bytes, checked field by field.
 
 use super::bytes::{Reader, Writer, checksum};
 use crate::error::{Error, Result};
@@ -7,18 +7,20 @@ use crate::net::Shape;
 
 /// The bytes of a header.
 pub const HEADER_SIZE: usize = 128;
-/// A byte that is no text, a name, and line ends that transfers as text would change.
+/// A non-text byte, a name, and line ends that a transfer as text would alter.
 const MAGIC: [u8; 8] = *b"\x8bTRN\r\n\x1a\n";
+/// The version of the format.
 const VERSION: u32 = 1;
-/// Nodes that one byte can stand for at most. Encoders pad what would be shorter, so that nobody needs much memory for few bytes.
-pub(super) const NODES_A_BYTE: u64 = 4096;
-/// Where blocks begin in a raw stream.
+/// The largest number of nodes per byte. Encoders pad shorter streams, so that a short stream cannot demand
+/// much memory.
+pub(super) const MAX_NODES_PER_BYTE: u64 = 4096;
+/// The alignment of blocks in a raw stream.
 pub(super) const ALIGNMENT: usize = 64;
 
-/// How coordinates are stored.
+/// The storage of coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mode {
-    /// As they are, aligned to 64 bytes.
+    /// Uncompressed, aligned to 64 bytes.
     Raw,
     /// Compressed, bit for bit.
     Lossless,
@@ -29,31 +31,31 @@ pub enum Mode {
     },
 }
 
-/// What the header of a stream says.
+/// The contents of the header.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StreamInfo {
     /// The size of the net.
     pub shape: Shape,
     /// The type of its coordinates.
     pub scalar: Scalar,
-    /// How they are stored.
+    /// Their storage.
     pub mode: Mode,
     /// Rows in each block; the last one may have fewer.
     pub rows_per_block: usize,
     /// For [`Mode::Quantised`], the coordinates of level 0.
     pub origin: [f64; 3],
-    /// For [`Mode::Quantised`], the distance of levels; no coordinate is off by more than half of it, and half a unit in its last
-    /// place.
+    /// For [`Mode::Quantised`], the distance of levels. The error of a coordinate is at most half of it and half
+    /// a unit in the last place.
     pub step: [f64; 3],
-    /// Bytes of the header and all that comes before the first block.
+    /// Bytes before the first block.
     pub prelude_size: u64,
-    /// True if nodes that are glued to others are not stored.
+    /// True if of each class of glued nodes only the first is stored.
     pub(super) folded: bool,
-    /// The bits of the numbers that missing nodes have, for [`Mode::Lossless`].
+    /// For [`Mode::Lossless`], the bits of the coordinates of missing nodes.
     pub(super) missing: [u64; 3],
     /// The order of coordinates, one of six.
     pub(super) order: u8,
-    /// Bytes of the description of topology and bridges, and its checksum with that of the table of blocks.
+    /// Bytes of topology and bridges, and the checksum of these and the table of blocks.
     pub(super) structure_size: u64,
     pub(super) checksum: u32,
 }
@@ -180,12 +182,12 @@ impl StreamInfo {
         start..self.shape.rows().min(start + self.rows_per_block)
     }
 
-    /// Bytes of the table of blocks: of each its size and its checksum.
+    /// Bytes of the table of blocks, which has the size and checksum of each.
     pub(super) fn table_size(&self) -> u64 {
         12 * self.block_count() as u64
     }
 
-    /// Header, structure, table, and what aligns the first block of a raw stream.
+    /// Bytes of header, structure, table and padding before the first block.
     pub(super) fn prelude(&self) -> Option<u64> {
         let size = self.structure_size.checked_add(HEADER_SIZE as u64 + self.table_size())?;
         if self.mode == Mode::Raw { size.checked_next_multiple_of(ALIGNMENT as u64) } else { Some(size) }

@@ -1,12 +1,14 @@
-//! Coordinates as whole numbers, their levels, so that what is coded is a difference of whole numbers.
+//! Levels: coordinates as whole numbers, so that residuals are differences of integers.
+//!
+//! Lossless levels are bit patterns in numerical order; quantised ones count equal steps. O(1) a number.
 
 use crate::net::Real;
 
-/// A coordinate type as bits.
+/// A coordinate type with access to its bits.
 pub(super) trait Bits: Real {
     /// Bytes of a number.
     const SIZE: usize = size_of::<Self>();
-    /// The number as an integer in the same order: -infinity, then down to -0, 0 and on to infinity; NaN beyond both.
+    /// The number as an integer in numerical order, from -infinity to infinity, -0 before 0; NaN beyond both.
     fn level(self) -> i64;
     /// The number of a level, if it is in range.
     fn of_level(level: i64) -> Option<Self>;
@@ -73,32 +75,32 @@ impl Bits for f64 {
     }
 }
 
-/// How numbers become levels and back.
+/// A map between numbers and levels.
 pub(super) trait Levels<T>: Sync {
     /// The level of a number.
     fn level(&self, axis: usize, number: T) -> i64;
-    /// The number of a level, if there is such a level.
+    /// The number of a level, if it is in range.
     fn number(&self, axis: usize, level: i64) -> Option<T>;
-    /// A level as predictors see it: nearly linear in the number. Not finite for what is no number.
+    /// The value of a level for predictors, nearly linear in the number; not finite for NaN and infinities.
     fn value(&self, level: i64) -> f64;
     /// The level nearest to a finite value.
     fn nearest(&self, axis: usize, value: f64) -> i64;
-    /// How far values about as large as this one are apart.
+    /// The spacing of values near this one.
     fn resolution(&self, value: f64) -> f64;
-    /// True for a node that is not coded but only marked as missing.
+    /// True for a node that is marked as missing and not coded.
     fn is_missing(&self, node: [T; 3]) -> bool;
     /// The coordinates that missing nodes get.
     fn missing(&self) -> [T; 3];
 }
 
-/// Bit for bit.
+/// Levels of bit patterns: lossless.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Exact<T> {
-    /// The three numbers that missing nodes have.
+pub(super) struct LosslessLevels<T> {
+    /// The coordinates of missing nodes.
     pub(super) missing: [T; 3],
 }
 
-impl<T: Bits> Levels<T> for Exact<T> {
+impl<T: Bits> Levels<T> for LosslessLevels<T> {
     #[inline(always)]
     fn level(&self, _: usize, number: T) -> i64 {
         number.level()
@@ -135,16 +137,16 @@ impl<T: Bits> Levels<T> for Exact<T> {
     }
 }
 
-/// The levels 0 to `last` at equal distances: level k stands for `origin + k * step`, computed in double precision and rounded to
-/// the type of the coordinates.
+/// The levels 0 to `last` in equal steps: level k is `origin + k * step`, computed in double precision and
+/// rounded to the scalar type.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Grid {
+pub(super) struct UniformLevels {
     pub(super) origin: [f64; 3],
     pub(super) step: [f64; 3],
     pub(super) last: i64,
 }
 
-impl<T: Bits> Levels<T> for Grid {
+impl<T: Bits> Levels<T> for UniformLevels {
     #[inline(always)]
     fn level(&self, axis: usize, number: T) -> i64 {
         let value: f64 = number.into();

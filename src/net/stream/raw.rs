@@ -1,5 +1,5 @@
-//! Blocks of coordinates as they are: the rows of X, then of Y, then of Z, without gaps between them, each of the three beginning
-//! at a multiple of 64 bytes from the start of the block; little-endian.
+//! Uncompressed blocks: the rows of X, then of Y, then of Z, without gaps, each of the three at a multiple of
+//! 64 bytes from the start of the block; little-endian. O(nodes).
 
 use super::bytes::Reader;
 use super::header::{ALIGNMENT, StreamInfo};
@@ -8,7 +8,7 @@ use crate::alloc;
 use crate::error::Result;
 use crate::net::Planes;
 
-/// Bytes of the rows of one matrix in a block, and of these with what aligns the next.
+/// Bytes of the rows of one matrix in a block, without and with padding.
 fn sizes<T: Bits>(info: &StreamInfo, block: usize) -> [usize; 2] {
     let size = info.block_rows(block).len() * info.shape.columns() * T::SIZE;
     [size, size.next_multiple_of(ALIGNMENT)]

@@ -1,9 +1,12 @@
-//! Streams to nets.
+//! Decoding of streams, whole or as they arrive.
+//!
+//! Invariant: bytes that no encoder wrote are refused, and memory is allocated only within the bound that the
+//! length of the stream implies. O(nodes), blocks in parallel.
 
 use super::block::{self, Duplicates};
 use super::bytes::{Reader, checksum};
-use super::header::{HEADER_SIZE, Mode, NODES_A_BYTE, StreamInfo};
-use super::levels::{Bits, Exact, Grid};
+use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, Mode, StreamInfo};
+use super::levels::{Bits, LosslessLevels, UniformLevels};
 use super::{raw, structure};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -12,7 +15,7 @@ use crate::net::{Bridge, Coordinates, Net, Planes, Real, Shape, Sides, Topology,
 use crate::par;
 use std::ops::Range;
 
-/// What a block is found by.
+/// An entry of the table of blocks.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Entry {
     pub(super) offset: u64,
@@ -20,7 +23,7 @@ pub(super) struct Entry {
     checksum: u32,
 }
 
-/// All that comes before the first block.
+/// The parts of a stream before the first block.
 #[derive(Debug)]
 pub(super) struct Prelude {
     pub(super) info: StreamInfo,
@@ -31,7 +34,7 @@ pub(super) struct Prelude {
 }
 
 impl Prelude {
-    /// `bytes`: the stream, at least as far as the first block. `total`: the bytes that the stream must have, if that is known.
+    /// `bytes`: the stream, at least up to the first block. `total`: the length of the stream, if known.
     pub(super) fn read(info: StreamInfo, bytes: &[u8], total: Option<u64>) -> Result<Self> {
         let mut from = Reader::new(&bytes[HEADER_SIZE..], HEADER_SIZE as u64);
         let too_long = from.bad("a size is too large");
@@ -57,7 +60,7 @@ impl Prelude {
                 byte: end.min(total),
             });
         }
-        let limit = end.saturating_mul(NODES_A_BYTE);
+        let limit = end.saturating_mul(MAX_NODES_PER_BYTE);
         let from = Reader::new(structure, HEADER_SIZE as u64);
         let (topology, bridges) = structure::read(info.shape, limit, from)?;
         let duplicates = if info.folded { Duplicates::of(&topology)? } else { Duplicates::none(info.shape) };
@@ -78,16 +81,16 @@ impl Prelude {
                 let bad = from.bad("the numbers of missing nodes are out of range");
                 let number = |bits: u64| T::of_level(bits as i64);
                 let [Some(x), Some(y), Some(z)] = info.missing.map(number) else { return Err(bad) };
-                block::decode(info, duplicates, &Exact { missing: [x, y, z] }, block, from, to)
+                block::decode(info, duplicates, &LosslessLevels { missing: [x, y, z] }, block, from, to)
             }
             Mode::Quantised { bits } => {
-                let levels = Grid { origin: info.origin, step: info.step, last: (1 << bits) - 1 };
+                let levels = UniformLevels { origin: info.origin, step: info.step, last: (1 << bits) - 1 };
                 block::decode(info, duplicates, &levels, block, from, to)
             }
         }
     }
 
-    /// Gives duplicates in some rows the coordinates of what they repeat.
+    /// Gives duplicates in some rows the coordinates of the nodes that they repeat.
     fn restore(&self, coordinates: &mut Coordinates<'_>, rows: Range<usize>) {
         each!(coordinates, planes => self.duplicates.restore(planes, rows));
     }
@@ -99,7 +102,7 @@ impl Prelude {
     }
 }
 
-/// The table of blocks, and where the last one ends.
+/// The table of blocks, and the end of the last one.
 fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u64)> {
     let mut entries = alloc::with_capacity(info.block_count())?;
     let mut offset = info.prelude_size;
@@ -114,8 +117,8 @@ fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u6
 
 /// The net of a stream.
 ///
-/// O(nodes); blocks are decoded in parallel. Bytes that no encoder wrote are refused, damaged ones by their checksums; memory
-/// is asked for only as far as a stream of this length can need it.
+/// O(nodes); blocks are decoded in parallel. Bytes that no encoder wrote are refused, damaged ones by their
+/// checksums; memory is bounded by the length of the stream.
 ///
 /// # Errors
 /// [`Error::BadStream`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -131,12 +134,12 @@ pub fn decode(bytes: &[u8], job: &Job<'_>) -> Result<Net<'static>> {
     Ok(prelude.into_net(coordinates))
 }
 
-/// All blocks, some at a time so that the host can cancel.
+/// Decodes all blocks, some at a time so that the host can cancel.
 fn decode_blocks<T: Bits>(prelude: &Prelude, bytes: &[u8], planes: &mut Planes<'_, T>, job: &Job<'_>) -> Result<()> {
     let info = &prelude.info;
-    let some = 4 * par::at_most(info.block_count(), job.threads());
+    let at_once = 4 * par::at_most(info.block_count(), job.threads());
     let (block, mut start) = (info.rows_per_block * info.shape.columns(), 0);
-    let [x, y, z] = planes.matrices_mut().map(|matrix| matrix.chunks_mut(some * block));
+    let [x, y, z] = planes.matrices_mut().map(|matrix| matrix.chunks_mut(at_once * block));
     for ((x, y), z) in x.zip(y).zip(z) {
         job.step(start as f64 / info.block_count() as f64, "decoding")?;
         let parts = x.chunks_mut(block).zip(y.chunks_mut(block)).zip(z.chunks_mut(block)).enumerate();
@@ -150,10 +153,10 @@ fn decode_blocks<T: Bits>(prelude: &Prelude, bytes: &[u8], planes: &mut Planes<'
     Ok(())
 }
 
-/// Decodes a stream that arrives in pieces: rows are there as soon as their block is.
+/// An incremental decoder: rows are available as soon as their block is complete.
 #[derive(Debug)]
 pub struct StreamDecoder {
-    /// Bytes that were not used yet, and where they begin in the stream.
+    /// Unused bytes, and their position in the stream.
     pending: Vec<u8>,
     offset: u64,
     node_limit: u64,
@@ -163,13 +166,13 @@ pub struct StreamDecoder {
 }
 
 impl StreamDecoder {
-    /// `node_limit`: a net of more nodes is refused, as its memory is taken before all of the stream is seen.
+    /// `node_limit`: a larger net is refused, as its memory is allocated before the stream is complete.
     pub fn new(node_limit: u64) -> Self {
         StreamDecoder { pending: Vec::new(), offset: 0, node_limit, state: None, next: 0, failed: None }
     }
 
-    /// Takes the next bytes of the stream, of any number, and decodes all blocks that they complete. Returns the rows that are
-    /// complete. After an error there is no way on: it is returned again.
+    /// Takes the next bytes of the stream and decodes all blocks that they complete. Returns the number of
+    /// complete rows. An error is final and returned again.
     ///
     /// # Errors
     /// [`Error::BadStream`], [`Error::TooLarge`], [`Error::OutOfMemory`].
@@ -210,7 +213,7 @@ impl StreamDecoder {
         Ok(())
     }
 
-    /// Reads what comes before the blocks, once it is there.
+    /// Reads the prelude once it is complete.
     fn start(&mut self) -> Result<()> {
         if self.pending.len() < HEADER_SIZE {
             return Ok(());
@@ -230,12 +233,12 @@ impl StreamDecoder {
         Ok(())
     }
 
-    /// What the header says, once it is there with all that comes before the first block.
+    /// The header, once the prelude is complete.
     pub fn info(&self) -> Option<&StreamInfo> {
         self.state.as_ref().map(|(prelude, _)| &prelude.info)
     }
 
-    /// The rows that are complete: those of all blocks so far.
+    /// The number of complete rows.
     pub fn rows_done(&self) -> usize {
         self.state.as_ref().map_or(
             0,
@@ -245,12 +248,12 @@ impl StreamDecoder {
         )
     }
 
-    /// The coordinates; rows that are not complete are anything.
+    /// The coordinates; incomplete rows are undefined.
     pub fn coordinates(&self) -> Option<&Coordinates<'static>> {
         self.state.as_ref().map(|(_, coordinates)| coordinates)
     }
 
-    /// The rows so far as a net of their own: a sheet without bridges.
+    /// The complete rows as a net: a sheet without bridges.
     ///
     /// # Errors
     /// [`Error::NetTooSmall`] for fewer than two rows, [`Error::OutOfMemory`].
@@ -268,10 +271,10 @@ impl StreamDecoder {
         Ok(Net::new(part, Topology::of_sides(shape, Sides::SHEET)))
     }
 
-    /// The net, once the stream is complete; the decoder begins anew then.
+    /// The net, once the stream is complete; the decoder is then reset.
     ///
     /// # Errors
-    /// [`Error::BadStream`] if it is not, or what [`StreamDecoder::push`] failed with.
+    /// [`Error::BadStream`] if it is not, or the error of [`StreamDecoder::push`].
     pub fn finish(&mut self) -> Result<Net<'static>> {
         if let Some(error) = self.failed {
             return Err(error);

@@ -1,30 +1,32 @@
-//! Coding rows of levels: the part that encoder and decoder share.
+//! Coding of rows of levels, the routine that encoder and decoder share: gaps, predictions, residuals. O(1) a
+//! node.
 
 use super::coder::Coder;
 use super::levels::Levels;
-use super::model::{Model, Residuals};
-use super::predict::{BEFORE, EACH, Line, NEIGHBOURS, Predictor, place};
+use super::model::Model;
+use super::predict::{Line, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS_PER_ERROR, place};
+use super::residuals::Residuals;
 use crate::alloc;
 use crate::error::Result;
 
-/// Magnitudes beyond this are as good as this; so that ten of them can be added.
-const ENOUGH: u64 = 1 << 56;
+/// The bound on magnitudes in sums of ten, which must not overflow.
+const MAX_MAGNITUDE: u64 = 1 << 56;
 
-/// What a node of a row is to the coder.
+/// The treatment of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Node {
+pub(super) enum NodeState {
     /// Its coordinates are coded.
     Coded,
-    /// It has those of a node that came before.
+    /// It repeats an earlier node.
     Duplicate,
-    /// It has none.
+    /// It has no coordinates.
     Missing,
 }
 
-/// A row of nodes: what each is, and the levels of those that are coded.
+/// A row of nodes, and the levels of those that are coded.
 #[derive(Debug)]
 pub(super) struct Row {
-    pub(super) nodes: Vec<Node>,
+    pub(super) nodes: Vec<NodeState>,
     pub(super) levels: [Vec<i64>; 3],
 }
 
@@ -33,7 +35,7 @@ impl Row {
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub(super) fn new(columns: usize) -> Result<Self> {
         let levels = || alloc::zeroed(columns);
-        Ok(Row { nodes: alloc::filled(Node::Coded, columns)?, levels: [levels()?, levels()?, levels()?] })
+        Ok(Row { nodes: alloc::filled(NodeState::Coded, columns)?, levels: [levels()?, levels()?, levels()?] })
     }
 }
 
@@ -43,26 +45,26 @@ struct Channel {
     predictor: Predictor,
     residuals: Residuals,
     line: Line,
-    /// Magnitudes of residuals in this row and the one above, with a margin, and what was expected of them.
+    /// Magnitudes of residuals in this row and the one above, with margins, and the expected ones.
     magnitudes: [Vec<u64>; 2],
     expected: Vec<u64>,
-    /// The parts of predictions that are known before the row, and later how wrong predictions were.
+    /// The parts of predictions known before the row, and the prediction errors.
     base: Vec<f64>,
     errors: Vec<f64>,
 }
 
-/// Codes the rows of a block in turn.
-pub(super) struct Rows {
+/// Codes the rows of a block in order.
+pub(super) struct RowCoder {
     channels: Vec<Channel>,
     known: Vec<bool>,
     gaps: [Vec<bool>; 3],
     gap_models: Vec<Model<2>>,
-    surprises: Vec<u8>,
+    ratio_classes: Vec<u8>,
     columns: Vec<f64>,
     next: usize,
 }
 
-impl Rows {
+impl RowCoder {
     /// `order`: the coordinates in the order of coding, each with its predictor.
     ///
     /// # Errors
@@ -72,20 +74,20 @@ impl Rows {
         for (axis, predictor) in order {
             channels.push(Channel::new(axis, predictor, columns)?);
         }
-        let gaps = || alloc::filled(false, columns + 2 * BEFORE);
-        Ok(Rows {
+        let gaps = || alloc::filled(false, columns + 2 * MARGIN_BEFORE);
+        Ok(RowCoder {
             channels,
             known: alloc::filled(true, columns)?,
             gaps: [gaps()?, gaps()?, gaps()?],
             gap_models: alloc::filled(Model::new([1.0; 2]), 128)?,
-            surprises: alloc::zeroed(columns)?,
+            ratio_classes: alloc::zeroed(columns)?,
             columns: alloc::collect((0..columns).map(|j| place(j, columns)))?,
             next: 0,
         })
     }
 
-    /// The next row, the `vertical`-th place of -1 to 1. Nodes that are no duplicates are said to be coded or missing first, if
-    /// any may be missing.
+    /// Codes the next row, at `vertical` between -1 and 1. `may_miss`: gaps among nodes that are no duplicates
+    /// are coded first.
     pub(super) fn code<C: Coder, T, L: Levels<T>>(
         &mut self,
         coder: &mut C,
@@ -97,52 +99,52 @@ impl Rows {
         if may_miss {
             self.code_gaps(coder, &mut row.nodes);
         }
-        self.known.iter_mut().zip(&row.nodes).for_each(|(known, &node)| *known = node == Node::Coded);
-        self.surprises.fill(0);
+        self.known.iter_mut().zip(&row.nodes).for_each(|(known, &node)| *known = node == NodeState::Coded);
+        self.ratio_classes.fill(0);
         for k in 0..3 {
             let (before, rest) = self.channels.split_at_mut(k);
             let channel = &mut rest[0];
             channel.prepare(self.next, before, &self.columns, vertical);
-            surprise(before, &mut self.surprises);
-            channel.code(coder, self.next, &mut row.levels[channel.axis], levels, &self.known, &self.surprises);
+            classify_ratios(before, &mut self.ratio_classes);
+            channel.code(coder, self.next, &mut row.levels[channel.axis], levels, &self.known, &self.ratio_classes);
         }
         self.next += 1;
     }
 
-    /// Which nodes are missing: the more likely the more of those around are.
-    fn code_gaps<C: Coder>(&mut self, coder: &mut C, nodes: &mut [Node]) {
+    /// Codes which nodes are missing, in the context of the neighbours' gaps.
+    fn code_gaps<C: Coder>(&mut self, coder: &mut C, nodes: &mut [NodeState]) {
         self.gaps.rotate_right(1);
         let [here, north, north2] = &mut self.gaps;
         for (j, node) in nodes.iter_mut().enumerate() {
-            let at = j + BEFORE;
+            let at = j + MARGIN_BEFORE;
             let bits = [here[at - 1], here[at - 2], north[at - 1], north[at], north[at + 1], north[at + 2], north2[at]];
             let context = bits.iter().fold(0, |context, &bit| 2 * context + usize::from(bit));
-            here[at] = *node != Node::Duplicate
-                && coder.symbol(&mut self.gap_models[context], usize::from(*node == Node::Missing)) == 1;
-            if *node != Node::Duplicate {
-                *node = if here[at] { Node::Missing } else { Node::Coded };
+            here[at] = *node != NodeState::Duplicate
+                && coder.symbol(&mut self.gap_models[context], usize::from(*node == NodeState::Missing)) == 1;
+            if *node != NodeState::Duplicate {
+                *node = if here[at] { NodeState::Missing } else { NodeState::Coded };
             }
         }
     }
 }
 
-/// How much larger residuals of the coordinates before were than expected, in four classes.
-fn surprise(before: &[Channel], surprises: &mut [u8]) {
+/// The ratio of observed to expected magnitudes in the earlier coordinates, in four classes.
+fn classify_ratios(before: &[Channel], classes: &mut [u8]) {
     let class = |found: u64, expected: u64| {
-        // In tenths; half a unit is nothing.
+        // In tenths, with half a unit added.
         let (found, expected) = (10 * found + 5, expected + 5);
         u8::from(2 * found >= expected) + u8::from(4 * found >= 5 * expected) + u8::from(2 * found >= 5 * expected)
     };
     match before {
         [] => {}
         [a] => {
-            let pairs = a.magnitudes[0][BEFORE..].iter().zip(&a.expected);
-            surprises.iter_mut().zip(pairs).for_each(|(to, (&found, &expected))| *to = class(found, expected));
+            let pairs = a.magnitudes[0][MARGIN_BEFORE..].iter().zip(&a.expected);
+            classes.iter_mut().zip(pairs).for_each(|(to, (&found, &expected))| *to = class(found, expected));
         }
         [a, b, ..] => {
-            let found = a.magnitudes[0][BEFORE..].iter().zip(&b.magnitudes[0][BEFORE..]);
+            let found = a.magnitudes[0][MARGIN_BEFORE..].iter().zip(&b.magnitudes[0][MARGIN_BEFORE..]);
             let expected = a.expected.iter().zip(&b.expected);
-            for (to, (found, expected)) in surprises.iter_mut().zip(found.zip(expected)) {
+            for (to, (found, expected)) in classes.iter_mut().zip(found.zip(expected)) {
                 *to = class(found.0 + found.1, expected.0 + expected.1);
             }
         }
@@ -151,7 +153,7 @@ fn surprise(before: &[Channel], surprises: &mut [u8]) {
 
 impl Channel {
     fn new(axis: usize, predictor: Predictor, columns: usize) -> Result<Self> {
-        let magnitudes = || alloc::zeroed(columns + 2 * BEFORE);
+        let magnitudes = || alloc::zeroed(columns + 2 * MARGIN_BEFORE);
         Ok(Channel {
             axis,
             predictor,
@@ -164,12 +166,13 @@ impl Channel {
         })
     }
 
-    /// All that can be computed for the whole row at once.
+    /// Computes the parts of predictions that do not depend on the row, vectorised.
     fn prepare(&mut self, i: usize, before: &[Channel], columns: &[f64], vertical: f64) {
         self.line.advance(i);
         self.line.base(i, &self.predictor, &mut self.base);
         for (p, other) in before.iter().enumerate() {
-            let [own, column, row] = std::array::from_fn(|m| self.predictor.weight(NEIGHBOURS + EACH * p + m));
+            let [own, column, row] =
+                std::array::from_fn(|m| self.predictor.weight(NEIGHBOURS + WEIGHTS_PER_ERROR * p + m));
             let constant = own + row * vertical;
             for ((base, &error), &u) in self.base.iter_mut().zip(&other.errors).zip(columns) {
                 *base += (constant + column * u) * error;
@@ -177,14 +180,14 @@ impl Channel {
         }
         self.magnitudes.swap(0, 1);
         let [here, north] = &mut self.magnitudes;
-        here[..BEFORE].fill(north[BEFORE]);
-        let (n, nw, ne) = (&north[BEFORE..], &north[BEFORE - 1..], &north[BEFORE + 1..]);
+        here[..MARGIN_BEFORE].fill(north[MARGIN_BEFORE]);
+        let (n, nw, ne) = (&north[MARGIN_BEFORE..], &north[MARGIN_BEFORE - 1..], &north[MARGIN_BEFORE + 1..]);
         for (j, expected) in self.expected.iter_mut().enumerate() {
             *expected = 3 * n[j] + 2 * nw[j] + ne[j];
         }
     }
 
-    /// The row, node after node.
+    /// Codes the row node by node.
     fn code<C: Coder, T, L: Levels<T>>(
         &mut self,
         coder: &mut C,
@@ -192,19 +195,20 @@ impl Channel {
         row: &mut [i64],
         levels: &L,
         known: &[bool],
-        surprises: &[u8],
+        ratio_classes: &[u8],
     ) {
         let [west, west2] = Line::west(i, &self.predictor);
-        // Where there is no row above, the nodes on the left count for it.
+        // Without a row above, the nodes on the left take its weight.
         let [near, far] = if i == 0 { [8, 2] } else { [3, 1] };
         let columns = row.len();
         let (base, expected, errors) =
             (&self.base[..columns], &mut self.expected[..columns], &mut self.errors[..columns]);
-        let (known, surprises) = (&known[..columns], &surprises[..columns]);
-        let (here, north) = (&mut self.line.here[..columns + BEFORE], &self.line.north[..columns + BEFORE]);
-        let magnitudes = &mut self.magnitudes[0][..columns + BEFORE];
+        let (known, ratio_classes) = (&known[..columns], &ratio_classes[..columns]);
+        let (here, north) =
+            (&mut self.line.here[..columns + MARGIN_BEFORE], &self.line.north[..columns + MARGIN_BEFORE]);
+        let magnitudes = &mut self.magnitudes[0][..columns + MARGIN_BEFORE];
         for j in 0..columns {
-            let at = j + BEFORE;
+            let at = j + MARGIN_BEFORE;
             let (w, ww) = (here[at - 1], here[at - 2]);
             let (m, mm) = (magnitudes[at - 1], magnitudes[at - 2]);
             let expectation = expected[j] + near * m + far * mm;
@@ -219,19 +223,20 @@ impl Channel {
             let guess = base[j] + (west * w + west2 * ww);
             let guess = if guess.is_finite() { guess } else { w };
             let nearest = levels.nearest(self.axis, guess);
-            let residual = self.residuals.code(coder, row[j].wrapping_sub(nearest), expectation, surprises[j].into());
+            let residual =
+                self.residuals.code(coder, row[j].wrapping_sub(nearest), expectation, ratio_classes[j].into());
             row[j] = nearest.wrapping_add(residual);
             let value = levels.value(row[j]);
             let value = if value.is_finite() { value } else { guess };
             here[at] = value;
             errors[j] = value - guess;
-            magnitudes[at] = residual.unsigned_abs().min(ENOUGH);
+            magnitudes[at] = residual.unsigned_abs().min(MAX_MAGNITUDE);
             if j == 0 && i == 0 {
-                here[..BEFORE].fill(value);
+                here[..MARGIN_BEFORE].fill(value);
             }
         }
         if known.contains(&false) {
-            self.line.bridge_gaps(known);
+            self.line.fill_gaps(known);
         }
     }
 }

@@ -1,46 +1,51 @@
-//! Topology and bridges to bytes and back.
+//! The structure of a stream: topology, adaptations and bridges. O(contracted links + seams + bridges).
 
 use super::bytes::{Reader, Writer};
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::net::bridge::Origin;
+use crate::net::bridge::Adaptation;
 use crate::net::topology::{Links, Matrix, Run};
 use crate::net::{Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, Net, Seam, Shape, Sides, Topology};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The bit of a byte of sides that says that a matrix follows, and the one that says that faces are reversed.
+/// The flag of a byte of sides that a matrix follows instead.
 const MATRIX: u8 = 64;
+/// The flag of a byte of sides that faces are reversed.
 const REVERSED: u8 = 128;
 
-/// Writes what a net is besides coordinates. Returns how much it stands for: the nodes and pairs of seams of all topologies.
+/// Writes all of a net but its coordinates. Returns the number of nodes and pairs of seams of all topologies.
 pub(super) fn write(net: &Net<'_>, to: &mut Writer) -> Result<u64> {
     write_topology(net.topology(), to)?;
-    let origins = Origins::of(net.bridges())?;
-    origins.write(to)?;
-    write_bridges(net.bridges(), &origins.numbers, to)?;
-    Ok(origins.list.iter().map(|origin| work(&origin.topology)).fold(work(net.topology()), u64::saturating_add))
+    let adaptations = Adaptations::of(net.bridges())?;
+    adaptations.write(to)?;
+    write_bridges(net.bridges(), &adaptations.numbers, to)?;
+    Ok(adaptations
+        .list
+        .iter()
+        .map(|adaptation| work(&adaptation.topology))
+        .fold(work(net.topology()), u64::saturating_add))
 }
 
-/// `limit`: nodes and pairs of seams that there may be together.
+/// `limit`: the largest number of nodes and pairs of seams.
 ///
 /// # Errors
 /// [`Error::BadStream`], [`Error::OutOfMemory`].
 pub(super) fn read(shape: Shape, limit: u64, mut from: Reader<'_>) -> Result<(Topology, Vec<Bridge>)> {
     let mut limit = limit;
     let topology = read_topology(shape, &mut limit, &mut from)?;
-    let mut origins = Vec::new();
+    let mut adaptations = Vec::new();
     let count = from.varint()?;
     for _ in 0..count {
-        let origin = read_origin(&origins, &mut limit, &mut from)?;
-        alloc::push(&mut origins, Arc::new(origin))?;
+        let adaptation = read_adaptation(&adaptations, &mut limit, &mut from)?;
+        alloc::push(&mut adaptations, Arc::new(adaptation))?;
     }
-    let bridges = list(&mut from, |from| read_bridge(shape, &origins, from))?;
+    let bridges = read_list(&mut from, |from| read_bridge(shape, &adaptations, from))?;
     from.finish()?;
     Ok((topology, bridges))
 }
 
-/// Nodes and pairs of seams: what reading a topology takes time for.
+/// The number of nodes and pairs of seams, which bounds the time to read a topology.
 fn work(topology: &Topology) -> u64 {
     topology.shape().node_count() as u64 + topology.seams().iter().map(|seam| u64::from(seam.count)).sum::<u64>()
 }
@@ -58,7 +63,7 @@ fn write_topology(topology: &Topology, to: &mut Writer) -> Result<()> {
     topology.seams().iter().try_for_each(|seam| write_seam(seam, to))
 }
 
-/// Takes what the topology stands for from `limit`, before memory is asked for it.
+/// Subtracts the work of the topology from `limit` before memory is allocated.
 fn read_topology(shape: Shape, limit: &mut u64, from: &mut Reader<'_>) -> Result<Topology> {
     let too_much = from.bad("it is too short for so much");
     *limit = limit.checked_sub(shape.node_count() as u64).ok_or(too_much)?;
@@ -68,7 +73,7 @@ fn read_topology(shape: Shape, limit: &mut u64, from: &mut Reader<'_>) -> Result
         sides if sides < MATRIX => Links::Sides(sides_of(sides)),
         _ => return Err(from.bad("the kind of gluing is unknown")),
     };
-    let seams = list(from, read_seam)?;
+    let seams = read_list(from, read_seam)?;
     let pairs = seams.iter().fold(0u64, |sum, seam| sum.saturating_add(seam.count.into()));
     *limit = limit.checked_sub(pairs).ok_or(too_much)?;
     let bad = from.bad("the gluing is none that a net has");
@@ -79,62 +84,62 @@ fn read_topology(shape: Shape, limit: &mut u64, from: &mut Reader<'_>) -> Result
     Ok(topology.with_reversed(bits & REVERSED != 0))
 }
 
-/// What was done to nets before they were joined, each once, those that others refer to before these.
-struct Origins<'a> {
-    list: Vec<&'a Origin>,
-    /// The place of each in the list, and 1.
-    numbers: HashMap<*const Origin, u64>,
+/// The adaptations of joined nets, each once, in topological order: those referred to come first.
+struct Adaptations<'a> {
+    list: Vec<&'a Adaptation>,
+    /// The place of each in the list, from 1 on.
+    numbers: HashMap<*const Adaptation, u64>,
 }
 
-impl<'a> Origins<'a> {
+impl<'a> Adaptations<'a> {
     fn of(bridges: &'a [Bridge]) -> Result<Self> {
-        let mut origins = Origins { list: Vec::new(), numbers: HashMap::new() };
+        let mut adaptations = Adaptations { list: Vec::new(), numbers: HashMap::new() };
         let mut open = Vec::new();
-        open_all(bridges, &mut open)?;
-        // An account is closed once those within it are.
-        while let Some((origin, opened)) = open.pop() {
-            if origins.numbers.contains_key(&std::ptr::from_ref(origin)) {
+        push_adaptations(bridges, &mut open)?;
+        // A record follows those within it.
+        while let Some((adaptation, opened)) = open.pop() {
+            if adaptations.numbers.contains_key(&std::ptr::from_ref(adaptation)) {
                 continue;
             }
             if opened {
-                alloc::push(&mut origins.list, origin)?;
-                let bytes = 16 * origins.list.len() as u64;
-                origins.numbers.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
-                origins.numbers.insert(std::ptr::from_ref(origin), origins.list.len() as u64);
+                alloc::push(&mut adaptations.list, adaptation)?;
+                let bytes = 16 * adaptations.list.len() as u64;
+                adaptations.numbers.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
+                adaptations.numbers.insert(std::ptr::from_ref(adaptation), adaptations.list.len() as u64);
             } else {
-                alloc::push(&mut open, (origin, true))?;
-                open_all(&origin.bridges, &mut open)?;
+                alloc::push(&mut open, (adaptation, true))?;
+                push_adaptations(&adaptation.bridges, &mut open)?;
             }
         }
-        Ok(origins)
+        Ok(adaptations)
     }
 
     fn write(&self, to: &mut Writer) -> Result<()> {
         to.varint(self.list.len() as u64)?;
-        for origin in &self.list {
-            write_shape(origin.joined, to)?;
-            to.u8(origin.flipped.into())?;
-            to.varint(origin.twist.into())?;
-            to.varint(origin.copies.len() as u64)?;
+        for adaptation in &self.list {
+            write_shape(adaptation.joined, to)?;
+            to.u8(adaptation.flipped.into())?;
+            to.varint(adaptation.twist.into())?;
+            to.varint(adaptation.copies.len() as u64)?;
             let mut end = 0;
-            for &copy in &origin.copies {
+            for &copy in &adaptation.copies {
                 to.varint(u64::from(copy) - end)?;
                 end = u64::from(copy) + 1;
             }
-            write_shape(origin.topology.shape(), to)?;
-            write_topology(&origin.topology, to)?;
-            write_bridges(&origin.bridges, &self.numbers, to)?;
+            write_shape(adaptation.topology.shape(), to)?;
+            write_topology(&adaptation.topology, to)?;
+            write_bridges(&adaptation.bridges, &self.numbers, to)?;
         }
         Ok(())
     }
 }
 
-fn open_all<'a>(bridges: &'a [Bridge], open: &mut Vec<(&'a Origin, bool)>) -> Result<()> {
-    let origins = bridges.iter().flat_map(|bridge| &bridge.origins).flatten();
-    origins.into_iter().try_for_each(|origin| alloc::push(open, (&**origin, false)))
+fn push_adaptations<'a>(bridges: &'a [Bridge], open: &mut Vec<(&'a Adaptation, bool)>) -> Result<()> {
+    let adaptations = bridges.iter().flat_map(|bridge| &bridge.adaptations).flatten();
+    adaptations.into_iter().try_for_each(|adaptation| alloc::push(open, (&**adaptation, false)))
 }
 
-fn read_origin(origins: &[Arc<Origin>], limit: &mut u64, from: &mut Reader<'_>) -> Result<Origin> {
+fn read_adaptation(adaptations: &[Arc<Adaptation>], limit: &mut u64, from: &mut Reader<'_>) -> Result<Adaptation> {
     let joined = read_shape(from)?;
     let flipped = match from.u8()? {
         0 => false,
@@ -143,23 +148,25 @@ fn read_origin(origins: &[Arc<Origin>], limit: &mut u64, from: &mut Reader<'_>) 
     };
     let twist = from.varint_u32()?;
     let mut end = 0u64;
-    let copies = list(from, |from| {
+    let copies = read_list(from, |from| {
         let copy = end.saturating_add(from.varint()?);
         end = copy.saturating_add(1);
         u32::try_from(copy).map_err(|_| from.bad("a number is too large"))
     })?;
     let shape = read_shape(from)?;
     let topology = read_topology(shape, limit, from)?;
-    let bridges = list(from, |from| read_bridge(shape, origins, from))?;
-    Ok(Origin { joined, flipped, copies, twist, topology, bridges })
+    let bridges = read_list(from, |from| read_bridge(shape, adaptations, from))?;
+    Ok(Adaptation { joined, flipped, copies, twist, topology, bridges })
 }
 
-/// True if a net that was joined in that direction can have been what the account says.
-fn is_possible(origin: &Origin, direction: Direction) -> bool {
+/// True if the adaptation is possible for a net joined in that direction.
+fn is_possible(adaptation: &Adaptation, direction: Direction) -> bool {
     let [(across, along), (old_across, old_along)] =
-        [origin.joined, origin.topology.shape()].map(|shape| direction.extent(shape));
+        [adaptation.joined, adaptation.topology.shape()].map(|shape| direction.extent(shape));
     let inside = |&copy: &u32| copy > 0 && (copy as usize) < along;
-    across == old_across && along - origin.copies.len().min(along) == old_along && origin.copies.iter().all(inside)
+    across == old_across
+        && along - adaptation.copies.len().min(along) == old_along
+        && adaptation.copies.iter().all(inside)
 }
 
 fn write_shape(shape: Shape, to: &mut Writer) -> Result<()> {
@@ -172,10 +179,10 @@ fn read_shape(from: &mut Reader<'_>) -> Result<Shape> {
     Shape::new(rows as usize, columns as usize).map_err(|_| from.bad("no net has this size"))
 }
 
-/// A list that says how long it is.
-fn list<T>(from: &mut Reader<'_>, mut read: impl FnMut(&mut Reader<'_>) -> Result<T>) -> Result<Vec<T>> {
+/// A list preceded by its length.
+fn read_list<T>(from: &mut Reader<'_>, mut read: impl FnMut(&mut Reader<'_>) -> Result<T>) -> Result<Vec<T>> {
     let count = from.varint()?;
-    // Every entry takes a byte at least.
+    // Every entry takes at least a byte.
     if count > from.remaining() as u64 {
         return Err(from.bad("a list is longer than the stream"));
     }
@@ -204,7 +211,7 @@ fn sides_of(bits: u8) -> Sides {
     }
 }
 
-/// Contracted links in runs of equal distance: how far each run begins after the link before, the distance, how many.
+/// Writes contracted links in runs of equal distance: the gap before the run, its length, the distance.
 fn write_matrix(matrix: &Matrix, to: &mut Writer) -> Result<()> {
     let mut links = matrix.links().peekable();
     let mut end = 0;
@@ -214,7 +221,7 @@ fn write_matrix(matrix: &Matrix, to: &mut Writer) -> Result<()> {
         while let Some(next) = links.next_if(|&next| next - last == distance) {
             (last, count) = (next, count + 1);
         }
-        // One more than what it is: 0 ends the list.
+        // Plus 1, as 0 ends the list.
         to.varint(u64::from(first) - end + 1)?;
         to.varint(count)?;
         if count > 1 {
@@ -268,14 +275,14 @@ fn read_seam(from: &mut Reader<'_>) -> Result<Seam> {
     Ok(Seam { a, b, count: from.varint_u32()? })
 }
 
-fn write_bridges(bridges: &[Bridge], origins: &HashMap<*const Origin, u64>, to: &mut Writer) -> Result<()> {
+fn write_bridges(bridges: &[Bridge], adaptations: &HashMap<*const Adaptation, u64>, to: &mut Writer) -> Result<()> {
     to.varint(bridges.len() as u64)?;
-    bridges.iter().try_for_each(|bridge| write_bridge(bridge, origins, to))
+    bridges.iter().try_for_each(|bridge| write_bridge(bridge, adaptations, to))
 }
 
-/// Direction, kind and mode in a byte, the place, the extent and the nesting, the accounts of the nets on both sides, and the host's
-/// numbers if they are not all zero.
-fn write_bridge(bridge: &Bridge, origins: &HashMap<*const Origin, u64>, to: &mut Writer) -> Result<()> {
+/// Writes direction, kind and mode in a byte, the place, the extent and the nesting, the adaptations of the
+/// nets on both sides, and the host's numbers if they are not all zero.
+fn write_bridge(bridge: &Bridge, adaptations: &HashMap<*const Adaptation, u64>, to: &mut Writer) -> Result<()> {
     let direction = u8::from(bridge.direction == Direction::Down);
     let kind = match bridge.kind {
         BridgeKind::Ribbon => 0,
@@ -293,13 +300,15 @@ fn write_bridge(bridge: &Bridge, origins: &HashMap<*const Origin, u64>, to: &mut
     to.u8(direction | kind << 1 | mode << 3 | u8::from(!plain) << 5)?;
     let numbers = [bridge.at, bridge.start, bridge.end, bridge.nesting];
     numbers.into_iter().try_for_each(|number| to.varint(number.into()))?;
-    for origin in &bridge.origins {
-        to.varint(origin.as_ref().map_or(0, |origin| origins.get(&Arc::as_ptr(origin)).copied().unwrap_or(0)))?;
+    for adaptation in &bridge.adaptations {
+        to.varint(
+            adaptation.as_ref().map_or(0, |adaptation| adaptations.get(&Arc::as_ptr(adaptation)).copied().unwrap_or(0)),
+        )?;
     }
     if plain { Ok(()) } else { bits.into_iter().try_for_each(|number| to.u64(number)) }
 }
 
-fn read_bridge(shape: Shape, origins: &[Arc<Origin>], from: &mut Reader<'_>) -> Result<Bridge> {
+fn read_bridge(shape: Shape, adaptations: &[Arc<Adaptation>], from: &mut Reader<'_>) -> Result<Bridge> {
     let byte = from.u8()?;
     let direction = if byte & 1 == 0 { Direction::Right } else { Direction::Down };
     let kind = match byte >> 1 & 3 {
@@ -321,11 +330,11 @@ fn read_bridge(shape: Shape, origins: &[Arc<Origin>], from: &mut Reader<'_>) -> 
         return Err(from.bad("a bridge is none that a net has"));
     }
     let mut bridge = Bridge { start, nesting, ..Bridge::new(direction, at, end, kind, mode) };
-    for origin in &mut bridge.origins {
+    for adaptation in &mut bridge.adaptations {
         let number = from.varint()?;
         if number > 0 {
-            let found = origins.get((number - 1) as usize).filter(|origin| is_possible(origin, direction));
-            *origin = Some(Arc::clone(found.ok_or_else(|| from.bad("what was done to a net is impossible"))?));
+            let found = adaptations.get((number - 1) as usize).filter(|adaptation| is_possible(adaptation, direction));
+            *adaptation = Some(Arc::clone(found.ok_or_else(|| from.bad("what was done to a net is impossible"))?));
         }
     }
     if byte & 32 != 0 {

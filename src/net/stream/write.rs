@@ -1,9 +1,9 @@
-//! Nets to streams.
+//! Encoding of nets to streams. O(nodes), blocks in parallel; the same bytes for any number of threads.
 
 use super::block::{Blocks, Duplicates};
 use super::bytes::{Writer, checksum};
-use super::header::{HEADER_SIZE, Mode, NODES_A_BYTE, StreamInfo};
-use super::levels::{Bits, Exact, Levels};
+use super::header::{HEADER_SIZE, MAX_NODES_PER_BYTE, Mode, StreamInfo};
+use super::levels::{Bits, Levels, LosslessLevels};
 use super::{quantise, raw, structure};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -13,20 +13,20 @@ use crate::par;
 
 const LOOKING: &str = "looking at the net";
 
-/// How a net is to be stored.
+/// Options of [`encode`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StreamOptions {
-    /// How coordinates are stored.
+    /// The storage of coordinates.
     pub mode: Mode,
-    /// For [`Mode::Quantised`]: true for steps that follow from each axis' own extent, false for a common one.
+    /// For [`Mode::Quantised`]: a step for each axis from its own extent, instead of a common one.
     pub per_axis: bool,
-    /// Rows in a block, which is coded without knowledge of other blocks; 0 for one block of a raw stream, and about 2^17 nodes in
-    /// each block of others.
+    /// Rows in a block, which is coded independently; 0 for one block of a raw stream, and about 2^17 nodes a
+    /// block otherwise.
     pub rows_per_block: usize,
 }
 
 impl StreamOptions {
-    /// With the defaults of a mode.
+    /// The defaults of a mode.
     pub fn new(mode: Mode) -> Self {
         StreamOptions { mode, per_axis: false, rows_per_block: 0 }
     }
@@ -87,7 +87,7 @@ fn encode_planes<T: Bits>(
     let rest = job.part(0.1, 1.0);
     let blocks = match info.mode {
         Mode::Quantised { bits } => {
-            let levels = quantise::grid(planes, bits, options.per_axis)?;
+            let levels = quantise::levels(planes, bits, options.per_axis)?;
             (info.folded, info.origin, info.step) = (true, levels.origin, levels.step);
             compress(&mut info, planes, &all, levels, &rest)?
         }
@@ -95,7 +95,7 @@ fn encode_planes<T: Bits>(
             info.folded = all.are_exact(planes);
             let none = Duplicates::none(shape);
             let duplicates = if info.folded { &all } else { &none };
-            let levels = Exact { missing: first_gap(planes) };
+            let levels = LosslessLevels { missing: first_gap(planes) };
             info.missing = levels.missing.map(|number| number.level() as u64);
             compress(&mut info, planes, duplicates, levels, &rest)?
         }
@@ -115,7 +115,7 @@ fn compress<T: Bits, L: Levels<T> + Copy>(
     in_parallel(info, &job.part(0.1, 1.0), |info, block| Blocks { info, planes, duplicates, levels }.encode(block))
 }
 
-/// The numbers of the first node that has one that is no number; NaN if there is none.
+/// The coordinates of the first missing node; NaN if there is none.
 fn first_gap<T: Bits>(planes: &Planes<'_, T>) -> [T; 3] {
     let (h, w) = (planes.shape().rows(), planes.shape().columns());
     let mut nodes = (0..h).flat_map(|i| (0..w).map(move |j| (i, j)));
@@ -123,7 +123,7 @@ fn first_gap<T: Bits>(planes: &Planes<'_, T>) -> [T; 3] {
     gap.map_or([T::MISSING; 3], |(i, j)| planes.row(i).map(|row| row[j]))
 }
 
-/// All blocks; the host is heard between them.
+/// Encodes all blocks in parallel, cancellable between them.
 fn in_parallel(
     info: &StreamInfo,
     job: &Job<'_>,
@@ -139,21 +139,21 @@ fn assemble(net: &Net<'_>, mut info: StreamInfo, mut blocks: Vec<Vec<u8>>) -> Re
     info.structure_size = body.bytes.len() as u64;
     let overflow = Error::SizeOverflow { what: "bytes of a stream", count: info.shape.node_count() as u64 };
     let prelude = info.prelude().and_then(|size| usize::try_from(size).ok()).ok_or(overflow)?;
-    // A stream says no more than it may, see NODES_A_BYTE.
+    // Padded to the bound of MAX_NODES_PER_BYTE.
     let size = prelude + blocks.iter().map(Vec::len).sum::<usize>();
-    let least = work.div_ceil(NODES_A_BYTE) as usize;
+    let min_size = work.div_ceil(MAX_NODES_PER_BYTE) as usize;
     if let Some(last) = blocks.last_mut()
-        && size < least
+        && size < min_size
     {
-        alloc::reserve(last, least - size)?;
-        last.resize(last.len() + least - size, 0);
+        alloc::reserve(last, min_size - size)?;
+        last.resize(last.len() + min_size - size, 0);
     }
     for block in &blocks {
         body.u64(block.len() as u64)?;
         body.u32(checksum(block))?;
     }
     info.checksum = checksum(&body.bytes);
-    let mut to = Writer { bytes: alloc::with_capacity(size.max(least))? };
+    let mut to = Writer { bytes: alloc::with_capacity(size.max(min_size))? };
     info.write(&mut to)?;
     to.raw(&body.bytes)?;
     if info.mode == Mode::Raw {

@@ -1,24 +1,27 @@
-//! What is left of a cell when corners of it are glued.
+//! The polygon that a cell becomes once glued corners are one (Deryagin, Fig. 4): consecutive equal
+//! corners are merged. O(1).
 
 /// A cell whose glued corners are one. Corners are the representatives of their classes, in the cell's order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reduced {
-    /// Nothing is glued.
+    /// Four corners.
     Quad([u32; 4]),
     /// One side is contracted.
     Triangle([u32; 3]),
-    /// Two sides are contracted, and the other two have become one.
+    /// Two sides are contracted, and the other two are one edge.
     Digon([u32; 2]),
-    /// All is one point.
+    /// One point.
     Point(u32),
-    /// Opposite corners are one, the first of the three: the sides have become the two edges from it to the others (type c(1,2)).
+    /// Opposite corners are one, the first of the three: the sides are the two edges from it to the
+    /// others (type c(1,2)).
     Fold([u32; 3]),
-    /// Both pairs of opposite corners are one each: no surface does that, and no [`Topology`](super::Topology) has it.
+    /// Both pairs of opposite corners are one each: no surface does that, and no
+    /// [`Topology`](super::Topology) has such a cell.
     Crossing([u32; 2]),
 }
 
 impl Reduced {
-    /// `corners`: the classes of the four corners in turn.
+    /// `corners`: the classes of the four corners in order.
     pub fn new(corners: [u32; 4]) -> Self {
         let [a, b, c, d] = corners;
         match ([a == b, b == c, c == d, d == a], a == c, b == d) {
@@ -29,7 +32,7 @@ impl Reduced {
             ([true, false, false, false], ..) | ([false, true, false, false], ..) => Reduced::Triangle([a, c, d]),
             ([false, false, true, false], ..) => Reduced::Triangle([a, b, d]),
             ([false, false, false, true], ..) => Reduced::Triangle([a, b, c]),
-            // At most two classes, each in one piece.
+            // At most two classes, each of consecutive corners.
             _ => match [b, c, d].into_iter().find(|&corner| corner != a) {
                 Some(other) => Reduced::Digon([a, other]),
                 None => Reduced::Point(a),
@@ -37,7 +40,7 @@ impl Reduced {
         }
     }
 
-    /// The corners of the polygon, if it has a surface.
+    /// The corners of the polygon, if it has at least three.
     pub fn polygon(&self) -> Option<&[u32]> {
         match self {
             Reduced::Quad(corners) => Some(corners),

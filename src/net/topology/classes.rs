@@ -1,43 +1,49 @@
-//! Which nodes are one point: the classes that contracted links and seams make.
+//! Classes of nodes that are one point: the connected components of contracted links and seams, by
+//! union-find.
+//!
+//! Invariant: the representative of a class is its smallest node, so that tables of classes are in
+//! the order of nodes and independent of the order of unions. O(1) for sides alone, else O(nodes)
+//! with 4 bytes a node.
 
-use super::{Links, Topology};
+use super::{Links, Matrix, Sides, Topology};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
-use crate::net::{Matrix, Shape, Sides};
+use crate::net::shape::{Shape, corner_places};
 
 /// The classes of glued nodes. The representative of a class is its smallest node.
 #[derive(Debug, Clone)]
 pub struct Classes {
     shape: Shape,
-    kind: Kind,
+    map: ClassMap,
 }
 
 #[derive(Debug, Clone)]
-enum Kind {
-    /// Computed when asked for.
+enum ClassMap {
+    /// Representatives computed on demand.
     Sides(SideClasses),
     /// The representative of every node.
     Table(Vec<u32>),
 }
 
 impl Classes {
-    /// O(1) for a net that is described by its sides alone; else O(nodes + contracted links), and 4 bytes a node.
+    /// The classes of a topology. O(1) if its sides describe it; else O(nodes + contracted links), and
+    /// 4 bytes a node.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn of(topology: &Topology) -> Result<Self> {
-        Self::new_cancellable(topology, &Job::default(), "")
+        Self::of_cancellable(topology, &Job::default(), "")
     }
 
-    /// The same, for large nets: the host can cancel.
+    /// [`Classes::of`] for large nets.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](crate::Error::Cancelled).
-    pub(crate) fn new_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
+    pub(crate) fn of_cancellable(topology: &Topology, job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let shape = topology.shape();
         if let (Links::Sides(sides), []) = (&topology.links, topology.seams()) {
-            return Ok(Classes { shape, kind: Kind::Sides(SideClasses::new(shape, *sides)) });
+            return Ok(Classes { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
         }
         let nodes = (0..shape.node_count()).map(|node| node as u32);
         let mut forest = Forest::of(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
@@ -46,7 +52,7 @@ impl Classes {
             Links::Matrix(matrix) => forest.contract(shape, matrix, &job.part(0.3, 0.8), stage)?,
         }
         topology.seams().iter().flat_map(|seam| seam.pairs(shape)).for_each(|pair| forest.join(pair));
-        Ok(Classes { shape, kind: Kind::Table(forest.flattened(&job.part(0.8, 1.0), stage)?) })
+        Ok(Classes { shape, map: ClassMap::Table(forest.flattened(&job.part(0.8, 1.0), stage)?) })
     }
 
     /// The size of the net.
@@ -57,24 +63,22 @@ impl Classes {
     /// The smallest node of the class of a node.
     #[inline]
     pub fn representative(&self, node: u32) -> u32 {
-        match &self.kind {
-            Kind::Sides(sides) => {
+        match &self.map {
+            ClassMap::Sides(sides) => {
                 let (i, j) = self.shape.place(node);
                 sides.representative(self.shape, i, j)
             }
-            Kind::Table(table) => table[node as usize],
+            ClassMap::Table(table) => table[node as usize],
         }
     }
 
     /// The representatives of the corners of the cell at (i, j).
     #[inline]
     pub fn corners(&self, i: usize, j: usize) -> [u32; 4] {
-        match &self.kind {
-            // Rows and columns are known: no need to divide.
-            Kind::Sides(sides) => {
-                [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)].map(|(i, j)| sides.representative(self.shape, i, j))
-            }
-            Kind::Table(table) => self.shape.corners(i, j).map(|node| table[node as usize]),
+        match &self.map {
+            // Row and column are known: no division.
+            ClassMap::Sides(sides) => corner_places(i, j).map(|(i, j)| sides.representative(self.shape, i, j)),
+            ClassMap::Table(table) => self.shape.corners(i, j).map(|node| table[node as usize]),
         }
     }
 
@@ -92,31 +96,31 @@ impl Classes {
         self.table_cancellable(&Job::default(), "")
     }
 
-    /// The same, for large nets: the host can cancel.
+    /// [`Classes::table`] for large nets.
     ///
     /// # Errors
     /// Also [`Error::Cancelled`](crate::Error::Cancelled).
     pub(crate) fn table_cancellable(&self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
-        match &self.kind {
-            Kind::Sides(_) => {
+        match &self.map {
+            ClassMap::Sides(_) => {
                 let nodes = (0..self.shape.node_count()).map(|node| node as u32);
                 let mut table = alloc::collect_cancellable(nodes, job, stage)?;
-                self.glued(|node, representative| {
+                self.each_glued(|node, representative| {
                     table[node as usize] = representative;
                     Ok(())
                 })?;
                 Ok(table)
             }
-            Kind::Table(table) => alloc::collect_cancellable(table.iter().copied(), job, stage),
+            ClassMap::Table(table) => alloc::collect_cancellable(table.iter().copied(), job, stage),
         }
     }
 
-    /// Gives each node that is not its own representative to `visit`, and its representative. O(H + W) for sides alone,
-    /// else O(nodes).
-    pub(crate) fn glued(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
+    /// Calls `visit` with each node that is not its own representative, and its representative.
+    /// O(H + W) for sides alone, else O(nodes).
+    pub(crate) fn each_glued(&self, mut visit: impl FnMut(u32, u32) -> Result<()>) -> Result<()> {
         let (h, w) = (self.shape.rows(), self.shape.columns());
-        match &self.kind {
-            Kind::Sides(sides) => {
+        match &self.map {
+            ClassMap::Sides(sides) => {
                 let ends = |i: usize| if i == 0 || i + 1 == h { 1 } else { w - 1 };
                 for (i, j) in (0..h).flat_map(|i| (0..w).step_by(ends(i)).map(move |j| (i, j))) {
                     let (node, representative) = (self.shape.node(i, j), sides.representative(self.shape, i, j));
@@ -125,7 +129,7 @@ impl Classes {
                     }
                 }
             }
-            Kind::Table(table) => {
+            ClassMap::Table(table) => {
                 for (node, &representative) in (0..).zip(table) {
                     if representative != node {
                         visit(node, representative)?;
@@ -136,7 +140,7 @@ impl Classes {
         Ok(())
     }
 
-    /// The classes of two nodes and more, in the order of their representatives.
+    /// The classes of at least two nodes, in the order of their representatives.
     ///
     /// O(H + W) for sides alone, else O(nodes), and a sort of the glued nodes.
     ///
@@ -144,7 +148,7 @@ impl Classes {
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub fn groups(&self) -> Result<Groups> {
         let mut glued = Vec::new();
-        self.glued(|node, representative| alloc::push(&mut glued, (representative, node)))?;
+        self.each_glued(|node, representative| alloc::push(&mut glued, (representative, node)))?;
         glued.sort_unstable();
         let mut groups = Groups { offsets: alloc::filled(0, 1)?, members: alloc::with_capacity(2 * glued.len())? };
         for class in glued.chunk_by(|a, b| a.0 == b.0) {
@@ -156,7 +160,7 @@ impl Classes {
     }
 }
 
-/// The classes of two nodes and more.
+/// The classes of at least two nodes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Groups {
     offsets: Vec<u32>,
@@ -164,7 +168,7 @@ pub struct Groups {
 }
 
 impl Groups {
-    /// How many there are.
+    /// The number of classes.
     pub fn len(&self) -> usize {
         self.offsets.len() - 1
     }
@@ -179,12 +183,12 @@ impl Groups {
         &self.members[self.offsets[k] as usize..self.offsets[k + 1] as usize]
     }
 
-    /// All of them.
+    /// All classes.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         (0..self.len()).map(|k| self.get(k))
     }
 
-    /// 0, then the end of each class among the members.
+    /// Where each class starts among the members; one entry more than there are classes.
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
     }
@@ -195,13 +199,13 @@ impl Groups {
     }
 }
 
-/// Classes that follow from the sides.
+/// Classes that follow from the sides alone.
 #[derive(Debug, Clone, Copy)]
 struct SideClasses {
     rows_closed: bool,
     columns_closed: bool,
-    /// Of the poles at the top, the bottom, the left and the right, as they are once closed rows and columns are
-    /// folded.
+    /// The representatives of the poles at the top, the bottom, the left and the right, once closed
+    /// rows and columns are identified.
     poles: [Option<u32>; 4],
 }
 
@@ -215,7 +219,7 @@ impl SideClasses {
         let bottom = (sides.pole_bottom && !columns_closed).then(|| shape.node(h - 1, 0));
         let right = (sides.pole_right && !rows_closed).then(|| shape.node(0, w - 1));
         let mut poles = [top, bottom, left, right];
-        // Poles on adjacent sides share a corner. The smallest number has reached everyone after two rounds.
+        // Poles on adjacent sides share a corner; two rounds spread the smallest number to all.
         for (a, b) in [(0, 2), (0, 3), (1, 2), (1, 3)].repeat(2) {
             if let (Some(first), Some(second)) = (poles[a], poles[b]) {
                 poles[a] = Some(first.min(second));
@@ -241,9 +245,9 @@ impl SideClasses {
 }
 
 /// Nodes between two progress reports.
-const STEP: usize = 1 << 18;
+const NODES_PER_REPORT: usize = 1 << 18;
 
-/// The even bits.
+/// The even bits of a word: links to the west, once bits are shifted to their ends.
 const WEST: u64 = 0x5555_5555_5555_5555;
 
 /// Disjoint sets of nodes whose roots are their smallest members.
@@ -282,13 +286,13 @@ impl Forest {
     /// lead to different parents are trees joined.
     fn contract(&mut self, shape: Shape, matrix: &Matrix, job: &Job<'_>, stage: &'static str) -> Result<()> {
         let (h, w) = (shape.rows(), shape.columns());
-        let often = (STEP / w).max(1);
+        let often = (NODES_PER_REPORT / w).max(1);
         for (i, j) in (0..h).flat_map(|i| (0..w).step_by(32).map(move |j| (i, j))) {
             if j == 0 && i % often == 0 {
                 job.step(i as f64 / h as f64, stage)?;
             }
             let first = i * w + j;
-            // Bit 2k: the link west of node k of these; bit 2k + 1: north. The first column's would lead back.
+            // Bit 2k: the link west of node k of these; bit 2k + 1: north. Closing links are done last.
             let west = if j > 0 { matrix.bits(2 * (first - 1)) } else { matrix.bits(2 * first) << 2 };
             let north = if i > 0 { matrix.bits(2 * (first - w)) } else { 0 };
             let here = (west & WEST) | (north & !WEST);
@@ -305,8 +309,9 @@ impl Forest {
                 }
             }
         }
-        let back = (0..h).map(|i| 2 * shape.node(i, w - 1)).chain((0..w).map(|j| 2 * shape.node(h - 1, j) + 1));
-        back.filter(|&link| matrix.get(link)).for_each(|link| self.join(shape.ends(link)));
+        let closing =
+            (0..h).map(|i| shape.horizontal_link(i, w - 1)).chain((0..w).map(|j| shape.vertical_link(h - 1, j)));
+        closing.filter(|&link| matrix.get(link)).for_each(|link| self.join(shape.ends(link)));
         Ok(())
     }
 

@@ -1,218 +1,173 @@
-//! The 18 local gluings (paper, Fig. 4).
+//! Gluing and ungluing by hand: a link, the star of a node, a cell, a run of nodes (Deryagin, "Local
+//! gluings of nodes", Fig. 4).
 //!
-//! Up to translation, the ways in which the star of a node (its four links) or the rim of a cell can be glued number
-//! 18: 13 partitions come from contracting links of a star (15 sets, two of them translates), 11 from the partitions of
-//! the four corners of a cell that do not cross (14, without the identity and two translates), and 6 are both. The
-//! nineteenth, both pairs of opposite corners, crosses itself: no surface does that.
+//! Every request resolves to pairs of nodes: gluing contracts or seams a pair, ungluing removes
+//! every link and seam that names it. A batch is done as a whole or not at all. O(nodes), and a sort
+//! of the pairs.
 
-use super::edit::place_of_cell;
-use super::{Classes, Matrix, Topology};
-use crate::error::Result;
-use crate::net::Shape;
+use super::local_gluing::{cell_links, star_links};
+use super::{GluingType, Links, Run, Seam, Topology};
+use crate::alloc;
+use crate::error::{Element, Error, Result};
+use crate::net::shape::{Shape, sorted_pair};
 
-/// One of the 18 local gluings, by its number:
-///
-/// | number | type | what is contracted |
-/// |---|---|---|
-/// | 0, 1 | n(1) = c(1) | one link: horizontal, vertical |
-/// | 2 to 5 | n(2,1) = c(2,0) | two links at a corner: east and south of the node, south and west, west and north, north and east |
-/// | 6, 7 | n(2,2) | two opposite links of a node: east and west, north and south |
-/// | 8 to 11 | n(3) | three links of a node: all but north, east, south, west |
-/// | 12 | n(4) | all links of a node |
-/// | 13, 14 | c(2,1) | two opposite links of a cell: top and bottom, right and left |
-/// | 15 | c(3) | three links of a cell, and so the fourth |
-/// | 16, 17 | c(1,2) | a diagonal of a cell, which is no link: first to third corner, second to fourth |
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct GluingType(u8);
+/// Which corners of a cell a diagonal joins (type c(1,2)).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Diagonal {
+    /// The first and the third.
+    Falling,
+    /// The second and the fourth.
+    Rising,
+}
 
-/// The type of a star by its mask: east 1, south 2, west 4, north 8.
-const OF_STAR: [Option<u8>; 16] = [
-    None,
-    Some(0),
-    Some(1),
-    Some(2),
-    Some(0),
-    Some(6),
-    Some(3),
-    Some(8),
-    Some(1),
-    Some(5),
-    Some(7),
-    Some(11),
-    Some(4),
-    Some(10),
-    Some(9),
-    Some(12),
-];
-/// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a corner of the node
-/// between them.
-const OF_CELL: [Option<u8>; 16] = [
-    None,
-    Some(0),
-    Some(1),
-    Some(3),
-    Some(0),
-    Some(13),
-    Some(4),
-    Some(15),
-    Some(1),
-    Some(2),
-    Some(14),
-    Some(15),
-    Some(5),
-    Some(15),
-    Some(15),
-    Some(15),
-];
+/// A gluing to make or to undo.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Gluing {
+    /// The two ends of a link.
+    Link(u32),
+    /// A node and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8. At the sides of the
+    /// net the links go round to the other side, as the characteristic matrix has them.
+    Star {
+        /// The node.
+        node: u32,
+        /// 0 to 15.
+        mask: u8,
+    },
+    /// The ends of the links of a cell that are in the mask: top 1, right 2, bottom 4, left 8.
+    Cell {
+        /// The cell.
+        cell: u32,
+        /// 0 to 15.
+        mask: u8,
+    },
+    /// Opposite corners of a cell.
+    Diagonal {
+        /// The cell.
+        cell: u32,
+        /// Which.
+        diagonal: Diagonal,
+    },
+    /// Two runs of nodes.
+    Seam(Seam),
+}
 
-impl GluingType {
-    /// How many there are.
-    pub const COUNT: usize = 18;
-
-    /// All of them.
-    pub fn all() -> impl ExactSizeIterator<Item = GluingType> {
-        (0..Self::COUNT as u8).map(GluingType)
-    }
-
-    /// The type of a number; `None` above 17.
-    pub fn from_number(number: u32) -> Option<Self> {
-        u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::COUNT).map(GluingType)
-    }
-
-    /// The links of a star that make it: see [`Gluing::Star`](super::Gluing::Star). `None` above 12.
-    pub(super) fn star_mask(self) -> Option<u8> {
-        (0..16u8).find(|&mask| OF_STAR[usize::from(mask)] == Some(self.0))
-    }
-
-    /// The links of a cell that make it; `None` for diagonals.
-    pub(super) fn cell_mask(self) -> Option<u8> {
-        (0..16u8).find(|&mask| OF_CELL[usize::from(mask)] == Some(self.0))
-    }
-
-    /// The number, 0 to 17.
-    pub fn number(self) -> usize {
-        self.0.into()
-    }
-
-    /// The paper's name: of the node or of the cell, whichever it is first.
-    pub fn name(self) -> &'static str {
-        match self.0 {
-            0 | 1 => "n(1)",
-            2..=5 => "n(2,1)",
-            6 | 7 => "n(2,2)",
-            8..=11 => "n(3)",
-            12 => "n(4)",
-            13 | 14 => "c(2,1)",
-            15 => "c(3)",
-            _ => "c(1,2)",
+impl Gluing {
+    /// The gluing of a type at a node (numbers 0 to 12) or a cell (13 to 17): [`classify_node`](super::classify_node)
+    /// or [`classify_cell`](super::classify_cell) finds it there again, if the surroundings are not glued.
+    pub fn of_type(kind: GluingType, at: u32) -> Self {
+        match (kind.star_mask(), kind.cell_mask()) {
+            (Some(mask), _) => Gluing::Star { node: at, mask },
+            (_, Some(mask)) => Gluing::Cell { cell: at, mask },
+            _ if kind.number() == 16 => Gluing::Diagonal { cell: at, diagonal: Diagonal::Falling },
+            _ => Gluing::Diagonal { cell: at, diagonal: Diagonal::Rising },
         }
     }
 
-    /// The number of nodes that become one (the paper's order of the node); two classes of two for c(2,1).
-    pub fn node_order(self) -> usize {
-        match self.0 {
-            0 | 1 | 13 | 14 | 16 | 17 => 2,
-            2..=7 => 3,
-            8..=11 | 15 => 4,
-            _ => 5,
+    /// Passes the links and seams of the request on. `index`: its place in the batch.
+    fn resolve(
+        self,
+        shape: Shape,
+        index: usize,
+        mut link: impl FnMut(u32) -> Result<()>,
+        mut seam: impl FnMut(Seam) -> Result<()>,
+    ) -> Result<()> {
+        let mut masked = |links: [u32; 4], mask: u8| {
+            if mask > 15 {
+                return Err(Error::OptionOutOfRange { option: "mask", value: mask.into() });
+            }
+            (0..4).filter(|k| mask >> k & 1 != 0).try_for_each(|k| link(links[k]))
+        };
+        match self {
+            Gluing::Link(number) if number as usize >= 2 * shape.node_count() => {
+                Err(Error::NoSuch { element: Element::Link, index: number.into() })
+            }
+            Gluing::Link(number) => link(number),
+            Gluing::Star { node, mask } => {
+                shape.check_node(node)?;
+                let (i, j) = shape.place(node);
+                masked(star_links(shape, i, j), mask)
+            }
+            Gluing::Cell { cell, mask } => {
+                let (i, j) = shape.checked_cell_place(cell)?;
+                masked(cell_links(shape, i, j), mask)
+            }
+            Gluing::Diagonal { cell, diagonal } => {
+                let (i, j) = shape.checked_cell_place(cell)?;
+                let corner = Run::at;
+                seam(match diagonal {
+                    Diagonal::Falling => Seam { a: corner(i, j), b: corner(i + 1, j + 1), count: 1 },
+                    Diagonal::Rising => Seam { a: corner(i, j + 1), b: corner(i + 1, j), count: 1 },
+                })
+            }
+            Gluing::Seam(given) => {
+                given.check(shape, index)?;
+                seam(given)
+            }
         }
     }
-}
-
-/// The links of node (i, j): east, south, west, north, round the sides of the net.
-pub(crate) fn star_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
-    let (h, w) = (shape.rows(), shape.columns());
-    let here = 2 * shape.node(i, j);
-    [here, here + 1, 2 * shape.node(i, (j + w - 1) % w), 2 * shape.node((i + h - 1) % h, j) + 1]
-}
-
-/// The links of the cell at (i, j): top, right, bottom, left.
-pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
-    let [a, b, _, d] = shape.corners(i, j);
-    [2 * a, 2 * b + 1, 2 * d, 2 * a + 1]
-}
-
-/// The star of node (i, j): which of its links have become a point. `cyclic`: links that lead back to the first row and
-/// column count too. `None`: no link has.
-pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
-    let shape = classes.shape();
-    let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
-    let links = star_links(shape, i, j);
-    let set = (0..4).filter(|&k| (cyclic || there[k]) && classes.contracts(links[k]));
-    OF_STAR[set.fold(0, |mask, k| mask | 1 << k)].map(GluingType)
-}
-
-/// What the cell at (i, j) has become; `None` if it is a quad.
-pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType> {
-    let [a, b, c, d] = classes.corners(i, j);
-    let mask = usize::from(a == b) | usize::from(b == c) << 1 | usize::from(c == d) << 2 | usize::from(d == a) << 3;
-    let diagonal = if a == c { Some(16) } else { (b == d).then_some(17) };
-    OF_CELL[mask].or(diagonal).map(GluingType)
 }
 
 impl Topology {
-    /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the [`Classes`].
+    /// The topology with more nodes glued. O(nodes).
     ///
     /// # Errors
-    /// [`Error::NoSuch`](crate::Error::NoSuch), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-    pub fn node_type(&self, node: u32, cyclic: bool) -> Result<Option<GluingType>> {
-        self.shape().check_node(node)?;
-        let (i, j) = self.shape().place(node);
-        Ok(classify_node(&Classes::of(self)?, i, j, cyclic))
-    }
-
-    /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the [`Classes`].
-    ///
-    /// # Errors
-    /// [`Error::NoSuch`](crate::Error::NoSuch), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-    pub fn cell_type(&self, cell: u32) -> Result<Option<GluingType>> {
-        let (i, j) = place_of_cell(self.shape(), cell)?;
-        Ok(classify_cell(&Classes::of(self)?, i, j))
-    }
-}
-
-/// How often each type occurs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Histogram {
-    /// Nodes whose star has the type (links that lead back not counted).
-    pub nodes: [u64; GluingType::COUNT],
-    /// Cells that have the type.
-    pub cells: [u64; GluingType::COUNT],
-}
-
-/// Counts the types of all nodes and cells. O(nodes).
-///
-/// # Errors
-/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-pub fn histogram(topology: &Topology) -> Result<Histogram> {
-    let shape = topology.shape();
-    let (h, w) = (shape.rows(), shape.columns());
-    let table = Classes::of(topology)?.table()?;
-    let links = Matrix::of_table(shape, &table)?;
-    let mut histogram = Histogram::default();
-    let count = |counts: &mut [u64; GluingType::COUNT], found: Option<u8>| {
-        if let Some(number) = found {
-            counts[usize::from(number)] += 1;
-        }
-    };
-    for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
-        let node = i * w + j;
-        // The pairs of bits of nodes: 1 for the link to the east, 2 for that to the south.
-        let pair = |there: bool, node: usize| if there { links.pair(node) } else { 0 };
-        let (right, down) = (j + 1 < w, i + 1 < h);
-        let here = links.pair(node) & (usize::from(right) | usize::from(down) << 1);
-        let (west, north) = (pair(j > 0, node.wrapping_sub(1)), pair(i > 0, node.wrapping_sub(w)));
-        count(&mut histogram.nodes, OF_STAR[here | (west & 1) << 2 | (north & 2) << 2]);
-        if right && down {
-            let (east, south) = (links.pair(node + 1), links.pair(node + w));
-            let mask = (here & 1) | (east & 2) | (south & 1) << 2 | (here & 2) << 2;
-            let diagonal = match mask {
-                0 if table[node] == table[node + w + 1] => Some(16),
-                0 if table[node + 1] == table[node + w] => Some(17),
-                _ => None,
+    /// [`Error::NoSuch`], [`Error::OptionOutOfRange`] (a mask above
+    /// 15), [`Error::BadSeam`] (its place in the batch), [`Error::CrossingCell`], [`Error::OutOfMemory`].
+    pub fn glued(&self, gluings: &[Gluing]) -> Result<Self> {
+        let (mut matrix, mut seams) = (self.matrix()?, alloc::copied(self.seams())?);
+        for (index, gluing) in gluings.iter().enumerate() {
+            let contract = |link| {
+                matrix.set(link, true);
+                Ok(())
             };
-            count(&mut histogram.cells, OF_CELL[mask].or(diagonal));
+            gluing.resolve(self.shape(), index, contract, |seam| alloc::push(&mut seams, seam))?;
+        }
+        Ok(Topology::new(self.shape(), Links::Matrix(matrix), &seams)?.with_reversed(self.is_reversed()))
+    }
+
+    /// The topology without the gluings of these pairs of nodes: their links are freed, and seams
+    /// that contain them are split there. Nodes may remain one point by way of others; a pair that
+    /// is not glued by name is left alone. O(nodes), and a sort of the pairs.
+    ///
+    /// # Errors
+    /// As for [`Topology::glued`].
+    pub fn unglued(&self, gluings: &[Gluing]) -> Result<Self> {
+        let shape = self.shape();
+        let mut pairs: Vec<[u32; 2]> = Vec::new();
+        let mut matrix = self.matrix()?;
+        for (index, gluing) in gluings.iter().enumerate() {
+            let mut found = Vec::new();
+            let link = |link| {
+                matrix.set(link, false);
+                alloc::push(&mut pairs, sorted_pair(shape.ends(link)))
+            };
+            gluing.resolve(shape, index, link, |seam| alloc::push(&mut found, seam))?;
+            for seam in found {
+                alloc::reserve(&mut pairs, seam.count as usize)?;
+                pairs.extend(seam.pairs(shape).map(sorted_pair));
+            }
+        }
+        pairs.sort_unstable();
+        pairs.dedup();
+        pairs.iter().flat_map(|&pair| shape.links_between(pair)).for_each(|link| matrix.set(link, false));
+        let mut seams = Vec::new();
+        for &seam in self.seams() {
+            split_seam(shape, seam, &pairs, &mut seams)?;
+        }
+        Ok(Topology::new(shape, Links::Matrix(matrix), &seams)?.with_reversed(self.is_reversed()))
+    }
+}
+
+/// Appends the parts of a seam between the pairs that it loses.
+fn split_seam(shape: Shape, seam: Seam, pairs: &[[u32; 2]], parts: &mut Vec<Seam>) -> Result<()> {
+    let mut start = 0;
+    for (k, pair) in (0..).zip(seam.pairs(shape)) {
+        if pairs.binary_search(&sorted_pair(pair)).is_ok() {
+            if start < k {
+                alloc::push(parts, seam.part(start, k))?;
+            }
+            start = k + 1;
         }
     }
-    Ok(histogram)
+    if start < seam.count { alloc::push(parts, seam.part(start, seam.count)) } else { Ok(()) }
 }

@@ -1,14 +1,16 @@
-//! The characteristic matrix: one bit for each link.
+//! The characteristic matrix C (Deryagin, "Non-spatial operations"): one bit for each link, 1 for a
+//! contracted one. 2 bits a node; whole words at a time where many links are tested or set.
 
+use super::Sides;
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::net::{Shape, Sides};
+use crate::net::Shape;
 use std::ops::Range;
 
 const WORD: usize = u64::BITS as usize;
 
-/// The paper's matrix C, 2H x W bits, 1 for a contracted link: its element (2i, j) is link `2 * node(i, j)` here and
-/// (2i + 1, j) link `2 * node(i, j) + 1` (rows and columns from 0), so that the two bits of a node lie together.
+/// The paper's matrix C of 2H x W bits. Its element (2i, j) is the horizontal link of node (i, j) and
+/// (2i + 1, j) the vertical one (rows and columns from 0); the two bits of a node are adjacent.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Matrix {
     words: Vec<u64>,
@@ -70,7 +72,7 @@ impl Matrix {
 
     /// The contracted links, in order.
     pub fn links(&self) -> impl Iterator<Item = u32> {
-        bits(&self.words, 0)
+        set_bits(&self.words, 0)
     }
 
     /// Contracts the vertical links of a range of nodes.
@@ -84,11 +86,13 @@ impl Matrix {
         }
     }
 
-    /// Those of them in a range.
+    /// The contracted links in a range, in order.
     pub(crate) fn links_in(&self, range: Range<u32>) -> impl Iterator<Item = u32> {
         let words = range.start as usize / WORD..(range.end as usize).div_ceil(WORD);
         let first = words.start;
-        bits(&self.words[words], first).skip_while(move |&link| link < range.start).take_while(move |&l| l < range.end)
+        set_bits(&self.words[words], first)
+            .skip_while(move |&link| link < range.start)
+            .take_while(move |&l| l < range.end)
     }
 
     /// The two bits of a node: 1 for its horizontal link, 2 for its vertical one.
@@ -96,14 +100,14 @@ impl Matrix {
         (self.words[2 * node / WORD] >> (2 * node % WORD)) as usize & 3
     }
 
-    /// 64 bits from one on; those after the end are 0.
+    /// The 64 bits from `from` on; zeros after the end.
     pub(super) fn bits(&self, from: usize) -> u64 {
         let (word, shift) = (from / WORD, from % WORD);
         let next = self.words.get(word + 1).map_or(0, |&next| next << 1 << (WORD - 1 - shift));
         self.words[word] >> shift | next
     }
 
-    /// Every link contracted whose ends have the same entry of a table of nodes. O(nodes).
+    /// Contracts every link whose ends have the same entry in a table of nodes. O(nodes).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -120,14 +124,14 @@ impl Matrix {
                     let east = if j + k + 1 < w { row[j + k + 1] } else { row[0] };
                     bits | u64::from(*here == east) << (2 * k) | u64::from(here == below) << (2 * k + 1)
                 });
-                matrix.put(2 * (i * w + j), bits);
+                matrix.or_bits(2 * (i * w + j), bits);
             }
         }
         Ok(matrix)
     }
 
-    /// Sets those of 64 bits from one on that are 1.
-    fn put(&mut self, from: usize, bits: u64) {
+    /// Or-combines 64 bits into the matrix from `from` on.
+    fn or_bits(&mut self, from: usize, bits: u64) {
         let (word, shift) = (from / WORD, from % WORD);
         self.words[word] |= bits << shift;
         if let Some(next) = self.words.get_mut(word + 1) {
@@ -143,25 +147,25 @@ impl Matrix {
         Ok(Matrix { words: alloc::copied(&self.words)? })
     }
 
-    /// The sides that say the same, if there are any.
+    /// The sides that contract the same links, if any do.
     pub(super) fn as_sides(&self, shape: Shape) -> Result<Option<Sides>> {
         let (h, w) = (shape.rows(), shape.columns());
         let sides = Sides {
-            rows_closed: self.get(2 * shape.node(0, w - 1)),
-            columns_closed: self.get(2 * shape.node(h - 1, 0) + 1),
-            pole_top: self.get(2 * shape.node(0, 0)),
-            pole_bottom: self.get(2 * shape.node(h - 1, 0)),
-            pole_left: self.get(2 * shape.node(0, 0) + 1),
-            pole_right: self.get(2 * shape.node(0, w - 1) + 1),
+            rows_closed: self.get(shape.horizontal_link(0, w - 1)),
+            columns_closed: self.get(shape.vertical_link(h - 1, 0)),
+            pole_top: self.get(shape.horizontal_link(0, 0)),
+            pole_bottom: self.get(shape.horizontal_link(h - 1, 0)),
+            pole_left: self.get(shape.vertical_link(0, 0)),
+            pole_right: self.get(shape.vertical_link(0, w - 1)),
         };
-        // As many, and each of them: no second matrix is needed.
+        // The sides' links are all set, and no others: no second matrix is needed.
         let ones: usize = self.words.iter().map(|word| word.count_ones() as usize).sum();
-        let mut said = 0;
+        let mut expected = 0;
         let all = sides.links(shape).all(|link| {
-            said += 1;
+            expected += 1;
             self.get(link)
         });
-        Ok((all && said == ones).then_some(sides))
+        Ok((all && expected == ones).then_some(sides))
     }
 
     /// The bytes of [`Matrix::from_bytes`].
@@ -175,8 +179,8 @@ impl Matrix {
     }
 }
 
-/// The bits that are set in words, of which the first is number `first`.
-fn bits(words: &[u64], first: usize) -> impl Iterator<Item = u32> {
+/// The set bits of words, the first of which is word number `first`.
+fn set_bits(words: &[u64], first: usize) -> impl Iterator<Item = u32> {
     words.iter().zip(first..).flat_map(|(&word, at)| {
         std::iter::successors((word != 0).then_some(word), |&w| Some(w & (w - 1)).filter(|&rest| rest != 0))
             .map(move |w| (at * WORD) as u32 + w.trailing_zeros())

@@ -1,9 +1,11 @@
-//! Seams: runs of nodes glued to runs of nodes, for what the characteristic matrix cannot say.
+//! Seams: runs of nodes glued to runs of nodes, for gluings that the characteristic matrix cannot
+//! express. An extension of Deryagin's model, as the 1-to-1 connectivity of CGNS is (PointRange and
+//! PointRangeDonor): O(1) memory whatever the length of the run.
 
 use crate::error::{Error, Result};
 use crate::net::Shape;
 
-/// Nodes in a line: from (row, column) on, `row_step` and `column_step` further each time.
+/// Nodes in a line: from (row, column) in equal steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Run {
     /// Row of the first node.
@@ -17,6 +19,11 @@ pub struct Run {
 }
 
 impl Run {
+    /// A run that stays at node (i, j).
+    pub fn at(i: usize, j: usize) -> Self {
+        Run::along_row(i as u32, j as u32, 0)
+    }
+
     /// A run along a row (step 1) or against it (step -1).
     pub fn along_row(row: u32, column: u32, step: i32) -> Self {
         Run { row, column, row_step: 0, column_step: step }
@@ -27,13 +34,13 @@ impl Run {
         Run { row, column, row_step: step, column_step: 0 }
     }
 
-    /// Row and column of node `k`, wherever that is.
+    /// Row and column of node `k`, which may lie outside the net.
     pub(crate) fn place(&self, k: u32) -> (i64, i64) {
         let k = i64::from(k);
         (i64::from(self.row) + k * i64::from(self.row_step), i64::from(self.column) + k * i64::from(self.column_step))
     }
 
-    fn is_in(&self, shape: Shape, count: u32) -> bool {
+    fn is_inside(&self, shape: Shape, count: u32) -> bool {
         [0, count - 1].into_iter().all(|k| {
             let (i, j) = self.place(k);
             (0..shape.rows() as i64).contains(&i) && (0..shape.columns() as i64).contains(&j)
@@ -45,7 +52,7 @@ impl Run {
         Run { row: self.column, column: self.row, row_step: self.column_step, column_step: self.row_step }
     }
 
-    /// The same nodes, the last one first.
+    /// The first `count` nodes in reverse order.
     fn reversed(self, count: u32) -> Self {
         let (row, column) = self.place(count - 1);
         let (row_step, column_step) = (-self.row_step, -self.column_step);
@@ -60,42 +67,56 @@ impl Run {
 
 /// Node k of run `a` is node k of run `b`, for all k below `count`.
 ///
-/// Needed for closures that turn a side round (Möbius strip, Klein bottle, projective plane), for the crosswise unwrapped
-/// cube, for diagonals of cells (type c(1,2) of the paper's Fig. 4), and for closed nets within larger ones.
+/// Needed for closures that reverse a side (Möbius strip, Klein bottle, projective plane), for the
+/// cross unwrapping of the cube, for diagonals of cells (type c(1,2) of the paper's Fig. 4), and for
+/// closed nets within larger ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Seam {
-    /// The one run.
+    /// The first run.
     pub a: Run,
-    /// The other.
+    /// The second run.
     pub b: Run,
     /// The number of nodes of each; at least 1.
     pub count: u32,
 }
 
 impl Seam {
-    /// [`Error::BadSeam`] if a node is outside the net or there are none. `index`: which seam.
+    /// [`Error::BadSeam`] if the seam is empty or leaves the net. `index`: the number of the seam.
     pub(crate) fn check(&self, shape: Shape, index: usize) -> Result<()> {
-        let good = self.count > 0 && self.a.is_in(shape, self.count) && self.b.is_in(shape, self.count);
+        let good = self.count > 0 && self.a.is_inside(shape, self.count) && self.b.is_inside(shape, self.count);
         if good { Ok(()) } else { Err(Error::BadSeam { seam: index as u32 }) }
     }
 
-    /// The smallest of the ways to write this seam down.
+    /// The smallest of the spellings of this seam: either run first, in either sense.
     pub(crate) fn canonical(self) -> Self {
         let Seam { mut a, mut b, mut count } = self;
         if [a, b].iter().all(|run| (run.row_step, run.column_step) == (0, 0)) {
-            // The same pair again and again.
+            // One pair, repeated.
             count = 1;
         }
         if count == 1 {
             (a.row_step, a.column_step, b.row_step, b.column_step) = (0, 0, 0, 0);
         }
-        let (last_a, last_b) = (a.reversed(count), b.reversed(count));
-        let ways = [(a, b), (b, a), (last_a, last_b), (last_b, last_a)];
-        let (a, b) = ways.into_iter().min().unwrap_or((a, b));
-        Seam { a, b, count }
+        let spellings = Seam { a, b, count }.spellings();
+        spellings.into_iter().min().unwrap_or(self)
     }
 
-    /// Its pairs `from..to`, of which there are some.
+    /// The four spellings: as it is, with the runs exchanged, and both in reverse.
+    pub(crate) fn spellings(self) -> [Self; 4] {
+        let reversed = self.reversed();
+        [self, self.exchanged(), reversed, reversed.exchanged()]
+    }
+
+    /// The same pairs in reverse order.
+    pub(crate) fn reversed(self) -> Self {
+        Seam { a: self.a.reversed(self.count), b: self.b.reversed(self.count), count: self.count }
+    }
+
+    fn exchanged(self) -> Self {
+        Seam { a: self.b, b: self.a, count: self.count }
+    }
+
+    /// The pairs `from..to`, a non-empty range.
     pub(super) fn part(self, from: u32, to: u32) -> Self {
         let at = |run: Run| {
             let (row, column) = run.place(from);

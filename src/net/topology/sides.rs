@@ -1,14 +1,16 @@
-//! Closures that the four sides of a net say all about.
+//! Closures that the four sides of a net describe completely (Deryagin, Fig. 5: tube, two poles, one
+//! pole, torus). O(1) memory; the contracted links lie at the sides.
 
 use crate::net::Shape;
 
-/// What becomes of the four sides of a net. Each says that a set of links is contracted: see [`Sides::contracts`].
+/// The closure of each of the four sides of a net: each flag contracts a set of links, see
+/// [`Sides::contracts`].
 ///
-/// The paper's closures (its Fig. 5) are among the combinations, and so are nets that are closed in part, such as a cone
-/// with an open base.
+/// The paper's closures (Fig. 5) are among the combinations, and so are partly closed nets, such as a
+/// cone with an open base.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Sides {
-    /// Every row is closed: its last node is its first one again.
+    /// Every row is closed: its last node repeats its first.
     pub rows_closed: bool,
     /// Every column is closed.
     pub columns_closed: bool,
@@ -36,7 +38,7 @@ impl Sides {
     pub const TUBE: Sides = Sides { rows_closed: true, ..Sides::SHEET };
     /// Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and pyramids with their caps.
     pub const TWO_POLES: Sides = Sides { pole_top: true, pole_bottom: true, ..Sides::TUBE };
-    /// All four sides are one point: a disc whose rim is drawn together.
+    /// All four sides are one point: a disc with its rim contracted.
     pub const ONE_POLE: Sides =
         Sides { pole_top: true, pole_bottom: true, pole_left: true, pole_right: true, ..Sides::SHEET };
     /// Rows and columns closed.
@@ -70,15 +72,13 @@ impl Sides {
     /// The links that are contracted, each once, at the sides only: O(H + W) of them.
     pub(crate) fn links(self, shape: Shape) -> impl Iterator<Item = u32> {
         let (h, w) = (shape.rows(), shape.columns());
-        let horizontal = move |i, j| 2 * shape.node(i, j);
-        let vertical = move |i, j| 2 * shape.node(i, j) + 1;
         let when = |condition: bool, count: usize| 0..if condition { count } else { 0 };
         when(self.rows_closed, h)
-            .map(move |i| horizontal(i, w - 1))
-            .chain(when(self.columns_closed, w).map(move |j| vertical(h - 1, j)))
-            .chain(when(self.pole_top, w - 1).map(move |j| horizontal(0, j)))
-            .chain(when(self.pole_bottom, w - 1).map(move |j| horizontal(h - 1, j)))
-            .chain(when(self.pole_left, h - 1).map(move |i| vertical(i, 0)))
-            .chain(when(self.pole_right, h - 1).map(move |i| vertical(i, w - 1)))
+            .map(move |i| shape.horizontal_link(i, w - 1))
+            .chain(when(self.columns_closed, w).map(move |j| shape.vertical_link(h - 1, j)))
+            .chain(when(self.pole_top, w - 1).map(move |j| shape.horizontal_link(0, j)))
+            .chain(when(self.pole_bottom, w - 1).map(move |j| shape.horizontal_link(h - 1, j)))
+            .chain(when(self.pole_left, h - 1).map(move |i| shape.vertical_link(i, 0)))
+            .chain(when(self.pole_right, h - 1).map(move |i| shape.vertical_link(i, w - 1)))
     }
 }

@@ -1,4 +1,4 @@
-//! Affine maps: the paper's T, R, S and C, and all others.
+//! Affine maps: Deryagin's T, R, S and C ("Spatial operations"), and all others. O(1).
 
 use crate::error::{Error, Result};
 use glam::{DMat3, DVec3};
@@ -20,7 +20,7 @@ impl Axis {
         self as usize
     }
 
-    /// Three things, one for each axis, turned so that this axis is the last: right-handed before, right-handed after.
+    /// A triple by axis, permuted cyclically so that this axis is the last.
     pub(crate) fn last<T>(self, [x, y, z]: [T; 3]) -> [T; 3] {
         match self {
             Axis::X => [y, z, x],
@@ -30,13 +30,13 @@ impl Axis {
     }
 }
 
-/// Which way a rotation turns.
+/// The sense of a rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Sense {
-    /// By the right hand: seen from the tip of the axis, anticlockwise.
+    /// Right-handed: anticlockwise seen from the tip of the axis.
     #[default]
     RightHanded,
-    /// As the paper's formula has it, which is written for row vectors and applied to columns: the other way.
+    /// As in the paper's formula, which is written for row vectors and applied to columns: left-handed.
     AsPrinted,
 }
 
@@ -47,7 +47,7 @@ pub struct Affine {
 }
 
 impl Affine {
-    /// Nothing moves.
+    /// The identity.
     pub const IDENTITY: Affine = Affine { rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]] };
 
     /// Any map: (x, y, z) goes to `rows` times (x, y, z, 1).
@@ -61,7 +61,7 @@ impl Affine {
         }
     }
 
-    /// The paper's T(c): everything by the same vector.
+    /// The paper's T(c): a translation.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if a number is not finite; as for all that follow.
@@ -75,7 +75,7 @@ impl Affine {
     /// # Errors
     /// Also [`Error::OptionOutOfRange`] if the axis is zero.
     pub fn rotation(axis: DVec3, angle: f64, pivot: DVec3, sense: Sense) -> Result<Self> {
-        // Scaled first, so that neither huge nor tiny axes lose their direction.
+        // Scaled first, so that the length neither overflows nor underflows.
         let unit = (axis / axis.abs().max_element()).normalize();
         if !unit.is_finite() {
             return Err(Error::OptionOutOfRange { option: "axis", value: axis.length() });
@@ -99,8 +99,8 @@ impl Affine {
         Self::stretching(DVec3::splat(ratio))
     }
 
-    /// The paper's C(k): away from an axis of coordinates by `ratio`, the ratio of new distance to old. What is on the
-    /// axis stays, and so do distances along it.
+    /// The paper's C(k): away from a coordinate axis by `ratio`, the ratio of new distance to old. Points on
+    /// the axis stay, and so do distances along it.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
@@ -126,7 +126,7 @@ impl Affine {
         Self::new(rows)
     }
 
-    /// This map, then another.
+    /// The composition: this map, then another.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if the product overflows.
@@ -145,7 +145,7 @@ impl Affine {
         DMat3::from_cols(x, y, z).transpose()
     }
 
-    /// Where the origin goes.
+    /// The image of the origin.
     pub fn displacement(&self) -> DVec3 {
         DVec3::from_array(self.rows.map(|row| row[3]))
     }
@@ -155,9 +155,9 @@ impl Affine {
         self.linear().determinant()
     }
 
-    /// True if the map turns right hands to left ones, even where the ratio of volumes is too small or large a number.
+    /// True if the map reverses orientation, even where the ratio of volumes overflows or underflows.
     pub fn mirrors(&self) -> bool {
-        // Rows, then columns, by powers of two, which is exact and leaves the sign.
+        // Rows, then columns, are scaled by powers of two, which is exact and keeps the sign.
         let scaled = |vector: DVec3| {
             let (_, exponent) = libm::frexp(vector.abs().max_element());
             DVec3::from_array(vector.to_array().map(|value| libm::ldexp(value, -exponent)))
@@ -168,7 +168,7 @@ impl Affine {
         DMat3::from_cols(x, y, z).determinant() < 0.0
     }
 
-    /// Where a point goes.
+    /// The image of a point.
     pub fn apply(&self, point: DVec3) -> DVec3 {
         self.linear() * point + self.displacement()
     }

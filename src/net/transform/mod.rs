@@ -1,14 +1,15 @@
-//! Spatial operations (paper, "All spatial operations on tetragonal regular networks come down to transforms of the
-//! space"): translations, rotations, scalings, compressions, and every other affine map.
+//! Spatial operations (Deryagin, "All spatial operations on tetragonal regular networks come down to
+//! transforms of the space"): translations, rotations, scalings, compressions, all other affine maps.
 //!
-//! Operations are composed to one matrix, which is applied to all nodes in place, in one pass. Each node is computed by
-//! itself, so that glued nodes of equal bits keep equal bits.
+//! Operations are composed to one matrix, which is applied to all nodes in place, in one pass.
+//! Invariant: each node is computed independently, so that glued nodes of equal bits keep equal bits.
+//! O(nodes), bound by memory.
 
 mod affine;
 
 pub use affine::{Affine, Axis, Sense};
 
-use super::pieces;
+use super::chunks;
 use super::{Net, Planes, Real, each};
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -18,8 +19,8 @@ use crate::simd::{self, Kernel};
 ///
 /// A map that mirrors (negative determinant) turns the surface inside out; the topology's
 /// [`is_reversed`](super::Topology::is_reversed) changes then, so that faces look outwards as before. Missing nodes
-/// stay missing. A cancel is heard before the first node is moved, not later: all nodes are moved, or none. O(nodes),
-/// no memory.
+/// stay missing. Cancellable before the first node is moved: all nodes are moved, or none. O(nodes), no
+/// memory.
 ///
 /// # Errors
 /// [`Error::FieldUndefined`] for the first node whose coordinates would overflow, and no node is moved (coordinates beyond
@@ -39,28 +40,29 @@ pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()
     Ok(())
 }
 
-/// [`Error::FieldUndefined`] for the first node that overflows. Nodes are looked at only if the map is so large that common ones may.
+/// [`Error::FieldUndefined`] for the first node that overflows. Nodes are checked only if the map is so
+/// large that nodes of common size may overflow.
 fn check<T: Real>(planes: &Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
-    let reach = |[a, b, c, d]: [f64; 4]| (a.abs() + b.abs() + c.abs()) * T::GREATEST.sqrt() + d.abs();
-    if affine.rows().into_iter().all(|row| reach(row) <= T::GREATEST) {
+    let bound = |[a, b, c, d]: [f64; 4]| (a.abs() + b.abs() + c.abs()) * T::MAX.sqrt() + d.abs();
+    if affine.rows().into_iter().all(|row| bound(row) <= T::MAX) {
         return Ok(());
     }
     let rows = affine.rows().map(|row| row.map(T::of));
-    pieces::scan(planes, threads, |first, [x, y, z]| {
-        let is_lost = |k: usize| {
+    chunks::for_each_chunk(planes, threads, |first, [x, y, z]| {
+        let overflows = |k: usize| {
             let node = [x[k], y[k], z[k]];
             let moved = rows.map(|[a, b, c, d]| a * node[0] + b * node[1] + c * node[2] + d);
             let finite = |numbers: [T; 3]| numbers.into_iter().all(|x| x.into().is_finite());
             finite(node) && !finite(moved)
         };
-        let lost = (0..x.len()).find(|&k| is_lost(k));
-        lost.map_or(Ok(()), |k| Err(Error::FieldUndefined { node: (first + k) as u32 }))
+        let first_lost = (0..x.len()).find(|&k| overflows(k));
+        first_lost.map_or(Ok(()), |k| Err(Error::FieldUndefined { node: (first + k) as u32 }))
     })
 }
 
 fn apply<T: Real>(planes: &mut Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
     let rows = affine.rows().map(|row| row.map(T::of));
-    pieces::change(planes, threads, pieces::BLOCK, |_, [x, y, z]| {
+    chunks::for_each_chunk_mut(planes, threads, chunks::BLOCK, |_, [x, y, z]| {
         simd::run(Apply { rows, x, y, z });
         Ok(())
     })
@@ -84,20 +86,20 @@ impl<T: Real> Kernel for Apply<'_, T> {
 
 #[inline(always)]
 fn apply_to<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
-    // Whole runs, and the rest elsewhere: a loop for the rest would keep the matrix in registers that the vectors need.
+    // Whole runs; the remainder elsewhere, as its loop would hold the matrix in registers that the vectors need.
     let ((x, x_rest), (y, y_rest), (z, z_rest)) = (x.as_chunks_mut(), y.as_chunks_mut(), z.as_chunks_mut());
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         apply_to_run(rows, x, y, z);
     }
-    rest(rows, x_rest, y_rest, z_rest);
+    apply_to_remainder(rows, x_rest, y_rest, z_rest);
 }
 
-/// So many nodes are a run.
+/// Nodes of a vectorised run.
 const RUN: usize = 16;
 
 #[inline(always)]
 fn apply_to_run<T: Real>(rows: [[T; 4]; 3], x: &mut [T; RUN], y: &mut [T; RUN], z: &mut [T; RUN]) {
-    // Results of their own, which cannot overlap with what is read.
+    // Separate results, which cannot alias the operands.
     let mut moved = [[T::of(0.0); RUN]; 3];
     let [new_x, new_y, new_z] = &mut moved;
     for k in 0..RUN {
@@ -109,7 +111,7 @@ fn apply_to_run<T: Real>(rows: [[T; 4]; 3], x: &mut [T; RUN], y: &mut [T; RUN], 
 }
 
 #[inline(never)]
-fn rest<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
+fn apply_to_remainder<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         [*x, *y, *z] = rows.map(|[p, q, r, s]| p * *x + q * *y + r * *z + s);
     }

@@ -1,22 +1,25 @@
-//! Edges that a mesh has already: a diagonal that were one of them would make an edge of four faces.
+//! Edges that diagonals of quads must avoid: a diagonal along an edge of the mesh would give it four
+//! faces.
+//!
+//! Only edges with a glued end matter: between two single nodes no second edge exists.
 
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::Shape;
+use crate::net::shape::{Shape, sorted_pair};
 use std::collections::HashSet;
 
-/// The edges of classes of which one end at least is several nodes: between two nodes that are by themselves there is no second edge.
-pub(super) struct Taken {
-    /// By class: whether it is several nodes.
+/// The edges with at least one glued end.
+pub(super) struct UsedLinks {
+    /// For each class whether it has several nodes.
     is_glued: Vec<bool>,
-    /// Those of the net's links, in order.
+    /// The edges of the net's links, in order.
     links: Vec<[u32; 2]>,
-    /// Those of the diagonals that were chosen.
+    /// The diagonals chosen so far.
     diagonals: HashSet<[u32; 2]>,
 }
 
-impl Taken {
+impl UsedLinks {
     /// The edges of the links. O(nodes), and a sort of the edges.
     pub(super) fn new(shape: Shape, classes: &[u32], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut is_glued = alloc::filled(false, classes.len())?;
@@ -31,36 +34,33 @@ impl Taken {
             for link in range.map(|link| link as u32).filter(|&link| shape.is_inner(link)) {
                 let ends = shape.ends(link);
                 if ends.iter().any(|&node| is_glued[node as usize]) {
-                    alloc::push(&mut links, edge(ends.map(|node| classes[node as usize])))?;
+                    alloc::push(&mut links, sorted_pair(ends.map(|node| classes[node as usize])))?;
                 }
             }
             Ok(())
         })?;
         links.sort_unstable();
         links.dedup();
-        Ok(Taken { is_glued, links, diagonals: HashSet::new() })
+        Ok(UsedLinks { is_glued, links, diagonals: HashSet::new() })
     }
 
-    /// True if there is such an edge between two classes.
-    pub(super) fn has(&self, ends: [u32; 2]) -> bool {
-        self.matters(ends) && (self.links.binary_search(&edge(ends)).is_ok() || self.diagonals.contains(&edge(ends)))
+    /// True if two classes are joined by an edge.
+    pub(super) fn contains(&self, ends: [u32; 2]) -> bool {
+        let edge = sorted_pair(ends);
+        self.has_glued_end(ends) && (self.links.binary_search(&edge).is_ok() || self.diagonals.contains(&edge))
     }
 
     /// Adds a diagonal.
     pub(super) fn add(&mut self, ends: [u32; 2]) -> Result<()> {
-        if self.matters(ends) {
+        if self.has_glued_end(ends) {
             let bytes = size_of::<[u32; 2]>() as u64 * (self.diagonals.len() as u64 + 1);
             self.diagonals.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
-            self.diagonals.insert(edge(ends));
+            self.diagonals.insert(sorted_pair(ends));
         }
         Ok(())
     }
 
-    fn matters(&self, ends: [u32; 2]) -> bool {
+    fn has_glued_end(&self, ends: [u32; 2]) -> bool {
         ends.iter().any(|&class| self.is_glued[class as usize])
     }
-}
-
-fn edge([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }

@@ -1,14 +1,14 @@
-//! Coordinates of nets that are joined.
+//! Coordinates of joined nets, bit for bit. O(nodes), bound by memory.
 
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::net::arrange::planes;
+use crate::net::arrange::build_planes;
 use crate::net::{Coordinates, Direction, Net, Planes, Real, Shape};
 use std::ops::Range;
 
 /// The matrices of all nets side by side, bit for bit.
-pub(super) fn joined(
+pub(super) fn join(
     nets: &[&Net<'_>],
     direction: Direction,
     shape: Shape,
@@ -23,7 +23,7 @@ pub(super) fn joined(
                     _ => return Err(Error::MixedScalars),
                 }
             }
-            Coordinates::$kind(beside(&parts, direction, shape, job)?)
+            Coordinates::$kind(side_by_side(&parts, direction, shape, job)?)
         }};
     }
     Ok(match nets[0].coordinates() {
@@ -32,21 +32,19 @@ pub(super) fn joined(
     })
 }
 
-fn beside<T: Real>(
+fn side_by_side<T: Real>(
     parts: &[&Planes<'_, T>],
     direction: Direction,
     shape: Shape,
     job: &Job<'_>,
 ) -> Result<Planes<'static, T>> {
-    let mut starts = alloc::with_capacity(parts.len() + 1)?;
-    starts.push(0);
-    for part in parts {
-        starts.push(starts[starts.len() - 1] + direction.extent(part.shape()).0);
-    }
+    let starts = starts(parts.iter().map(|part| part.shape()), direction)?;
     let columns = shape.columns();
     match direction {
-        Direction::Down => planes(shape, job, |axis, rows, to| below(parts, &starts, axis, rows, columns, to)),
-        Direction::Right => planes(shape, job, |axis, rows, to| {
+        Direction::Down => {
+            build_planes(shape, job, |axis, rows, to| copy_rows(parts, &starts, axis, rows, columns, to))
+        }
+        Direction::Right => build_planes(shape, job, |axis, rows, to| {
             for (part, &start) in parts.iter().zip(&starts) {
                 let (from, stride, width) = (part.matrices()[axis], part.stride(), part.shape().columns());
                 for (i, to) in rows.clone().zip(to.chunks_exact_mut(columns)) {
@@ -57,8 +55,20 @@ fn beside<T: Real>(
     }
 }
 
-/// Fills rows with those of the nets that lie there.
-fn below<T: Real>(
+/// Where each net starts in a direction; one entry more than there are nets.
+pub(crate) fn starts(shapes: impl ExactSizeIterator<Item = Shape>, direction: Direction) -> Result<Vec<usize>> {
+    let mut starts = alloc::with_capacity(shapes.len() + 1)?;
+    let mut end = 0;
+    starts.push(end);
+    starts.extend(shapes.map(|shape| {
+        end += direction.extent(shape).0;
+        end
+    }));
+    Ok(starts)
+}
+
+/// Fills rows with those of the nets that lie one below the other there.
+fn copy_rows<T: Real>(
     parts: &[&Planes<'_, T>],
     starts: &[usize],
     axis: usize,

@@ -1,21 +1,23 @@
-//! Topologies whose nodes are arranged anew.
+//! Topologies of rearranged nodes: transposed, flipped, cut into ranges of rows.
+//!
+//! Sides stay sides. O(contracted links + pairs of seams), O(1) for sides alone.
 
-use super::runs;
+use super::seams;
 use crate::alloc;
 use crate::error::Result;
 use crate::net::topology::{Links, Matrix, Run, Seam, Sides};
-use crate::net::{Shape, Topology};
+use crate::net::{Direction, Shape, Topology};
 use std::ops::Range;
 
-/// Contracted links that are being collected; no matrix as long as there are none.
-pub(crate) struct Collected {
+/// Collects contracted links; allocates a matrix with the first.
+pub(crate) struct LinkCollector {
     shape: Shape,
     matrix: Option<Matrix>,
 }
 
-impl Collected {
+impl LinkCollector {
     pub(crate) fn new(shape: Shape) -> Self {
-        Collected { shape, matrix: None }
+        LinkCollector { shape, matrix: None }
     }
 
     pub(crate) fn add(&mut self, link: u32) -> Result<()> {
@@ -43,9 +45,9 @@ impl Collected {
 }
 
 impl Topology {
-    /// The topology of the same size or the transposed one whose sides are these, if sides say all, else whose links and
-    /// runs are the images of these. Faces are taken the other way round, as every such exchange turns them over.
-    fn exchanged(
+    /// The image under an exchange of rows and columns or a reversal of either, given the images of
+    /// sides, links and runs. The face orientation is reversed, as every such map reverses it.
+    fn mapped(
         &self,
         shape: Shape,
         sides: impl Fn(Sides) -> Sides,
@@ -72,7 +74,7 @@ impl Topology {
             let (i, j) = old.place(link / 2);
             2 * shape.node(j, i) + (1 - link % 2)
         };
-        self.exchanged(shape, Sides::transposed, link, Run::transposed)
+        self.mapped(shape, Sides::transposed, link, Run::transposed)
     }
 
     /// The last row first.
@@ -82,43 +84,52 @@ impl Topology {
         let link = |link: u32| {
             let (i, j) = shape.place(link / 2);
             match (link % 2, i == last) {
-                (0, _) => 2 * shape.node(last - i, j),
-                // The link that leads back still does; others begin a row earlier than where theirs ended.
+                (0, _) => shape.horizontal_link(last - i, j),
+                // A closing link stays one; others begin where theirs ended, a row earlier.
                 (_, true) => link,
-                (_, false) => 2 * shape.node(last - i - 1, j) + 1,
+                (_, false) => shape.vertical_link(last - i - 1, j),
             }
         };
         let sides = |sides: Sides| Sides { pole_top: sides.pole_bottom, pole_bottom: sides.pole_top, ..sides };
-        self.exchanged(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
+        self.mapped(shape, sides, link, |run| Run { row: last as u32 - run.row, row_step: -run.row_step, ..run })
     }
 
     /// The last column first.
     pub(crate) fn flipped_columns(&self) -> Result<Self> {
-        self.transposed()?.flipped_rows()?.transposed()
+        self.along(Direction::Right, Topology::flipped_rows)
     }
 
-    /// What is glued within each of some ranges of rows, which are in order and do not overlap. A link that leads back stays
-    /// one for all rows together, and a seam that says that the last row of a range is its first becomes one.
-    ///
-    /// O(contracted links + pairs of seams), and O(1) for sides.
+    /// Applies a map of rows to the rows (`Down`) or, by way of the transposed topology, to the
+    /// columns.
+    pub(crate) fn along(&self, axis: Direction, map: impl FnOnce(&Topology) -> Result<Topology>) -> Result<Self> {
+        match axis {
+            Direction::Down => map(self),
+            Direction::Right => map(&self.transposed()?)?.transposed(),
+        }
+    }
+
+    /// The topologies within ranges of rows, which are in order and disjoint. Closing links survive
+    /// only in a range of all rows; a seam that glues the last row of a range to its first becomes
+    /// closing links.
     pub(crate) fn rows_cut(&self, ranges: &[Range<usize>]) -> Result<Vec<Self>> {
         let seams = self.seams_cut(ranges)?;
         let mut parts = alloc::with_capacity(ranges.len())?;
         for (rows, seams) in ranges.iter().zip(seams) {
-            parts.push(self.row_part(rows.clone(), &seams)?);
+            parts.push(self.rows_part(rows.clone(), &seams)?);
         }
         Ok(parts)
     }
 
-    fn row_part(&self, rows: Range<usize>, seams: &[Seam]) -> Result<Self> {
+    /// The topology within a range of rows, given the seams within it.
+    pub(crate) fn rows_part(&self, rows: Range<usize>, seams: &[Seam]) -> Result<Self> {
         let (old, whole) = (self.shape(), rows.len() == self.shape().rows());
         let shape = Shape::new(rows.len(), old.columns())?;
-        let first = 2 * old.node(rows.start, 0);
-        let mut links = Collected::new(shape);
-        let mut said = Sides::SHEET;
+        let first = old.horizontal_link(rows.start, 0);
+        let mut links = LinkCollector::new(shape);
+        let mut kept_sides = Sides::SHEET;
         match self.links() {
             Links::Sides(sides) => {
-                said = Sides {
+                kept_sides = Sides {
                     columns_closed: sides.columns_closed && whole,
                     pole_top: sides.pole_top && rows.start == 0,
                     pole_bottom: sides.pole_bottom && rows.end == old.rows(),
@@ -126,10 +137,10 @@ impl Topology {
                 };
             }
             Links::Matrix(matrix) => {
-                let last_row = 2 * shape.node(rows.len() - 1, 0);
+                let last_row = shape.horizontal_link(rows.len() - 1, 0);
                 for link in matrix.links_in(first..first + 2 * shape.node_count() as u32) {
                     let link = link - first;
-                    // Out of the last row and down leads out of the part, unless it leads back.
+                    // A link down from the last row leaves the part, unless it closes all rows.
                     if link < last_row || link % 2 == 0 || whole {
                         links.add(link)?;
                     }
@@ -138,24 +149,24 @@ impl Topology {
         }
         let mut kept = Vec::new();
         for &seam in seams {
-            match closing(shape, seam) {
+            match closed_columns(shape, seam) {
                 Some(columns) => {
-                    if said != Sides::SHEET {
-                        let sides = std::mem::replace(&mut said, Sides::SHEET);
+                    if kept_sides != Sides::SHEET {
+                        let sides = std::mem::replace(&mut kept_sides, Sides::SHEET);
                         sides.links(shape).try_for_each(|link| links.add(link))?;
                     }
                     for j in columns {
-                        links.add(2 * shape.node(rows.len() - 1, j as usize) + 1)?;
+                        links.add(shape.vertical_link(rows.len() - 1, j as usize))?;
                     }
                 }
                 None => alloc::push(&mut kept, seam)?,
             }
         }
-        let links = if said == Sides::SHEET { links.links() } else { Links::Sides(said) };
+        let links = if kept_sides == Sides::SHEET { links.links() } else { Links::Sides(kept_sides) };
         Topology::assembled(shape, links, kept, self.is_reversed())
     }
 
-    /// The seams within each range, in its own rows.
+    /// The seams within each range, in its own row numbers.
     fn seams_cut(&self, ranges: &[Range<usize>]) -> Result<Vec<Vec<Seam>>> {
         let mut cut = alloc::filled(Vec::new(), ranges.len())?;
         for &seam in self.seams() {
@@ -163,18 +174,18 @@ impl Topology {
             let (low, high) = (ends[0].min(ends[1]) as usize, ends[0].max(ends[1]) as usize);
             let from = ranges.partition_point(|rows| rows.end <= low);
             let to = ranges.partition_point(|rows| rows.start <= high);
-            for (rows, seams) in ranges[from..to.max(from)].iter().zip(&mut cut[from..]) {
+            for (rows, within) in ranges[from..to.max(from)].iter().zip(&mut cut[from..]) {
                 let (start, end) = (rows.start as i64, rows.end as i64);
                 let place = |(i, j)| (start..end).contains(&i).then_some((i - start, j));
-                runs::carried(seam, place, seams)?;
+                seams::map_seam(seam, place, within)?;
             }
         }
         Ok(cut)
     }
 }
 
-/// The columns that a seam closes, if that is all it does: each of its pairs is the last and the first node of a column.
-fn closing(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = i64>> {
+/// The columns that a seam closes, if each of its pairs is the last and the first node of a column.
+fn closed_columns(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = i64>> {
     let Seam { a, b, count } = seam;
     let rows = [a.row.min(b.row), a.row.max(b.row)];
     let whole = rows == [0, shape.rows() as u32 - 1] && a.row_step == 0 && b.row_step == 0;
@@ -182,8 +193,8 @@ fn closing(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = i64>> {
     (whole && same).then(|| (0..count).map(move |k| a.place(k).1))
 }
 
-/// The rows that a seam closes, if that is all it does: [`closing`] with rows and columns exchanged.
-pub(crate) fn closing_rows(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = usize>> {
+/// The rows that a seam closes, if each of its pairs is the last and the first node of a row.
+pub(crate) fn closed_rows(shape: Shape, seam: Seam) -> Option<impl Iterator<Item = usize>> {
     let transposed = Seam { a: seam.a.transposed(), b: seam.b.transposed(), ..seam };
-    closing(shape.transposed(), transposed).map(|rows| rows.map(|i| i as usize))
+    closed_columns(shape.transposed(), transposed).map(|rows| rows.map(|i| i as usize))
 }

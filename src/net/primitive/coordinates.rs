@@ -1,15 +1,15 @@
-//! Coordinates, row by row.
+//! Coordinates of shapes, written row by row in double precision and rounded once. O(nodes).
 
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::Scalar;
-use crate::net::{Coordinates, Net, Topology, each};
+use crate::net::{Coordinates, Net, Real, Topology, each};
 
 /// Nodes between two progress reports.
-const STEP: usize = 1 << 16;
+const NODES_PER_REPORT: usize = 1 << 16;
 
-/// A net whose row i is what `row` writes into its three buffers. Zeros have no sign.
+/// The net whose row i `row` writes to three buffers. Zeros are positive.
 pub(super) fn rows(
     topology: Topology,
     scalar: Scalar,
@@ -19,7 +19,7 @@ pub(super) fn rows(
     let shape = topology.shape();
     let mut coordinates = Coordinates::zeroed(shape, scalar)?;
     let mut buffer: Vec<f64> = alloc::zeroed(3 * shape.columns())?;
-    let often = (STEP / shape.columns()).max(1);
+    let often = (NODES_PER_REPORT / shape.columns()).max(1);
     for i in 0..shape.rows() {
         if i % often == 0 {
             job.step(i as f64 / shape.rows() as f64, "primitive")?;
@@ -32,7 +32,7 @@ pub(super) fn rows(
     Ok(Net::new(coordinates, topology))
 }
 
-/// The same, node by node.
+/// The net whose nodes `node` gives.
 pub(super) fn nodes(
     topology: Topology,
     scalar: Scalar,
@@ -46,10 +46,10 @@ pub(super) fn nodes(
     })
 }
 
-fn copy<T: crate::net::Real>(buffer: &[f64], row: [&mut [T]; 3]) {
+fn copy<T: Real>(buffer: &[f64], row: [&mut [T]; 3]) {
     let columns = row[0].len();
     for (to, from) in row.into_iter().zip(buffer.chunks_exact(columns)) {
-        // Negative zeros become positive ones: after rounding, which makes zeros of small numbers.
+        // Adding 0 makes negative zeros positive, those that rounding makes included.
         to.iter_mut().zip(from).for_each(|(to, &value)| *to = T::of(value) + T::of(0.0));
     }
 }

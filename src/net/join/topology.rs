@@ -1,14 +1,17 @@
-//! Topologies of nets that are joined.
+//! Topologies of joined nets: stacked row by row, to the right by way of their transposes.
+//!
+//! Closing links within a row stay closing links; those from the last row of a net become seams.
+//! O(contracted links + pairs of seams), and O(nodes) where sides do not suffice.
 
 use crate::alloc;
 use crate::error::Result;
-use crate::net::arrange::Collected;
+use crate::net::arrange::LinkCollector;
 use crate::net::topology::{Links, Matrix, Run, Seam, Sides};
 use crate::net::{Bridge, BridgeKind, Direction, Net, Shape, Topology};
 use std::borrow::Cow;
 
-/// All nets' gluing, and nothing glued between them unless they are welded.
-pub(super) fn joined(nets: &[&Net<'_>], direction: Direction, weld: bool) -> Result<Topology> {
+/// The gluings of all nets; those between nets only where they are welded.
+pub(super) fn join(nets: &[&Net<'_>], direction: Direction, weld: bool) -> Result<Topology> {
     let mut topologies: Vec<Cow<'_, Topology>> = alloc::with_capacity(nets.len())?;
     for net in nets {
         topologies.push(match direction {
@@ -16,20 +19,16 @@ pub(super) fn joined(nets: &[&Net<'_>], direction: Direction, weld: bool) -> Res
             Direction::Right => Cow::Owned(net.topology().transposed()?),
         });
     }
-    let stacked = stacked(&topologies, weld)?;
-    let topology = match direction {
-        Direction::Down => stacked,
-        Direction::Right => stacked.transposed()?,
-    };
+    let stacked = stack(&topologies, weld)?;
+    let topology = if direction == Direction::Down { stacked } else { stacked.transposed()? };
     if weld {
         topology.check_crossings()?;
     }
     Ok(topology)
 }
 
-/// One below the other. A link that leads back within a row still does; one that leads back from the last row of a net
-/// becomes part of a seam.
-fn stacked(topologies: &[Cow<'_, Topology>], weld: bool) -> Result<Topology> {
+/// One topology below the other.
+fn stack(topologies: &[Cow<'_, Topology>], weld: bool) -> Result<Topology> {
     if let [only] = topologies {
         return Ok(only.clone().into_owned());
     }
@@ -37,38 +36,38 @@ fn stacked(topologies: &[Cow<'_, Topology>], weld: bool) -> Result<Topology> {
     let rows: usize = topologies.iter().map(|topology| topology.shape().rows()).sum();
     let shape = Shape::new(rows, columns)?;
     let reversed = topologies[0].is_reversed();
-    // Rows that are closed alike, and no poles: sides say it, and no matrix is needed.
+    // Rows closed alike and no poles: sides suffice, without a matrix.
     let rows_closed = topologies[0].sides().is_some_and(|sides| sides.rows_closed);
     let plain = Sides { rows_closed, ..Sides::SHEET };
     let is_plain = |topology: &Cow<'_, Topology>| {
         topology.sides().is_some_and(|sides| Sides { columns_closed: false, ..sides } == plain)
     };
     let all_plain = !weld && topologies.iter().all(is_plain);
-    let mut links = Collected::new(shape);
+    let mut links = LinkCollector::new(shape);
     let mut seams = Vec::new();
     let mut first = 0;
     for (k, topology) in topologies.iter().enumerate() {
         if !all_plain {
             add_links(topology, first, &mut links)?;
         }
-        close(topology, first, &mut seams)?;
+        add_closing_seams(topology, first, &mut seams)?;
         for seam in topology.seams() {
             let down = |run: Run| Run { row: run.row + first as u32, ..run };
             alloc::push(&mut seams, Seam { a: down(seam.a), b: down(seam.b), ..*seam })?;
         }
         first += topology.shape().rows();
         if weld && k + 1 < topologies.len() {
-            (0..columns).try_for_each(|j| links.add(2 * shape.node(first - 1, j) + 1))?;
+            (0..columns).try_for_each(|j| links.add(shape.vertical_link(first - 1, j)))?;
         }
     }
     let links = if all_plain { Links::Sides(plain) } else { links.links() };
     Topology::assembled(shape, links, seams, reversed)
 }
 
-/// The links of a net that starts at row `first`, but for those that lead back from its last row.
-fn add_links(topology: &Topology, first: usize, links: &mut Collected) -> Result<()> {
+/// The links of a net that starts at row `first`, but for those that close its columns.
+fn add_links(topology: &Topology, first: usize, links: &mut LinkCollector) -> Result<()> {
     let shape = topology.shape();
-    let (shift, last) = (2 * shape.node(first, 0), 2 * shape.node(shape.rows() - 1, 0));
+    let (shift, last) = (shape.horizontal_link(first, 0), shape.horizontal_link(shape.rows() - 1, 0));
     let mut done = Ok(());
     topology.each_contracted(|link| {
         if done.is_ok() && (link < last || link % 2 == 0) {
@@ -78,8 +77,8 @@ fn add_links(topology: &Topology, first: usize, links: &mut Collected) -> Result
     done
 }
 
-/// The links that lead back from the last row, as seams: one for each run of them.
-fn close(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -> Result<()> {
+/// The links that close columns, as seams: one for each run of them.
+fn add_closing_seams(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -> Result<()> {
     let shape = topology.shape();
     let [top, bottom] = [first, first + shape.rows() - 1].map(|row| row as u32);
     let mut add = |from: usize, to: usize| {
@@ -92,7 +91,7 @@ fn close(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -> Result<()>
         Links::Matrix(matrix) => {
             let mut from = 0;
             for j in 0..shape.columns() {
-                if !matrix.get(2 * shape.node(shape.rows() - 1, j) + 1) {
+                if !matrix.get(shape.vertical_link(shape.rows() - 1, j)) {
                     add(from, j)?;
                     from = j + 1;
                 }
@@ -102,7 +101,7 @@ fn close(topology: &Topology, first: usize, seams: &mut Vec<Seam>) -> Result<()>
     }
 }
 
-/// The same topology with the links across a bridge contracted, or not.
+/// The topology with the links across a bridge contracted, or free.
 pub(super) fn welded(topology: &Topology, bridge: &Bridge, weld: bool) -> Result<Topology> {
     let shape = topology.shape();
     let mut matrix: Matrix = topology.matrix()?;
@@ -115,34 +114,28 @@ pub(super) fn welded(topology: &Topology, bridge: &Bridge, weld: bool) -> Result
     Ok(topology)
 }
 
-/// What the bridge between two nets looks like.
-pub(super) fn kind(a: &Topology, b: &Topology, direction: Direction) -> Result<BridgeKind> {
+/// The form of the bridge between two nets.
+pub(super) fn bridge_kind(a: &Topology, b: &Topology, direction: Direction) -> Result<BridgeKind> {
     let last = direction.extent(a.shape()).0 - 1;
-    let sides = [Side::new(a, direction, last), Side::new(b, direction, 0)];
+    let sides = [SideKind::new(a, direction, last), SideKind::new(b, direction, 0)];
     Ok(match sides {
-        [Side::Point, Side::Point] => BridgeKind::Thread,
-        [Side::Open, _] | [_, Side::Open] => BridgeKind::Ribbon,
+        [SideKind::Point, SideKind::Point] => BridgeKind::Thread,
+        [SideKind::Open, _] | [_, SideKind::Open] => BridgeKind::Ribbon,
         _ => BridgeKind::Tube,
     })
 }
 
-/// True if a seam says that a side is nodes that contracted links make a point: the side of a net whose links led back to its
-/// opposite pole, before it was joined to others.
-fn is_sewn_to_a_point(topology: &Topology, direction: Direction, i: usize) -> bool {
+/// True if a seam glues a whole side to nodes that contracted links make a point: the side of a net
+/// whose links closed to its opposite pole before it was joined.
+fn is_seamed_to_point(topology: &Topology, direction: Direction, i: usize) -> bool {
     let shape = topology.shape();
     let along = direction.extent(shape).1;
     let is_side = |run: Run| {
         let ends = [run.place(0), run.place(along as u32 - 1)];
-        let [p, q] = ends.map(|(row, column)| if direction == Direction::Down { (row, column) } else { (column, row) });
+        let [p, q] = ends.map(|(i, j)| if direction == Direction::Down { (i, j) } else { (j, i) });
         p.0 == i as i64 && q.0 == i as i64 && (p.1 - q.1).unsigned_abs() as usize == along - 1
     };
-    let contracts = |[a, b]: [u32; 2]| {
-        let links = [2 * a, 2 * a + 1, 2 * b, 2 * b + 1];
-        links.into_iter().any(|link| {
-            let [p, q] = shape.ends(link);
-            ([p, q] == [a, b] || [q, p] == [a, b]) && topology.contracts(link)
-        })
-    };
+    let contracts = |pair: [u32; 2]| shape.links_between(pair).any(|link| topology.contracts(link));
     let is_point = |run: Run| {
         let node = |k: u32| {
             let (i, j) = run.place(k);
@@ -154,37 +147,29 @@ fn is_sewn_to_a_point(topology: &Topology, direction: Direction, i: usize) -> bo
     seams.any(|seam| (is_side(seam.a) && is_point(seam.b)) || (is_side(seam.b) && is_point(seam.a)))
 }
 
-/// What a side is, as the links along it say, and the links and seams that glue it to others.
+/// The closure of a side: by the links along it, and the links and seams that glue it to others.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Side {
+enum SideKind {
     Open,
     Closed,
     Point,
 }
 
-impl Side {
+impl SideKind {
     fn new(topology: &Topology, direction: Direction, i: usize) -> Self {
         let shape = topology.shape();
         let (count, along) = direction.extent(shape);
-        let back = |from_last: usize| match direction {
-            Direction::Down => 2 * shape.node(count - 1, from_last) + 1,
-            Direction::Right => 2 * shape.node(from_last, count - 1),
-        };
-        let closes = match direction {
-            Direction::Down => 2 * shape.node(i, along - 1),
-            Direction::Right => 2 * shape.node(along - 1, i) + 1,
-        };
         let opposite = count - 1 - i;
-        let same = || (0..along).all(|k| topology.contracts(back(k)));
-        let point = topology.is_point(direction, i)
-            || (topology.is_point(direction, opposite) && same())
-            || is_sewn_to_a_point(topology, direction, i);
-        if point {
-            Side::Point
-        } else if topology.contracts(closes) {
-            Side::Closed
+        let is_opposite = || (0..along).all(|k| topology.contracts(direction.link_across(shape, count - 1, k)));
+        let is_point = topology.is_point(direction, i)
+            || (topology.is_point(direction, opposite) && is_opposite())
+            || is_seamed_to_point(topology, direction, i);
+        if is_point {
+            SideKind::Point
+        } else if topology.contracts(direction.link_along(shape, i, along - 1)) {
+            SideKind::Closed
         } else {
-            Side::Open
+            SideKind::Open
         }
     }
 }

@@ -1,4 +1,11 @@
-//! Seams that follow from classes alone.
+//! The canonical seams of a partition: those that glue the connected components that contracted links
+//! leave of each class.
+//!
+//! One pair for each component is enough: the first nodes of the class and of the component. A greedy
+//! search takes the longest run of equal steps through each pair, in the first of the directions;
+//! runs are then extended through pairs that are one point already, and those that merge nothing are
+//! dropped. Invariant: the result depends on the partition alone, not on the seams it came from.
+//! O(pairs log pairs) for each of 80 directions.
 
 use super::{Forest, Run, Seam};
 use crate::alloc;
@@ -8,12 +15,8 @@ use crate::net::Shape;
 /// Rows and columns from one node to the next.
 type Step = (i64, i64);
 
-/// Seams that glue the pieces of which classes consist: `table` has the representatives of the classes, `pieces` those of
-/// what contracted links alone make of them.
-///
-/// One pair for each piece is enough: the first nodes of class and piece. Pairs that follow each other are runs, the
-/// longest that there are; these go on at both ends through what the others have glued besides, and what then says nothing
-/// new is left out.
+/// The seams that glue the components of each class. `table`: the representatives of the classes;
+/// `pieces`: those of the components that contracted links alone make.
 pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<Seam>> {
     let mut pairs = Vec::new();
     for ((node, &class), &piece) in (0..).zip(table).zip(pieces) {
@@ -22,23 +25,23 @@ pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<S
         }
     }
     pairs.sort_unstable();
-    let mut runs = Runs { shape, table, pieces, seen: alloc::filled(0, pairs.len())?, pairs, trial: 0 };
+    let mut runs = RunSearch { shape, table, pieces, seen: alloc::filled(0, pairs.len())?, pairs, trial: 0 };
     let mut found = alloc::with_capacity(runs.pairs.len())?;
     for k in 0..runs.pairs.len() {
         if runs.seen[k] != USED {
-            found.push(runs.take(k));
+            found.push(runs.longest_through(k));
         }
     }
     found.sort_unstable_by_key(|seam| (u32::MAX - seam.count, *seam));
     let mut forest = Forest::of(alloc::copied(pieces)?);
     let mut seams = alloc::with_capacity(found.len())?;
     for seam in found {
-        let mut news = false;
+        let mut merges = false;
         for [a, b] in seam.pairs(shape) {
-            news |= forest.find(a) != forest.find(b);
+            merges |= forest.find(a) != forest.find(b);
             forest.join([a, b]);
         }
-        if news {
+        if merges {
             seams.push(seam);
         }
     }
@@ -46,10 +49,10 @@ pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<S
     Ok(seams)
 }
 
-/// Said of a pair that is in a run.
+/// Marks a pair that is in a run.
 const USED: u64 = u64::MAX;
 
-struct Runs<'a> {
+struct RunSearch<'a> {
     shape: Shape,
     table: &'a [u32],
     pieces: &'a [u32],
@@ -60,14 +63,14 @@ struct Runs<'a> {
     trial: u64,
 }
 
-impl Runs<'_> {
-    /// The longest run of pairs with pair `k` in it, of those in the first of directions; extended.
-    fn take(&mut self, k: usize) -> Seam {
+impl RunSearch<'_> {
+    /// The longest run through pair `k`, in the first of the directions that reach it, extended.
+    fn longest_through(&mut self, k: usize) -> Seam {
         let mut best = ([(0, 0); 2], [0, 0]);
         for steps in directions() {
-            let reach = self.reach(k, steps);
-            if reach[0] + reach[1] > best.1[0] + best.1[1] {
-                best = (steps, reach);
+            let counts = self.free_pairs(k, steps);
+            if counts[0] + counts[1] > best.1[0] + best.1[1] {
+                best = (steps, counts);
             }
         }
         let (steps, [mut before, mut after]) = best;
@@ -78,8 +81,8 @@ impl Runs<'_> {
             }
         }
         if steps != [(0, 0); 2] {
-            after += self.beyond(pair, steps, after, 1);
-            before += self.beyond(pair, steps, -before, -1);
+            after += self.glued_pairs_after(pair, steps, after, 1);
+            before += self.glued_pairs_after(pair, steps, -before, -1);
         }
         let [a, b] = self.moved(pair, steps, -before).unwrap_or(pair);
         let run = |node: u32, (row_step, column_step): Step| {
@@ -89,8 +92,9 @@ impl Runs<'_> {
         Seam { a: run(a, steps[0]), b: run(b, steps[1]), count: (before + after + 1) as u32 }.canonical()
     }
 
-    /// How many pairs that are in no run yet lie before pair `k`, and behind it. A fold meets itself in the middle.
-    fn reach(&mut self, k: usize, steps: [Step; 2]) -> [i64; 2] {
+    /// The number of consecutive pairs in no run yet before pair `k` and after it. A fold meets itself
+    /// in the middle.
+    fn free_pairs(&mut self, k: usize, steps: [Step; 2]) -> [i64; 2] {
         self.trial += 1;
         self.seen[k] = self.trial;
         [-1, 1].map(|sense| {
@@ -107,20 +111,20 @@ impl Runs<'_> {
         })
     }
 
-    /// How many pairs behind the last one, at `end`, are one point in any way, but not by links alone.
-    fn beyond(&self, pair: [u32; 2], steps: [Step; 2], end: i64, sense: i64) -> i64 {
+    /// The number of consecutive pairs beyond `end` that are one point, but not by links alone.
+    fn glued_pairs_after(&self, pair: [u32; 2], steps: [Step; 2], end: i64, sense: i64) -> i64 {
         let is_glued = |&[a, b]: &[u32; 2]| {
             let ([p, q], [r, s]) = ([a, b].map(|n| self.table[n as usize]), [a, b].map(|n| self.pieces[n as usize]));
             p == q && r != s
         };
         let at = |count: i64| self.moved(pair, steps, end + sense * count);
-        // Beyond the middle of a fold are the same pairs, turned round.
+        // Beyond the middle of a fold the same pairs follow, exchanged.
         let turned = |count: i64| at(count - 1).map(|[a, b]| [b, a]);
         (1..).take_while(|&count| at(count).filter(is_glued).is_some_and(|pair| Some(pair) != turned(count))).count()
             as i64
     }
 
-    /// The pair so many steps from a pair.
+    /// The pair `count` steps from a pair.
     fn moved(&self, pair: [u32; 2], steps: [Step; 2], count: i64) -> Option<[u32; 2]> {
         let node = |k: usize| {
             let (i, j) = self.shape.place(pair[k]);
@@ -136,7 +140,7 @@ impl Runs<'_> {
     }
 }
 
-/// To neighbours, also diagonally; one run of the two may stand still.
+/// Pairs of steps to neighbours, diagonal ones included; one of the two runs may stand still.
 fn directions() -> impl Iterator<Item = [Step; 2]> {
     let steps = || (0..9).map(|k| (k / 3 - 1, k % 3 - 1));
     steps().flat_map(move |a| steps().map(move |b| [a, b])).filter(|&steps| steps != [(0, 0); 2])

@@ -1,18 +1,16 @@
-//! Putting in order what belongs to vertices.
+//! Sorting of items by vertex: a counting sort where there are many, comparison sorts elsewhere. O(items +
+//! vertices) with few items at each vertex, as on nets but for poles.
 
 use crate::alloc;
 use crate::error::Result;
 
-/// Sorts items that have the numbers of vertices, all below `count`, as their first criterion.
-///
-/// Many items are brought to their vertices first, in linear time, and only those of each vertex are sorted: on a net
-/// there are few of them but at poles.
+/// Sorts items whose order compares vertices, all below `count`, first.
 pub(super) fn sort<T: Ord + Copy>(items: &mut Vec<T>, count: usize, vertex: impl Fn(&T) -> u32) -> Result<()> {
     if items.len() < count / 8 || items.len() < 256 || items.len() > u32::MAX as usize {
         items.sort_unstable();
         return Ok(());
     }
-    // Where the items of each vertex begin; in the end, where they end.
+    // Where the items of each vertex start; afterwards, where they end.
     let mut places: Vec<u32> = alloc::zeroed(count + 1)?;
     for item in items.iter() {
         places[vertex(item) as usize + 1] += 1;

@@ -1,54 +1,52 @@
-//! One pass over the rows of a net: counts what is regular, and collects what is not.
+//! One pass over the rows of a net, which counts the regular elements and collects the others.
 //!
-//! A link between two nodes that nothing is glued to is an edge of its own, and all that is to be known about it is
-//! which of the two cells beside it are there. Only where nodes are glued do edges have to be brought together, and
-//! only there, and next to them, can the faces round a vertex be more than the cells round a node.
+//! A link between two single nodes is an edge, and the two cells beside it determine its faces. Only at
+//! glued nodes must edges be grouped, and only at these and their neighbours can the faces round a vertex
+//! be more than the cells round a node. O(nodes), memory for the glued part only.
 
+use super::boundary::{Edge, FanEnds};
 use super::presence::Presence;
-use super::{Complex, Edge};
+use super::quotient::Complex;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::net::Shape;
 use crate::net::topology::{Classes, Reduced};
 
-/// A side of a face, or of a cell that has no surface, between vertices of which at least one is a class of several
-/// nodes.
+/// A side of a face, or of a cell reduced to less than a face, with at least one glued end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Side {
     /// The vertices, the smaller first.
     pub(super) edge: Edge,
-    /// How the face runs along it.
+    /// The direction in which the face traverses it.
     pub(super) sense: Sense,
     /// The cell.
     pub(super) cell: u32,
 }
 
+/// The direction of a side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Sense {
-    /// From the smaller vertex to the greater.
+    /// From the smaller vertex to the larger.
     Up,
-    /// From the greater to the smaller.
+    /// From the larger to the smaller.
     Down,
-    /// There is no face.
+    /// Without a face.
     None,
 }
 
 /// A corner of a face: the vertex, and those before and after it.
 pub(super) type Corner = [u32; 3];
 
-/// The two boundary edges of one fan of faces at a vertex: the vertex, and the other ends.
-pub(super) type FanEnds = [u32; 3];
-
-/// What the pass has collected.
-pub(super) struct Scan<'a> {
+/// The elements that the pass collects.
+pub(super) struct RowScan<'a> {
     shape: Shape,
     classes: &'a Classes,
     /// For each node [`GLUED`], [`NEAR`], or neither.
     marks: Vec<u8>,
     pub(super) sides: Vec<Side>,
     pub(super) corners: Vec<Corner>,
-    /// Boundary edges between nodes that nothing is glued to, in the direction of their faces.
+    /// Boundary edges between single nodes, in the direction of their faces.
     pub(super) rim: Vec<Edge>,
     pub(super) fan_ends: Vec<FanEnds>,
     /// Classes of several nodes that cells touch, with repetitions.
@@ -57,15 +55,15 @@ pub(super) struct Scan<'a> {
 
 /// The node is glued to others.
 const GLUED: u8 = 1;
-/// The node is joined by a link to one that is glued.
+/// A link joins the node to a glued one.
 const NEAR: u8 = 2;
 
-impl<'a> Scan<'a> {
-    /// Goes over the net; what can be counted is counted in `complex`.
+impl<'a> RowScan<'a> {
+    /// Scans the net and counts its regular elements in `complex`.
     pub(super) fn new(classes: &'a Classes, presence: &Presence, complex: &mut Complex, job: &Job<'_>) -> Result<Self> {
         let shape = classes.shape();
         let (sides, corners, rim, fan_ends, touched) = Default::default();
-        let mut scan = Scan { shape, classes, marks: marks(classes)?, sides, corners, rim, fan_ends, touched };
+        let mut scan = RowScan { shape, classes, marks: marks(classes)?, sides, corners, rim, fan_ends, touched };
         let mut above: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
         let mut below: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
         for i in 0..shape.rows() {
@@ -84,7 +82,7 @@ impl<'a> Scan<'a> {
         Ok(scan)
     }
 
-    /// Counts the vertices of row i, and finds those whose faces are two fans because cells are missing.
+    /// Counts the vertices of row i, and finds pinches at missing cells.
     fn nodes(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
         let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
         let marks = &self.marks[start as usize..][..w];
@@ -99,7 +97,7 @@ impl<'a> Scan<'a> {
                 continue;
             }
             complex.vertices += 1;
-            // Cells that touch at the node alone.
+            // Two cells that touch at the node only.
             if marks[j] == 0 && (cells == [1, 0, 1, 0] || cells == [0, 1, 0, 1]) {
                 let [east, south, west, north] = [node + 1, node + w as u32, node - 1, node - w as u32];
                 let (of_north, of_south) = if cells[0] == 1 { (west, east) } else { (east, west) };
@@ -111,12 +109,12 @@ impl<'a> Scan<'a> {
         Ok(())
     }
 
-    /// Counts the edges of row i, and of the links down from it, that are links between unglued nodes.
+    /// Counts the edges of row i and down from it that are links between single nodes.
     fn links(&mut self, i: usize, above: &[u8], below: &[u8], complex: &mut Complex) -> Result<()> {
         let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
         let (marks, next) = self.marks[start as usize..].split_at(w);
         let rim = &mut self.rim;
-        // `with`: the face that runs along the link from a to b is there; `against`: the one that runs from b to a.
+        // `with`: whether the face that traverses the link from a to b exists; `against`: the opposite one.
         let mut link = |a: u32, b: u32, with: u8, against: u8| match (with, against) {
             (0, 0) => Ok(()),
             (1, 1) => {
@@ -143,7 +141,7 @@ impl<'a> Scan<'a> {
         Ok(())
     }
 
-    /// Counts the cells of row i by what they are reduced to, and collects the sides and corners of those that need it.
+    /// Counts the cells of row i by their reduced form, and collects sides and corners at glued nodes.
     fn cells(&mut self, i: usize, below: &[u8], complex: &mut Complex) -> Result<()> {
         if i + 1 == self.shape.rows() {
             return Ok(());
@@ -179,7 +177,7 @@ impl<'a> Scan<'a> {
                     self.side([a, b], cell, true)?;
                     self.side([a, d], cell, true)?;
                 }
-                // No topology has it.
+                // No topology has such a cell.
                 Reduced::Crossing(_) => {}
             }
         }
@@ -226,14 +224,14 @@ fn marks(classes: &Classes) -> Result<Vec<u8>> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());
     let mut marks: Vec<u8> = alloc::zeroed(shape.node_count())?;
-    classes.glued(|node, representative| {
+    classes.each_glued(|node, representative| {
         for node in [node, representative] {
             let (i, j) = shape.place(node);
             let (up, down) = (i > 0, i + 1 < h);
             let node = node as usize;
             marks[node] = GLUED;
             let around = [(j > 0, 1, 0), (j + 1 < w, 0, 1), (up, w, 0), (down, 0, w)];
-            for (_, minus, plus) in around.into_iter().filter(|&(there, ..)| there) {
+            for (_, minus, plus) in around.into_iter().filter(|&(exists, ..)| exists) {
                 let neighbour = &mut marks[node + plus - minus];
                 if *neighbour == 0 {
                     *neighbour = NEAR;

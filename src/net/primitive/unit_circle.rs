@@ -1,11 +1,11 @@
-//! Points of the unit circle that repeat exactly.
+//! Points of the unit circle that are exactly periodic and symmetric. O(1).
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 /// Cosine and sine of `k` n-ths of a turn.
 ///
-/// The same bits for k and k + n, exact at quarter turns, and symmetric: every value is one of the first eighth of a
-/// turn with its sign and its place changed. There are no negative zeros.
+/// The same bits for k and k + n, exact at quarter turns, and symmetric: every value is one of the first
+/// eighth of a turn up to sign and exchange. No zero is negative.
 pub(super) fn on_circle(k: usize, n: usize) -> [f64; 2] {
     let (k, n) = (k as u64 % n as u64, n as u64);
     let (quarter, rest) = (4 * k / n, 4 * k % n);

@@ -1,13 +1,15 @@
-//! The cells of hidden bridges, row by row.
+//! The cells of hidden bridges, sorted by row.
+//!
+//! [`Net::is_hidden`] asks every bridge for every cell; this asks every bridge once. Built in O(rows +
+//! cells of hidden bridges).
 
 use crate::alloc;
 use crate::error::Result;
 use crate::net::{Bridge, Direction, Net};
 use std::ops::Range;
 
-/// Ranges of hidden cells, sorted into the rows of cells that they are in. [`Net::is_hidden`] asks every bridge for every cell;
-/// this asks every bridge once.
-pub(crate) struct Hidden {
+/// Ranges of hidden cells in each row of cells.
+pub(crate) struct HiddenCells {
     offsets: Vec<u32>,
     /// The first column of cells and one past the last.
     ranges: Vec<[u32; 2]>,
@@ -15,13 +17,13 @@ pub(crate) struct Hidden {
     columns: usize,
 }
 
-impl Hidden {
+impl HiddenCells {
     /// O(rows + cells of hidden bridges).
     pub(crate) fn of(net: &Net<'_>) -> Result<Self> {
         let rows = net.shape().rows() - 1;
         let mut offsets: Vec<u32> = alloc::filled(0, rows + 2)?;
         let hidden = || net.bridges().iter().filter(|bridge| bridge.is_hidden());
-        // Counted two rows further on, so that the sums are the starts of rows one further on while they are filled.
+        // Counts are kept two rows ahead, so that entry row + 1 is the insertion point of a row and ends as its end.
         hidden().flat_map(ranges).for_each(|(row, _)| offsets[row as usize + 2] += 1);
         for row in 0..rows {
             offsets[row + 2] += offsets[row + 1];
@@ -36,7 +38,7 @@ impl Hidden {
         for row in 0..rows {
             sorted[offsets[row] as usize..offsets[row + 1] as usize].sort_unstable();
         }
-        Ok(Hidden { offsets, ranges: sorted, columns: net.shape().columns() - 1 })
+        Ok(HiddenCells { offsets, ranges: sorted, columns: net.shape().columns() - 1 })
     }
 
     /// True if no cell is hidden.
@@ -44,7 +46,7 @@ impl Hidden {
         self.ranges.is_empty()
     }
 
-    /// Those of a row of cells, in order; they may overlap.
+    /// The ranges of a row of cells, in order; they may overlap.
     pub(crate) fn row(&self, i: usize) -> &[[u32; 2]] {
         &self.ranges[self.offsets[i] as usize..self.offsets[i + 1] as usize]
     }
@@ -66,7 +68,7 @@ impl Hidden {
     }
 }
 
-/// The rows of cells of a bridge, and its cells in each.
+/// The rows of cells of a bridge, and its range of columns in each.
 fn ranges(bridge: &Bridge) -> impl Iterator<Item = (u32, [u32; 2])> {
     let (before, start, end) = (bridge.at - 1, bridge.start, bridge.end - 1);
     let (rows, range) = match bridge.direction {

@@ -1,4 +1,5 @@
-//! All instances of a scene and where they are.
+//! Instances of a scene and their transforms: counted in topological order, listed depth first. O(entries +
+//! children) and O(instances).
 
 use super::{Content, Counts, Entry, Scene};
 use crate::alloc;
@@ -7,40 +8,41 @@ use crate::job::Job;
 use crate::mesh::NONE;
 use glam::DAffine3;
 
-/// The largest number of instances that are listed: each takes 112 bytes.
+/// The largest number of instances that are listed, at 112 bytes each.
 pub const MAX_INSTANCES: u64 = 1 << 24;
 
-/// One way to an entry from an entry in no group.
+/// One path to an entry from an entry in no group.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instance {
     /// The entry.
     pub entry: u32,
-    /// The instance of the group that it is in, or `u32::MAX` if it is in none.
+    /// The instance of its group, or `u32::MAX` if it is in none.
     pub parent: u32,
-    /// True unless it or a group on the way is hidden.
+    /// True unless it or a group on the path is hidden.
     pub visible: bool,
-    /// Into the space of the scene: the transforms on the way, one after the other.
+    /// The transform into the space of the scene: the composition of those on the path.
     pub world: DAffine3,
 }
 
 impl Scene {
-    /// How much there is. O(entries + children).
+    /// The numbers of elements. O(entries + children).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn counts(&self) -> Result<Counts> {
-        let mut open = alloc::collect(self.entries.iter().map(|entry| entry.as_ref().map_or(0, |e| e.parents.len())))?;
-        let mut ways = alloc::filled(0u64, self.entries.len())?;
+        let mut pending =
+            alloc::collect(self.entries.iter().map(|entry| entry.as_ref().map_or(0, |e| e.parents.len())))?;
+        let mut paths = alloc::filled(0u64, self.entries.len())?;
         let mut levels = alloc::filled(0u32, self.entries.len())?;
         let mut counts = Counts::default();
         let mut ready = Vec::new();
         for (index, _) in self.roots() {
-            (ways[index as usize], levels[index as usize]) = (1, 1);
+            (paths[index as usize], levels[index as usize]) = (1, 1);
             alloc::push(&mut ready, index)?;
         }
-        // Each entry after all groups that it is in.
+        // Each entry after all groups that contain it.
         while let Some(index) = ready.pop() {
-            let (here, level) = (ways[index as usize], levels[index as usize]);
+            let (here, level) = (paths[index as usize], levels[index as usize]);
             counts.instances = counts.instances.saturating_add(here);
             counts.levels = counts.levels.max(level);
             match self.content(index)? {
@@ -52,10 +54,10 @@ impl Scene {
                     counts.groups += 1;
                     for &child in children {
                         let child = child as usize;
-                        ways[child] = ways[child].saturating_add(here);
+                        paths[child] = paths[child].saturating_add(here);
                         levels[child] = levels[child].max(level + 1);
-                        open[child] -= 1;
-                        if open[child] == 0 {
+                        pending[child] -= 1;
+                        if pending[child] == 0 {
                             alloc::push(&mut ready, child as u32)?;
                         }
                     }
@@ -77,10 +79,10 @@ impl Scene {
         Ok(count as usize)
     }
 
-    /// All instances, each behind the group that it is in, children in order. O(instances).
+    /// All instances, each after its group, children in order. O(instances).
     ///
     /// # Errors
-    /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], before any is looked at; [`Error::OutOfMemory`],
+    /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], before any is listed; [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn instances(&self, job: &Job<'_>) -> Result<Vec<Instance>> {
         let count = self.instance_count()?;

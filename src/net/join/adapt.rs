@@ -1,0 +1,211 @@
+//! Adapting a net before it is joined, flipped, replicated and rotated in this order, and undoing it.
+//!
+//! Invariant: [`restored`] inverts [`AdaptedNet::new`] bit for bit. If the gluing was not edited since,
+//! the topology is the recorded one. O(nodes).
+
+use super::JoinOptions;
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::job::Job;
+use crate::net::arrange::{closed_rows, map_seam, merge_seams, rearrange};
+use crate::net::bridge::Adaptation;
+use crate::net::reformat::{IndexSelection, copies, starts, starts_of_copies};
+use crate::net::topology::{Links, Matrix};
+use crate::net::{Bridge, Direction, Net, Planes, Real, Replication, Topology, each};
+use std::sync::Arc;
+
+/// A net as it is joined: the given one, or an adapted copy.
+pub(super) enum AdaptedNet<'n, 'a> {
+    Unchanged(&'n Net<'a>),
+    Copy(Box<(Net<'static>, Arc<Adaptation>)>),
+}
+
+impl<'n, 'a> AdaptedNet<'n, 'a> {
+    /// `flipped`: its face orientation is opposite to that of the others. `along`: the nodes of the side.
+    pub(super) fn new(
+        net: &'n Net<'a>,
+        flipped: bool,
+        along: usize,
+        twist: u32,
+        options: &JoinOptions,
+    ) -> Result<Self> {
+        let (direction, job) = (options.direction, Job::default());
+        let nodes = direction.extent(net.shape()).1;
+        if flipped && !options.turn {
+            return Err(Error::NetsOpposed);
+        }
+        if !flipped && nodes == along && twist == 0 {
+            return Ok(AdaptedNet::Unchanged(net));
+        }
+        let mut made = if flipped { flipped_along(net, direction, &job)? } else { net.copied()? };
+        let mut added = Vec::new();
+        if nodes != along {
+            let replication = options.equalise.unwrap_or_default();
+            let axis = direction.transposed();
+            added = copies(&starts(made.topology(), axis, along, replication, "nodes of a side")?)?;
+            let none = Replication::Last;
+            let shape = made.shape();
+            made = match direction {
+                Direction::Right => made.reformatted(along, shape.columns(), [replication, none], &job)?,
+                Direction::Down => made.reformatted(shape.rows(), along, [none, replication], &job)?,
+            };
+        }
+        if twist > 0 {
+            made = rotated(&made, direction, twist, &job)?;
+        }
+        let bridges = alloc::collect(net.bridges().iter().cloned())?;
+        let (joined, topology) = (made.shape(), net.topology().clone());
+        let adaptation = Arc::new(Adaptation { joined, flipped, copies: added, twist, topology, bridges });
+        Ok(AdaptedNet::Copy(Box::new((made, adaptation))))
+    }
+
+    pub(super) fn net(&self) -> &Net<'a> {
+        match self {
+            AdaptedNet::Unchanged(net) => net,
+            AdaptedNet::Copy(copy) => &copy.0,
+        }
+    }
+
+    pub(super) fn adaptation(&self) -> Option<Arc<Adaptation>> {
+        match self {
+            AdaptedNet::Unchanged(_) => None,
+            AdaptedNet::Copy(copy) => Some(Arc::clone(&copy.1)),
+        }
+    }
+}
+
+/// The net flipped along the side that is joined, so that the order in the direction stays.
+fn flipped_along(net: &Net<'_>, direction: Direction, job: &Job<'_>) -> Result<Net<'static>> {
+    match direction {
+        Direction::Right => net.flipped_rows(job),
+        Direction::Down => net.flipped_columns(job),
+    }
+}
+
+/// Undoes the adaptation of a net, if it still has the size that it was joined with. An unedited
+/// topology becomes the recorded one; an edited one is mapped back.
+pub(super) fn restored(
+    net: Net<'static>,
+    adaptation: Option<&Adaptation>,
+    direction: Direction,
+) -> Result<Net<'static>> {
+    let Some(adaptation) = adaptation.filter(|adaptation| adaptation.joined == net.shape()) else { return Ok(net) };
+    let (axis, job) = (direction.transposed(), Job::default());
+    // A net that was mirrored since has the same gluing in the opposite orientation.
+    let adapted = adaptation.adapted_topology(direction)?;
+    let unedited = net.topology().clone().with_reversed(adapted.is_reversed()) == adapted;
+    let mut bridges = alloc::collect(net.bridges().iter().cloned())?;
+    let mut net = net;
+    if adaptation.twist > 0 {
+        let around = axis.extent(net.shape()).0 as u32 - 1;
+        net = rotated(&net, direction, around - adaptation.twist % around, &job)?;
+    }
+    net = net.without_lines(axis, &adaptation.copies, &job)?;
+    if adaptation.flipped {
+        net = flipped_along(&net, direction, &job)?;
+    }
+    if unedited {
+        let reversed = net.topology().is_reversed();
+        net.set_topology(adaptation.topology.clone().with_reversed(reversed));
+    }
+    if bridges.len() == adaptation.bridges.len() {
+        for (bridge, old) in bridges.iter_mut().zip(&adaptation.bridges) {
+            *bridge = Bridge { mode: bridge.mode, properties: bridge.properties, ..old.clone() };
+        }
+        *net.bridges_mut() = bridges;
+    }
+    Ok(net)
+}
+
+impl Adaptation {
+    /// The topology that the net was joined with.
+    fn adapted_topology(&self, direction: Direction) -> Result<Topology> {
+        self.topology.along(direction.transposed(), |topology| {
+            let flipped = if self.flipped { topology.flipped_rows()? } else { topology.clone() };
+            let along = direction.extent(self.joined).1;
+            let replicated = flipped.rows_replicated(&starts_of_copies(along, &self.copies)?)?;
+            let twist = self.twist as usize;
+            if twist > 0 { rotate_rows(&replicated, twist % (along - 1)) } else { Ok(replicated) }
+        })
+    }
+}
+
+/// The net rotated by `twist` places along its closed side.
+fn rotated(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Result<Net<'static>> {
+    let (axis, shape) = (direction.transposed(), net.shape());
+    let (count, along) = axis.extent(shape);
+    let place = twist as usize % (count - 1);
+    let closed = |k: usize| net.topology().contracts(axis.link_across(shape, count - 1, k));
+    if !(0..along).all(closed) {
+        return Err(Error::OptionOutOfRange { option: "twist", value: f64::from(twist) });
+    }
+    each!(net.coordinates(), planes => check_closed(planes, axis))?;
+    let topology = net.topology().along(axis, |topology| rotate_rows(topology, place))?;
+    let lines = alloc::collect((0..count).map(|i| ((i + place) % (count - 1)) as u32))?;
+    let selection = IndexSelection::along(axis, shape, lines)?;
+    let mut made = Net::new(rearrange(net.coordinates(), &selection, job)?, topology);
+    // Bridges along the side rotate with it; others would be cut.
+    for bridge in net.bridges() {
+        if bridge.direction == direction {
+            alloc::push(made.bridges_mut(), bridge.clone())?;
+        } else {
+            return Err(Error::OptionOutOfRange { option: "twist", value: f64::from(twist) });
+        }
+    }
+    Ok(made)
+}
+
+/// [`Error::SidesApart`] unless the last row (`Down`) or column has the bits of the first: a rotation
+/// loses one of the two.
+fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> {
+    let (count, along) = axis.extent(planes.shape());
+    for k in 0..along {
+        let [(p, q), (r, s)] = [axis.place(0, k), axis.place(count - 1, k)];
+        let stride = planes.stride();
+        let same =
+            |matrix: &[T]| bytemuck::bytes_of(&matrix[p * stride + q]) == bytemuck::bytes_of(&matrix[r * stride + s]);
+        if !planes.matrices().into_iter().all(same) {
+            let distance = planes.get(p, q).distance(planes.get(r, s));
+            return Err(Error::SidesApart { place: k as u32, distance });
+        }
+    }
+    Ok(())
+}
+
+/// The topology of a net with closed columns whose row `by` becomes the first.
+fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
+    let shape = topology.shape();
+    let around = shape.rows() - 1;
+    let place = |i: usize| (i % around + around - by) % around;
+    let mut matrix = Matrix::empty(shape)?;
+    topology.each_contracted(|link| {
+        let (i, j) = shape.place(link / 2);
+        match (link % 2, i == around) {
+            // The last row is the first: a link along either is one along their common image.
+            (0, _) => {
+                let i = i % around;
+                matrix.set(shape.horizontal_link(place(i), j), true);
+                if i == by {
+                    matrix.set(shape.horizontal_link(around, j), true);
+                }
+            }
+            (_, true) => matrix.set(link, true),
+            (_, false) => matrix.set(shape.vertical_link(place(i), j), true),
+        }
+    });
+    let mut seams = Vec::new();
+    for &seam in topology.seams() {
+        map_seam(seam, |(i, j)| Some((place(i as usize) as i64, j)), &mut seams)?;
+    }
+    let mut seams = merge_seams(&seams)?;
+    // A seam between the last row and the first may now close rows, which links express once the net is
+    // cut out again.
+    seams.retain(|&seam| match closed_rows(shape, seam) {
+        Some(rows) => {
+            rows.for_each(|i| matrix.set(shape.horizontal_link(i, shape.columns() - 1), true));
+            false
+        }
+        None => true,
+    });
+    Topology::assembled(shape, Links::Matrix(matrix), seams, topology.is_reversed())
+}
