@@ -1,4 +1,5 @@
-//! What filters of curves have in common: the Bézier curves that polylines stand for, and the plane that they lie in.
+//! What filters of curves have in common: the Bézier curves that polylines stand for, and the plane
+//! that they lie in.
 
 use super::data::{Curves, Input};
 use super::extent::{Extent, plane_of, put};
@@ -51,7 +52,8 @@ pub(super) fn suggest_plane(params: &[Param], inputs: &[Input<'_>], values: &mut
     }
 }
 
-/// The curve that a polyline stands for: one without segments if there are fewer than two different points.
+/// The curve that a polyline stands for: one without segments if there are fewer than two different
+/// points.
 ///
 /// # Errors
 /// Those of [`fit`].
@@ -128,7 +130,8 @@ impl Flat {
     pub(super) fn new(values: &Values<'_>) -> Result<Self> {
         let (normal, distance) = values.plane(PLANE.id)?;
         let (u, v) = normal.any_orthonormal_pair();
-        // Right-handed, so that counter-clockwise is the same in the plane as seen against its normal.
+        // Right-handed, so that counter-clockwise is the same in the plane as seen against its
+        // normal.
         let v = if u.cross(v).dot(normal) < 0.0 { -v } else { v };
         Ok(Flat { origin: normal * distance, axes: [u, v, normal] })
     }

@@ -88,7 +88,8 @@ impl Output {
     }
 }
 
-/// Polylines: curve c has the points `offsets[c] .. offsets[c + 1]`, and if it is closed, an edge from the last to the first.
+/// Polylines: curve c has the points `offsets[c] .. offsets[c + 1]`, and if it is closed, an edge
+/// from the last to the first.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Curves {
     /// The points of all curves.
@@ -103,8 +104,8 @@ impl Curves {
     /// Whether the offsets fit the points, and there is a flag for each curve.
     ///
     /// # Errors
-    /// [`Error::BadOffsets`] with the first entry that does not fit; without offsets, and with another number of flags than of
-    /// curves, that is the entry after the last.
+    /// [`Error::BadOffsets`] with the first entry that does not fit; without offsets, and with
+    /// another number of flags than of curves, that is the entry after the last.
     pub fn check(&self) -> Result<()> {
         let bad = |entry: usize, value: u32| Err(Error::BadOffsets { entry: entry as u32, value });
         let mut before = 0;

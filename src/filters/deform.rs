@@ -146,7 +146,8 @@ fn lowest(mesh: &MeshView<'_>, axis: Axis) -> f64 {
     Some(all.fold(f64::INFINITY, f64::min)).filter(|low| low.is_finite()).unwrap_or(0.0)
 }
 
-/// Moves points, a piece at a time; [`Error::FieldUndefined`] for the first that the field is not defined at.
+/// Moves points, a piece at a time; [`Error::FieldUndefined`] for the first that the field is not
+/// defined at.
 fn map<T: Copy + Into<f64>>(
     field: &dyn Field,
     strength: f64,

@@ -67,7 +67,8 @@ pub(super) fn put(params: &[Param], values: &mut [f64], id: &str, new: &[f64]) {
     }
 }
 
-/// The plane that curves lie in, or lie about: its unit normal, upwards where it can be, and its distance from the origin.
+/// The plane that curves lie in, or lie about: its unit normal, upwards where it can be, and its
+/// distance from the origin.
 pub(super) fn plane_of(curves: &Curves) -> Option<[f64; 4]> {
     let extent = Extent::of(&[Input::Curves(curves)])?;
     let (centre, size) = (extent.centre(), extent.diagonal());

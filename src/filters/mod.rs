@@ -1,13 +1,15 @@
-//! The table of filters: every capability of the library that makes sense in a mesh editor, under a stable name, with typed
-//! parameters.
+//! The table of filters: every capability of the library that makes sense in a mesh editor, under a
+//! stable name, with typed parameters.
 //!
-//! Plugin hosts show it, documentation is made from it. Each module of the library adds its entries here, one file each.
+//! Plugin hosts show it, documentation is made from it. Each module of the library adds its entries
+//! here, one file each.
 //!
-//! * [`param`]: what a parameter is, and the check of its values. [`data`]: what goes in and what comes out.
+//! * [`param`]: what a parameter is, and the check of its values. [`data`]: what goes in and what
+//!   comes out.
 //! * [`FILTERS`]: the table.
 //!
-//! Values are numbers, as many per parameter as its kind has components, one parameter after the other in the table's order;
-//! whoever gives fewer gets the defaults for the rest.
+//! Values are numbers, as many per parameter as its kind has components, one parameter after the
+//! other in the table's order; whoever gives fewer gets the defaults for the rest.
 
 pub mod data;
 pub mod param;
@@ -82,8 +84,9 @@ pub struct Filter {
     pub max_inputs: usize,
     /// What comes out, in order.
     pub outputs: &'static [OutputKind],
-    /// The first output is the first input, mended, moved or made anew with other faces: an editor puts it in its place. Else
-    /// what comes out is something new beside the inputs, as what is joined from several of them is.
+    /// The first output is the first input, mended, moved or made anew with other faces: an editor
+    /// puts it in its place. Else what comes out is something new beside the inputs, as what is
+    /// joined from several of them is.
     pub replaces: bool,
     /// The parameters, in the order of their values.
     pub params: &'static [Param],
@@ -147,7 +150,8 @@ impl Filter {
         self.params.iter().flat_map(|param| param.default).copied().collect()
     }
 
-    /// The defaults, as the inputs suggest them, each within the range of its parameter; what [`Filter::run`] takes for values that are not given.
+    /// The defaults, as the inputs suggest them, each within the range of its parameter; what
+    /// [`Filter::run`] takes for values that are not given.
     pub fn defaults(&self, inputs: &[Input<'_>]) -> Vec<f64> {
         let mut values = self.plain_defaults();
         if let Some(suggest) = self.suggest {
@@ -215,8 +219,9 @@ impl Filter {
     /// Runs the filter.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, and for more values than parameters;
-    /// [`Error::InputCount`], [`Error::InputUnfit`]; besides those of the capability itself.
+    /// [`Error::OptionOutOfRange`] for a value outside its parameter's range, and for more values
+    /// than parameters; [`Error::InputCount`], [`Error::InputUnfit`]; besides those of the
+    /// capability itself.
     pub fn run(&self, inputs: &[Input<'_>], values: &[f64], job: &Job<'_>) -> Result<Vec<Output>> {
         self.check_inputs(inputs)?;
         self.check_value_count(values.len())?;

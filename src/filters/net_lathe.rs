@@ -56,14 +56,16 @@ const PARAMS: &[Param] = &[
     TRIANGLES,
 ];
 
-/// The axis is that of the curve's box: parallel to its longest side, at its edge next to the origin.
+/// The axis is that of the curve's box: parallel to its longest side, at its edge next to the
+/// origin.
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
     if let Some(extent) = Extent::of(inputs) {
         let size = extent.high - extent.low;
         let axis = if size.z >= size.x && size.z >= size.y { 2 } else { usize::from(size.y >= size.x) };
         let near = DVec3::ZERO.clamp(extent.low, extent.high);
         put(PARAMS, values, "direction", &DVec3::AXES[axis].to_array());
-        // A curve that keeps to one side of an axis of space turns round that; others round the side of their box.
+        // A curve that keeps to one side of an axis of space turns round that; others round the
+        // side of their box.
         let mut point = DVec3::ZERO;
         point[axis] = near[axis];
         put(PARAMS, values, "point", &point.to_array());

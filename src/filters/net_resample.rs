@@ -54,7 +54,8 @@ const fn count(id: &'static str, label: &'static str, help: &'static str, defaul
     Param::new(id, label, help, ParamKind::Int, [2.0, 100_001.0], default)
 }
 
-/// As many nodes as there are vertices, as many each way: which way rows run is known to the run only.
+/// As many nodes as there are vertices, as many each way: which way rows run is known to the run
+/// only.
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
     if let Some(Input::Mesh(mesh)) = inputs.first() {
         let side = (mesh.positions().len() as f64).sqrt().round().clamp(5.0, 100_001.0);

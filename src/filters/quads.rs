@@ -1,4 +1,5 @@
-//! What filters of nets have in common: the net that a mesh of quads in rows and columns is, and the mesh of a net.
+//! What filters of nets have in common: the net that a mesh of quads in rows and columns is, and
+//! the mesh of a net.
 
 use super::param::{Param, Values};
 use crate::error::Result;

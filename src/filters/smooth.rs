@@ -1,4 +1,5 @@
-//! What filters of smooth surfaces have in common: the surface through the vertices of a mesh of quads in rows and columns.
+//! What filters of smooth surfaces have in common: the surface through the vertices of a mesh of
+//! quads in rows and columns.
 
 use super::data::Curves;
 use super::param::{Choice, PLACES, Param, ParamKind, Values};
@@ -58,7 +59,8 @@ pub(super) const fn direction(help: &'static str) -> Param {
     Param::new("direction", "Direction", help, ParamKind::Direction, PLACES, &[0.0, 0.0, 1.0])
 }
 
-/// The surface through a mesh, with its normals on the side that the faces are counter-clockwise from.
+/// The surface through a mesh, with its normals on the side that the faces are counter-clockwise
+/// from.
 pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Surface<'static>> {
     let scheme = [Scheme::SixTap, Scheme::FourPoint][values.chosen("scheme")];
     let found = net_of_grid(mesh, None, &job.part(0.0, 0.6))?;

@@ -1,10 +1,11 @@
 //! Analysis of a deformation as soft or hard (Deryagin, "Soft and hard deformations of a net").
 //!
-//! The paper looks for glued nodes where the Jacobian determinant of the deformation vanishes, which is
-//! neither necessary nor sufficient: (x, y, 0) has determinant 0 everywhere and leaves a sheet in a
-//! plane z = const unchanged, and rolling a sheet up to a cylinder has a positive one and closes the
-//! sheet. A link is contracted if and only if the deformation brings its ends together; so the links
-//! are measured, closing links included, and the determinant shows where space is inverted. O(nodes).
+//! The paper looks for glued nodes where the Jacobian determinant of the deformation vanishes,
+//! which is neither necessary nor sufficient: (x, y, 0) has determinant 0 everywhere and leaves a
+//! sheet in a plane z = const unchanged, and rolling a sheet up to a cylinder has a positive one
+//! and closes the sheet. A link is contracted if and only if the deformation brings its ends
+//! together; so the links are measured, closing links included, and the determinant shows where
+//! space is inverted. O(nodes).
 
 use super::field::{Step, deform};
 use super::hidden_cells::HiddenCells;
@@ -27,16 +28,17 @@ pub struct Contracted {
 /// The effect of a deformation on a net.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Analysis {
-    /// The ratio of new to old length of each link, closing links included. NaN if the old length is 0 or
-    /// an end is missing.
+    /// The ratio of new to old length of each link, closing links included. NaN if the old length
+    /// is 0 or an end is missing.
     pub links: Vec<f64>,
-    /// The ratio of new to old area of each cell, negative where the surface is folded over or, if a field
-    /// was given, where the determinant is negative. NaN if the old area is 0 or the cell is missing.
+    /// The ratio of new to old area of each cell, negative where the surface is folded over or, if
+    /// a field was given, where the determinant is negative. NaN if the old area is 0 or the cell
+    /// is missing.
     pub cells: Vec<f64>,
     /// The determinant of the field's Jacobian at the centre of each cell; empty without a field.
     pub determinants: Vec<f64>,
-    /// The links contracted to a point: longer than the tolerance before, not glued, and no longer than it
-    /// now.
+    /// The links contracted to a point: longer than the tolerance before, not glued, and no longer
+    /// than it now.
     pub contracted: Vec<Contracted>,
     /// The glued links whose ends are farther apart than the tolerance now.
     pub torn: Vec<u32>,
@@ -51,19 +53,21 @@ impl Analysis {
     }
 }
 
-/// Compares a net after a deformation with the net before. `tolerance`: lengths up to it count as 0.
+/// Compares a net after a deformation with the net before. `tolerance`: lengths up to it count as
+/// 0.
 ///
-/// The net is folded at a link whose two cells lie on the same side of it in one plane, and in a cell
-/// two opposite sides of which cross, if they did not before; both within the tolerance and the rounding
-/// of the coordinates, in cells that are wider than that. Folds divide each connected component of cells
-/// into two sides, of which the smaller is folded; where a fold ends within the surface and divides
-/// nothing, the cells along it are. Invertible affine maps fold nothing, nor does bending until the
-/// dihedral angle vanishes. Links across seams other than closed sides are not tested. O(nodes), 24
-/// bytes a node, and 13 more if there are folds.
+/// The net is folded at a link whose two cells lie on the same side of it in one plane, and in a
+/// cell two opposite sides of which cross, if they did not before; both within the tolerance and
+/// the rounding of the coordinates, in cells that are wider than that. Folds divide each connected
+/// component of cells into two sides, of which the smaller is folded; where a fold ends within the
+/// surface and divides nothing, the cells along it are. Invertible affine maps fold nothing, nor
+/// does bending until the dihedral angle vanishes. Links across seams other than closed sides are
+/// not tested. O(nodes), 24 bytes a node, and 13 more if there are folds.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a tolerance that is negative, infinite or NaN, [`Error::SidesDiffer`],
-/// [`Error::CrossingCell`] if the new gluing crosses a cell, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] for a tolerance that is negative, infinite or NaN,
+/// [`Error::SidesDiffer`], [`Error::CrossingCell`] if the new gluing crosses a cell,
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Analysis> {
     if before.shape() != after.shape() {
         let (a, b) = (before.shape().node_count() as u32, after.shape().node_count() as u32);
@@ -74,10 +78,10 @@ pub fn analyse(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>)
     Ok(found)
 }
 
-/// As [`analyse`], for a chain of fields; the net stays unchanged. Determinants are found by central
-/// differences; cells whose sign differs from the majority are folded. A determinant below the error of
-/// the differences is 0 and has no sign; if no sign differs, folds are found as in [`analyse`]. Also 8
-/// bytes a node, and a copy of the net.
+/// As [`analyse`], for a chain of fields; the net stays unchanged. Determinants are found by
+/// central differences; cells whose sign differs from the majority are folded. A determinant below
+/// the error of the differences is 0 and has no sign; if no sign differs, folds are found as in
+/// [`analyse`]. Also 8 bytes a node, and a copy of the net.
 ///
 /// # Errors
 /// Also those of [`deform`].
@@ -234,8 +238,9 @@ fn determinants<T: Real>(planes: &Planes<'_, T>, steps: &[Step<'_>], job: &Job<'
     Ok(determinants)
 }
 
-/// The Jacobian of a chain of fields at a point, by central differences. The step balances truncation
-/// against rounding: the cube root of the precision, times the larger of `size` and the coordinates.
+/// The Jacobian of a chain of fields at a point, by central differences. The step balances
+/// truncation against rounding: the cube root of the precision, times the larger of `size` and the
+/// coordinates.
 pub fn jacobian(point: DVec3, size: f64, steps: &[Step<'_>]) -> DMat3 {
     differences(point, size, steps).0
 }

@@ -48,8 +48,8 @@ pub(crate) struct Adaptation {
     pub(crate) joined: Shape,
     /// First: its rows were flipped, as its faces had the opposite orientation.
     pub(crate) flipped: bool,
-    /// Second: its rows (or columns, across the direction) were replicated; those of `joined` that are
-    /// copies.
+    /// Second: its rows (or columns, across the direction) were replicated; those of `joined` that
+    /// are copies.
     pub(crate) copies: Vec<u32>,
     /// Last: it was rotated by so many places along its closed side.
     pub(crate) twist: u32,

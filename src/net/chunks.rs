@@ -1,8 +1,8 @@
 //! Parallel loops over the coordinates of a net in chunks of consecutive nodes that fit in the L1
 //! cache.
 //!
-//! Invariant: chunk boundaries depend on the shape and the stride alone, so that results do not depend
-//! on the number of threads.
+//! Invariant: chunk boundaries depend on the shape and the stride alone, so that results do not
+//! depend on the number of threads.
 
 use super::{Planes, Real};
 use crate::error::Result;
@@ -38,8 +38,9 @@ impl ChunkLayout {
     }
 }
 
-/// Calls `work` with the number of the first node and the coordinates of each chunk of at most `max`
-/// nodes, in parallel. The error is that of the first chunk that fails; other chunks may be changed.
+/// Calls `work` with the number of the first node and the coordinates of each chunk of at most
+/// `max` nodes, in parallel. The error is that of the first chunk that fails; other chunks may be
+/// changed.
 pub(crate) fn for_each_chunk_mut<T: Real>(
     planes: &mut Planes<'_, T>,
     threads: usize,
@@ -60,7 +61,8 @@ pub(crate) fn for_each_chunk_mut<T: Real>(
     results.into_iter().collect()
 }
 
-/// As [`for_each_chunk_mut`], in the order of the nodes and on this thread. Stops at the first error.
+/// As [`for_each_chunk_mut`], in the order of the nodes and on this thread. Stops at the first
+/// error.
 pub(crate) fn for_each_chunk_in_order<T: Real>(
     planes: &mut Planes<'_, T>,
     mut work: impl FnMut(usize, [&mut [T]; 3]) -> Result<()>,
@@ -94,8 +96,8 @@ pub(crate) fn for_each_chunk<T: Real>(
     results.into_iter().collect()
 }
 
-/// The results of `work` for each row of `width` values, in order, computed in parallel; cancellable
-/// between blocks of rows.
+/// The results of `work` for each row of `width` values, in order, computed in parallel;
+/// cancellable between blocks of rows.
 pub(crate) fn map_rows<V: Send, R: Send>(
     values: &mut [V],
     width: usize,

@@ -1,7 +1,8 @@
-//! Coincident nodes: equal coordinates (0 and -0 are equal), or a distance of at most the tolerance.
+//! Coincident nodes: equal coordinates (0 and -0 are equal), or a distance of at most the
+//! tolerance.
 //!
-//! A missing node, with a coordinate that is NaN or infinite, coincides with none. Rows are screened
-//! axis by axis before distances are computed. O(nodes).
+//! A missing node, with a coordinate that is NaN or infinite, coincides with none. Rows are
+//! screened axis by axis before distances are computed. O(nodes).
 
 use super::{Coordinates, Planes, Real, each};
 use crate::error::{Error, Result};
@@ -66,8 +67,8 @@ fn coincident_links_of<T: Real>(
     Ok(())
 }
 
-/// False if no two corresponding nodes of `a` and `b` coincide. Branch-free, as it is false for most
-/// rows.
+/// False if no two corresponding nodes of `a` and `b` coincide. Branch-free, as it is false for
+/// most rows.
 fn may_coincide<T: Real>(a: [&[T]; 3], b: [&[T]; 3], tolerance: f64) -> bool {
     let close = |a: T, b: T| {
         let difference: f64 = a.into() - b.into();

@@ -1,9 +1,9 @@
 //! Detection of the gluing of a net from its coordinates.
 //!
-//! Neighbours that coincide are contracted links. Of the others only the rim is examined: runs of at
-//! least two rim nodes that coincide with others, in the same sense or in reverse, are seams. They
-//! cover closed rows and columns, reversed sides and folded sides; a single pair of coincident nodes
-//! is a touch and not glued. Candidate pairs are found in a uniform grid, sorted by cell.
+//! Neighbours that coincide are contracted links. Of the others only the rim is examined: runs of
+//! at least two rim nodes that coincide with others, in the same sense or in reverse, are seams.
+//! They cover closed rows and columns, reversed sides and folded sides; a single pair of coincident
+//! nodes is a touch and not glued. Candidate pairs are found in a uniform grid, sorted by cell.
 //! O(nodes), and O(r log r) for r rim nodes.
 
 use super::coincidence::{check_tolerance, coincide, coincident_links};
@@ -19,13 +19,14 @@ use std::cmp::Ordering;
 const MAX_PARTNERS: usize = 8;
 
 /// The topology that coordinates imply, in canonical form ([`Topology::saturated`]): coincident
-/// neighbours, and runs of at least two coincident rim nodes. Tolerance 0: equal coordinates (0 and -0
-/// are equal). O(nodes), and a sort of the rim.
+/// neighbours, and runs of at least two coincident rim nodes. Tolerance 0: equal coordinates (0 and
+/// -0 are equal). O(nodes), and a sort of the rim.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`](crate::Error::OptionOutOfRange) for a tolerance that is negative or not
-/// finite, [`Error::CrossingCell`](crate::Error::CrossingCell) for a cell whose pairs of opposite corners
-/// coincide separately, [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+/// [`Error::OptionOutOfRange`](crate::Error::OptionOutOfRange) for a tolerance that is negative or
+/// not finite, [`Error::CrossingCell`](crate::Error::CrossingCell) for a cell whose pairs of
+/// opposite corners coincide separately, [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+/// [`Error::Cancelled`](crate::Error::Cancelled).
 pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_>) -> Result<Topology> {
     check_tolerance(tolerance)?;
     let shape = coordinates.shape();
@@ -44,8 +45,8 @@ pub fn detect_gluing(coordinates: &Coordinates<'_>, tolerance: f64, job: &Job<'_
     Topology::new(shape, Links::Matrix(near.matrix()?), &seams)?.saturated()
 }
 
-/// The nodes of the four sides, numbered round the net: the first row forwards, the last column down, the last row
-/// backwards, the first column up. Each corner appears once.
+/// The nodes of the four sides, numbered round the net: the first row forwards, the last column
+/// down, the last row backwards, the first column up. Each corner appears once.
 struct Rim<'a> {
     shape: Shape,
     coordinates: &'a Coordinates<'a>,
@@ -83,8 +84,8 @@ impl Rim<'_> {
         classes.representative(self.shape.node(i, j))
     }
 
-    /// Coincident pairs of rim nodes that are not one vertex by links alone, each vertex by its first
-    /// node.
+    /// Coincident pairs of rim nodes that are not one vertex by links alone, each vertex by its
+    /// first node.
     fn pairs(&self, classes: &Classes) -> Result<Vec<[usize; 2]>> {
         let mut nodes: Vec<(u32, usize)> = alloc::collect((0..self.len()).map(|k| (self.class(classes, k), k)))?;
         nodes.sort_unstable();
@@ -93,7 +94,8 @@ impl Rim<'_> {
         let finite = nodes.iter().filter(|node| self.place(node.1).is_finite());
         sorted.extend(finite.map(|&(_, k)| (self.cell(k), k)));
         sorted.sort_unstable_by(|a, b| by_cell(&a.0, &b.0).then(a.1.cmp(&b.1)));
-        // Nodes within the tolerance lie in the same cell or in one next to it; cells along z are consecutive.
+        // Nodes within the tolerance lie in the same cell or in one next to it; cells along z are
+        // consecutive.
         let near: &[f64] = if self.tolerance > 0.0 { &[-1.0, 0.0, 1.0] } else { &[0.0] };
         let (first, last) = (near[0], near[near.len() - 1]);
         let mut pairs = Vec::new();
@@ -113,8 +115,8 @@ impl Rim<'_> {
         Ok(pairs)
     }
 
-    /// The grid cell of a rim node, 1 % wider than the tolerance for rounding. Without a tolerance, or with
-    /// one below the spacing of numbers, each position is a cell.
+    /// The grid cell of a rim node, 1 % wider than the tolerance for rounding. Without a tolerance,
+    /// or with one below the spacing of numbers, each position is a cell.
     fn cell(&self, k: usize) -> Cell {
         self.place(k).to_array().map(|x| {
             let at = (x / (self.tolerance * 1.01)).floor();
@@ -123,9 +125,9 @@ impl Rim<'_> {
         })
     }
 
-    /// The seams of the pairs: pairs of one sum of places run in reverse, those of one difference in the
-    /// same sense, both modulo the length of the rim. Every run is found from both its sides; a topology
-    /// merges the two.
+    /// The seams of the pairs: pairs of one sum of places run in reverse, those of one difference
+    /// in the same sense, both modulo the length of the rim. Every run is found from both its
+    /// sides; a topology merges the two.
     fn seams(&self, pairs: &[[usize; 2]], classes: &Classes) -> Result<Vec<Seam>> {
         let n = self.len();
         let mut seams = Vec::new();
@@ -145,8 +147,8 @@ impl Rim<'_> {
         Ok(seams)
     }
 
-    /// Adds a run, cut where either side turns a corner, and extended by one pair at each end if that pair
-    /// coincides but was not compared, as links glue it to others.
+    /// Adds a run, cut where either side turns a corner, and extended by one pair at each end if
+    /// that pair coincides but was not compared, as links glue it to others.
     fn add_run(
         &self,
         pairing: Pairing,
@@ -176,7 +178,8 @@ impl Rim<'_> {
         Ok(())
     }
 
-    /// The straight run from rim node k round the rim, or back, and the number of steps up to the corner.
+    /// The straight run from rim node k round the rim, or back, and the number of steps up to the
+    /// corner.
     fn run(&self, k: usize, forwards: bool) -> (Run, usize) {
         let (k, corners) = (k % self.len(), self.corners());
         // Back from a corner leads along the previous side.

@@ -1,9 +1,9 @@
 //! Detection of folds that a deformation has made in a net.
 //!
-//! A net is folded at a link whose two cells lie on the same side of it in one plane, and in a cell two
-//! opposite sides of which cross. Coplanarity, sides of a line and crossings are affine invariants.
-//! Invariant: no invertible affine map folds anything, and bending folds only where the dihedral angle
-//! vanishes within the tolerance and the rounding error of the nodes.
+//! A net is folded at a link whose two cells lie on the same side of it in one plane, and in a cell
+//! two opposite sides of which cross. Coplanarity, sides of a line and crossings are affine
+//! invariants. Invariant: no invertible affine map folds anything, and bending folds only where the
+//! dihedral angle vanishes within the tolerance and the rounding error of the nodes.
 //!
 //! Folds then partition the cells into two sides by union-find with parity. O(nodes).
 
@@ -26,7 +26,8 @@ enum FoldTest {
     Undecided,
 }
 
-/// Cells that one thread takes at a time, approximately, and that are tested between progress reports.
+/// Cells that one thread takes at a time, approximately, and that are tested between progress
+/// reports.
 const BLOCK: usize = 1 << 14;
 const STAGE: &str = "looking for folds";
 
@@ -35,8 +36,8 @@ const MARGIN_BEFORE: f64 = 8.0;
 
 /// The sign of each cell, -1 where it is turned over, else 1; empty if nothing is folded.
 ///
-/// Folds divide each connected component of cells into two sides, of which the smaller is turned over.
-/// Where they do not, as round the end of a fold, the cells at the fold are.
+/// Folds divide each connected component of cells into two sides, of which the smaller is turned
+/// over. Where they do not, as round the end of a fold, the cells at the fold are.
 pub(super) fn fold_signs(before: &Net<'_>, after: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Vec<i8>> {
     let (shape, classes, hidden) = (before.shape(), Classes::of(before.topology())?, HiddenCells::of(before)?);
     each!(before.coordinates(), old => each!(after.coordinates(), new => {
@@ -207,8 +208,8 @@ fn in_cell<T: Real>(planes: &Planes<'_, T>, i: usize, j: usize, tolerance: f64, 
     }
 }
 
-/// The test of two segments, p q and r s: they cross between their ends, or miss each other by less than
-/// the margin.
+/// The test of two segments, p q and r s: they cross between their ends, or miss each other by less
+/// than the margin.
 fn cross([p, q]: [DVec3; 2], [r, s]: [DVec3; 2], error: f64, margin: f64) -> FoldTest {
     let ([u, v, across], error) = scaled([q - p, s - r, r - p], error);
     let normal = u.cross(v);

@@ -1,7 +1,7 @@
 //! The cells of hidden bridges, sorted by row.
 //!
-//! [`Net::is_hidden`] asks every bridge for every cell; this asks every bridge once. Built in O(rows +
-//! cells of hidden bridges).
+//! [`Net::is_hidden`] asks every bridge for every cell; this asks every bridge once. Built in
+//! O(rows + cells of hidden bridges).
 
 use crate::alloc;
 use crate::error::Result;
@@ -23,7 +23,8 @@ impl HiddenCells {
         let rows = net.shape().rows() - 1;
         let mut offsets: Vec<u32> = alloc::filled(0, rows + 2)?;
         let hidden = || net.bridges().iter().filter(|bridge| bridge.is_hidden());
-        // Counts are kept two rows ahead, so that entry row + 1 is the insertion point of a row and ends as its end.
+        // Counts are kept two rows ahead, so that entry row + 1 is the insertion point of a row and
+        // ends as its end.
         hidden().flat_map(ranges).for_each(|(row, _)| offsets[row as usize + 2] += 1);
         for row in 0..rows {
             offsets[row + 2] += offsets[row + 1];

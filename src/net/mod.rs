@@ -1,20 +1,22 @@
 //! Nets: tetragonal regular networks (TRN).
 //!
-//! The model is A. A. Deryagin's ("Modelling of 3D objects and scenes by tetragonal regular networks"):
-//! H x W nodes in three coordinate matrices, joined to cells by their indices alone, and closed to
-//! surfaces of any kind by a characteristic matrix of contracted links. `docs/errata.md` lists where the
-//! paper is corrected.
+//! The model is A. A. Deryagin's ("Modelling of 3D objects and scenes by tetragonal regular
+//! networks"): H x W nodes in three coordinate matrices, joined to cells by their indices alone,
+//! and closed to surfaces of any kind by a characteristic matrix of contracted links.
+//! `docs/errata.md` lists where the paper is corrected.
 //!
-//! * [`Shape`]: size and numbering. [`Planes`], [`Coordinates`]: the matrices. [`Net`]: all together.
+//! * [`Shape`]: size and numbering. [`Planes`], [`Coordinates`]: the matrices. [`Net`]: all
+//!   together.
 //! * [`topology`]: the gluing, the classes of glued nodes, the 18 local gluings.
-//! * [`complex`]: the surface that the gluing makes. [`Net::validate`]: whether glued nodes coincide.
+//! * [`complex`]: the surface that the gluing makes. [`Net::validate`]: whether glued nodes
+//!   coincide.
 //!   [`detect_gluing()`]: the gluing that coordinates imply.
 //! * [`closure`]: boxes, and surfaces with a reversed side. [`primitive`]: nets of standard shapes.
 //! * [`concatenate`], [`Net::split`]: joining and splitting, with a [`Bridge`] between.
 //! * Parts, flips, quarter turns, reformatting: methods of [`Net`].
-//! * [`field`], [`transform`]: deformations. [`analyse`]: their effect. [`normals`], [`measure`]: normals,
-//!   areas, volumes. [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]: meshes and height
-//!   fields. [`stream`]: nets as bytes.
+//! * [`field`], [`transform`]: deformations. [`analyse`]: their effect. [`normals`], [`measure`]:
+//!   normals, areas, volumes. [`resample`]: other sizes. [`scene`]: nets in groups. [`convert`]:
+//!   meshes and height fields. [`stream`]: nets as bytes.
 
 pub mod analyse;
 mod arrange;

@@ -1,10 +1,10 @@
 //! Unit normals at the nodes.
 //!
 //! The normal of a vertex is the direction of the sum, over the corners of its cells, of the cross
-//! products of the two sides that meet there: cells reduced after gluing, corners of all nodes of the
-//! class. At a node with four whole cells the sum telescopes to the product of central differences,
-//! (E - W) x (S - N), which is the fast path. Poles and seams need the sum itself: over unreduced cells
-//! it vanishes at a pole.
+//! products of the two sides that meet there: cells reduced after gluing, corners of all nodes of
+//! the class. At a node with four whole cells the sum telescopes to the product of central
+//! differences, (E - W) x (S - N), which is the fast path. Poles and seams need the sum itself:
+//! over unreduced cells it vanishes at a pole.
 //!
 //! Invariant: nodes of one class get the same bits. O(nodes), and memory for the glued nodes only.
 
@@ -37,16 +37,17 @@ pub fn normals(net: &Net<'_>, job: &Job<'_>) -> Result<(Coordinates<'static>, u6
     Ok((out, without))
 }
 
-/// Writes the unit normal of every node, in the net's type; nodes of one class get the same bits. Returns the number of
-/// nodes without a normal, which get zeros: missing ones, and those where the areas vanish or cancel.
+/// Writes the unit normal of every node, in the net's type; nodes of one class get the same bits.
+/// Returns the number of nodes without a normal, which get zeros: missing ones, and those where the
+/// areas vanish or cancel.
 ///
-/// The normal is that of the right-handed rotation from the direction of columns to that of rows; the
-/// opposite for reversed topologies. At open rims, beside missing nodes and beside hidden bridges only
-/// existing cells count. O(nodes), and memory for the glued nodes only.
+/// The normal is that of the right-handed rotation from the direction of columns to that of rows;
+/// the opposite for reversed topologies. At open rims, beside missing nodes and beside hidden
+/// bridges only existing cells count. O(nodes), and memory for the glued nodes only.
 ///
 /// # Errors
-/// [`Error::MixedScalars`] if the normals are of another type, [`Error::ArrayTooShort`] if of another size,
-/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::MixedScalars`] if the normals are of another type, [`Error::ArrayTooShort`] if of
+/// another size, [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn normals_into(net: &Net<'_>, out: &mut Coordinates<'_>, job: &Job<'_>) -> Result<u64> {
     if net.shape() != out.shape() {
         let (needed, given) = (net.shape().node_count() as u64, out.shape().node_count() as u64);
@@ -107,8 +108,8 @@ impl<'a, T: Real> CornerSums<'a, T> {
         DVec3::from_array(self.matrices.map(|matrix| matrix[at].into()))
     }
 
-    /// The sum over the corners at node (i, j) of the existing cells. Several corners of a cell in one
-    /// vertex count once, at the first of them.
+    /// The sum over the corners at node (i, j) of the existing cells. Several corners of a cell in
+    /// one vertex count once, at the first of them.
     fn sum(&self, i: usize, j: usize) -> VectorSum {
         let shape = self.planes.shape();
         let mut sum = VectorSum::default();
@@ -123,8 +124,8 @@ impl<'a, T: Real> CornerSums<'a, T> {
         sum
     }
 
-    /// The cross product of the sides at a corner of cell (i, j); zero if the cell is missing or reduced to
-    /// a line or a point.
+    /// The cross product of the sides at a corner of cell (i, j); zero if the cell is missing or
+    /// reduced to a line or a point.
     fn corner(&self, i: usize, j: usize, corner: usize) -> DVec3 {
         let points = corner_places(i, j).map(|(i, j)| self.point(i, j));
         if !points.iter().all(|point| point.is_finite()) {
@@ -180,8 +181,8 @@ impl VectorSum {
     }
 }
 
-/// The normals of all nodes that are not glued, of inner ones by the fast path. Returns the number of
-/// nodes without a normal for each block.
+/// The normals of all nodes that are not glued, of inner ones by the fast path. Returns the number
+/// of nodes without a normal for each block.
 fn rows<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<Vec<u64>> {
     let (shape, stride) = (out.shape(), out.stride());
     let lines = (BLOCK / stride).max(1);
@@ -234,8 +235,8 @@ fn row<T: Real>(corners: &CornerSums<'_, T>, i: usize, mut out: [&mut [T]; 3]) -
     without
 }
 
-/// The normals of glued nodes: of each class the sum over its nodes. Returns the number of nodes without
-/// a normal.
+/// The normals of glued nodes: of each class the sum over its nodes. Returns the number of nodes
+/// without a normal.
 fn glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Job<'_>) -> Result<u64> {
     let (shape, groups) = (out.shape(), &corners.groups);
     let places = |k: usize| groups.get(k).iter().map(|&node| shape.place(node));
@@ -257,8 +258,8 @@ fn glued<T: Real>(corners: &CornerSums<'_, T>, out: &mut Planes<'_, T>, job: &Jo
     Ok(without)
 }
 
-/// Central differences for the middle one of three rows, without its first and last node. True if every
-/// squared length was within the range in which it keeps its digits.
+/// Central differences for the middle one of three rows, without its first and last node. True if
+/// every squared length was within the range in which it keeps its digits.
 struct Differences<'a, T> {
     rows: [[&'a [T]; 3]; 3],
     sign: T,

@@ -1,7 +1,8 @@
-//! The three coordinate matrices X, Y, Z of a net (Deryagin, "Model"), owned or borrowed from the host.
+//! The three coordinate matrices X, Y, Z of a net (Deryagin, "Model"), owned or borrowed from the
+//! host.
 //!
-//! Structure of arrays: every owned matrix starts at a cache line, and loops over its rows vectorise.
-//! 12 or 24 bytes a node.
+//! Structure of arrays: every owned matrix starts at a cache line, and loops over its rows
+//! vectorise. 12 or 24 bytes a node.
 
 use super::Real;
 use super::shape::{Shape, corner_places};
@@ -24,7 +25,8 @@ struct AlignedChunk([u8; 16]);
 const CACHE_LINE: usize = 64;
 const CHUNKS_PER_LINE: usize = CACHE_LINE / size_of::<AlignedChunk>();
 
-/// X, Y, Z: three matrices of `rows x columns` numbers, row after row, each row `stride` numbers after the one before.
+/// X, Y, Z: three matrices of `rows x columns` numbers, row after row, each row `stride` numbers
+/// after the one before.
 #[derive(Debug)]
 pub struct Planes<'a, T> {
     shape: Shape,
@@ -57,10 +59,11 @@ impl<'a, T: Real> Planes<'a, T> {
         Ok(Planes { shape, stride: shape.columns(), store: Store::Own { chunks, start, each } })
     }
 
-    /// Owned matrices, written once: `write` fills X, Y and Z (0, 1, 2) in order, some rows at a time.
+    /// Owned matrices, written once: `write` fills X, Y and Z (0, 1, 2) in order, some rows at a
+    /// time.
     ///
-    /// Recycled memory would have to be cleared for [`Planes::zeroed`], which takes as long as copying to
-    /// it. Here rows pass through a buffer that stays in the cache.
+    /// Recycled memory would have to be cleared for [`Planes::zeroed`], which takes as long as
+    /// copying to it. Here rows pass through a buffer that stays in the cache.
     pub(crate) fn from_rows(shape: Shape, mut write: impl FnMut(usize, Range<usize>, &mut [T])) -> Result<Self> {
         let (rows, columns, per_chunk) = (shape.rows(), shape.columns(), size_of::<AlignedChunk>() / size_of::<T>());
         let each = shape.node_count().div_ceil(CHUNKS_PER_LINE * per_chunk) * CHUNKS_PER_LINE;

@@ -6,8 +6,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `f32` or `f64`.
 ///
-/// Computations on single nodes are in the nodes' own type, by IEEE 754 operations without contraction:
-/// the same bits on every machine, whatever its vector width.
+/// Computations on single nodes are in the nodes' own type, by IEEE 754 operations without
+/// contraction: the same bits on every machine, whatever its vector width.
 pub trait Real:
     bytemuck::Pod
     + Debug

@@ -1,5 +1,5 @@
-//! Reformatting: rows and columns are replicated, which changes the size of a net and not its surface
-//! (Deryagin, "Reformatting", Fig. 7; the paper leaves open which row is repeated).
+//! Reformatting: rows and columns are replicated, which changes the size of a net and not its
+//! surface (Deryagin, "Reformatting", Fig. 7; the paper leaves open which row is repeated).
 //!
 //! Copies follow their original; the links between them are contracted; the links along a copy are
 //! those of the original, and a closing link of the last row starts at its last copy.
@@ -33,8 +33,8 @@ impl Net<'_> {
     /// A net of `rows` and `columns`, no fewer than there are, that is the same surface. O(nodes).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for fewer rows or columns than there are, or for the index of one that is not there,
-    /// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for fewer rows or columns than there are, or for the index of
+    /// one that is not there, [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn reformatted(
         &self,
         rows: usize,
@@ -59,10 +59,10 @@ impl Net<'_> {
         Ok(net)
     }
 
-    /// The net without the rows and columns that duplicate the one before: all links between the two
-    /// are contracted, and links and coordinates along them are equal bit for bit. At least two of
-    /// each are left, and those that a bridge ends on. The inverse of [`Net::reformatted`] for nets
-    /// without such rows and columns; seams that continue each other are merged. O(nodes).
+    /// The net without the rows and columns that duplicate the one before: all links between the
+    /// two are contracted, and links and coordinates along them are equal bit for bit. At least two
+    /// of each are left, and those that a bridge ends on. The inverse of [`Net::reformatted`] for
+    /// nets without such rows and columns; seams that continue each other are merged. O(nodes).
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -97,8 +97,8 @@ impl Net<'_> {
         Ok(found)
     }
 
-    /// The net without some of its rows (`Down`) or columns, whose indices are in order; at least two
-    /// are left.
+    /// The net without some of its rows (`Down`) or columns, whose indices are in order; at least
+    /// two are left.
     pub(crate) fn without_lines(&self, axis: Direction, removed: &[u32], job: &Job<'_>) -> Result<Net<'static>> {
         if removed.is_empty() {
             return self.copied();
@@ -122,7 +122,8 @@ impl Net<'_> {
 }
 
 impl Bridge {
-    /// The bridge in a net whose rows and columns are moved; ends are moved as the line they exclude.
+    /// The bridge in a net whose rows and columns are moved; ends are moved as the line they
+    /// exclude.
     fn moved(&self, row: impl Fn(u32) -> u32, column: impl Fn(u32) -> u32) -> Bridge {
         let (at, start, end) = match self.direction {
             Direction::Right => (column(self.at), row(self.start), row(self.end)),
@@ -220,8 +221,8 @@ impl Topology {
         (0..axis.extent(shape).1 - 1).all(|k| self.contracts(axis.link_along(shape, i, k)))
     }
 
-    /// True if row i (`Down`) or column i, not the first, is glued to the one before link by link, and
-    /// within itself as that is.
+    /// True if row i (`Down`) or column i, not the first, is glued to the one before link by link,
+    /// and within itself as that is.
     fn is_duplicate_line(&self, axis: Direction, i: usize) -> bool {
         let shape = self.shape();
         let along = |i: usize, k: usize| self.contracts(axis.link_along(shape, i, k));
@@ -264,9 +265,9 @@ impl Topology {
         Topology::assembled(shape, links.links(), seams, self.is_reversed())
     }
 
-    /// The topology of the rows of a list, which is in order and has at least two; the others are taken
-    /// to duplicate the one before. Rows that become neighbours are glued where all links between them
-    /// were contracted.
+    /// The topology of the rows of a list, which is in order and has at least two; the others are
+    /// taken to duplicate the one before. Rows that become neighbours are glued where all links
+    /// between them were contracted.
     pub(crate) fn rows_kept(&self, kept: &[u32]) -> Result<Self> {
         let old = self.shape();
         let (h, w) = (old.rows(), old.columns());

@@ -19,18 +19,18 @@ impl Net<'_> {
         Ok(())
     }
 
-    /// Unglues nodes; see [`Topology::unglued`](super::Topology::unglued). `separation`: the gap between
-    /// the components of a vertex; 0 leaves positions unchanged.
+    /// Unglues nodes; see [`Topology::unglued`](super::Topology::unglued). `separation`: the gap
+    /// between the components of a vertex; 0 leaves positions unchanged.
     ///
-    /// Each component moves by half the separation, all its nodes to one place, towards the mean of its
-    /// neighbours: the other ends of its links that exist and did not belong to the vertex. Neighbours
-    /// that do not fall apart themselves take precedence, so that the rims of a cut move away from the
-    /// cut and not along it. A component without neighbours, or at their mean, stays. Returns the number
-    /// of components that moved. O(nodes).
+    /// Each component moves by half the separation, all its nodes to one place, towards the mean of
+    /// its neighbours: the other ends of its links that exist and did not belong to the vertex.
+    /// Neighbours that do not fall apart themselves take precedence, so that the rims of a cut move
+    /// away from the cut and not along it. A component without neighbours, or at their mean, stays.
+    /// Returns the number of components that moved. O(nodes).
     ///
     /// # Errors
-    /// As there, and [`Error::OptionOutOfRange`] for a separation that is negative or not finite; the net
-    /// is then unchanged.
+    /// As there, and [`Error::OptionOutOfRange`] for a separation that is negative or not finite;
+    /// the net is then unchanged.
     pub fn unglue(&mut self, gluings: &[Gluing], separation: f64) -> Result<usize> {
         if !(separation.is_finite() && separation >= 0.0) {
             return Err(Error::OptionOutOfRange { option: "separation", value: separation });
@@ -92,8 +92,8 @@ impl SplitVertices {
         Ok(moves)
     }
 
-    /// The sum of the links that lead out of the vertex of a component; `whole`: only those to vertices
-    /// that stay whole.
+    /// The sum of the links that lead out of the vertex of a component; `whole`: only those to
+    /// vertices that stay whole.
     fn sum_of_links(&self, net: &Net<'_>, before: &Classes, component: &[[u32; 3]], whole: bool) -> DVec3 {
         let out = |&(node, neighbour): &(u32, u32)| {
             before.representative(neighbour) != before.representative(node)

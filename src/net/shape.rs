@@ -5,16 +5,17 @@
 
 use crate::error::{Element, Error, Result};
 
-/// The largest number of nodes of a net: links, of which there are two a node, are counted in 32 bits.
+/// The largest number of nodes of a net: links, of which there are two a node, are counted in 32
+/// bits.
 pub const MAX_NODES: u64 = (1 << 31) - 1;
 
 /// `rows` x `columns` nodes (the paper's H and W), joined by links to cells.
 ///
 /// Numbers start at 0, row by row: node (i, j) is `i * columns + j`; cell (i, j), whose corners are
 /// the nodes (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j), is `i * (columns - 1) + j`. Every node
-/// has two links, one to the next node of its row and one to the next of its column: link `2 * node`
-/// is horizontal, `2 * node + 1` vertical. Those of the last column and row lead back to the first;
-/// these closing links exist only where they are contracted.
+/// has two links, one to the next node of its row and one to the next of its column: link `2 *
+/// node` is horizontal, `2 * node + 1` vertical. Those of the last column and row lead back to the
+/// first; these closing links exist only where they are contracted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Shape {
     rows: u32,

@@ -1,6 +1,6 @@
-//! Validation: whether glued nodes coincide (Deryagin: "the correctness of a topology must be checked by
-//! the coincidence of the coordinates of glued nodes"), and warnings on what is allowed but suspicious.
-//! O(nodes), and a sort of the findings.
+//! Validation: whether glued nodes coincide (Deryagin: "the correctness of a topology must be
+//! checked by the coincidence of the coordinates of glued nodes"), and warnings on what is allowed
+//! but suspicious. O(nodes), and a sort of the findings.
 
 use super::coincidence::{check_tolerance, coincide, coincident_links};
 use super::topology::{Links, star_links};
@@ -16,8 +16,8 @@ pub enum FindingKind {
     LinkApart,
     /// A violation: two nodes that a seam glues are apart, or one of them is missing.
     SeamApart,
-    /// A warning: the two ends of a link between neighbours are one vertex by way of others, so that the
-    /// link is a loop unless it is contracted, as [`Topology::saturated`] does.
+    /// A warning: the two ends of a link between neighbours are one vertex by way of others, so
+    /// that the link is a loop unless it is contracted, as [`Topology::saturated`] does.
     Loop,
     /// A warning: the two ends of a link coincide and are not glued.
     ZeroLength,
@@ -46,13 +46,15 @@ pub struct Finding {
 }
 
 impl Net<'_> {
-    /// Checks each contracted link and each pair of each seam: the two nodes must coincide, which with tolerance 0
-    /// means equal coordinates (0 and -0 are equal), or both be missing. Warnings follow.
-    /// Violations come first, each kind in the order of its elements. O(nodes), and a sort of the findings.
+    /// Checks each contracted link and each pair of each seam: the two nodes must coincide, which
+    /// with tolerance 0 means equal coordinates (0 and -0 are equal), or both be missing. Warnings
+    /// follow. Violations come first, each kind in the order of its elements. O(nodes), and a sort
+    /// of the findings.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`](crate::Error::OptionOutOfRange) for a tolerance that is negative or not finite,
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::OptionOutOfRange`](crate::Error::OptionOutOfRange) for a tolerance that is negative
+    /// or not finite, [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn validate(&self, tolerance: f64, job: &Job<'_>) -> Result<Vec<Finding>> {
         check_tolerance(tolerance)?;
         let (topology, shape) = (self.topology(), self.shape());

@@ -22,12 +22,14 @@ use crate::job::Job;
 use std::ops::Range;
 
 impl Net<'_> {
-    /// The net within a range of rows and a range of columns, with the links and pairs of seams within
-    /// it and the bridges that cross it. Closing links survive if all rows, or all columns, do.
+    /// The net within a range of rows and a range of columns, with the links and pairs of seams
+    /// within it and the bridges that cross it. Closing links survive if all rows, or all columns,
+    /// do.
     ///
     /// # Errors
-    /// [`Error::NetTooSmall`], [`Error::OptionOutOfRange`] for ranges beyond the net, [`Error::CrossingCell`] if only what is
-    /// outside made the opposite corners of a cell one, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::NetTooSmall`], [`Error::OptionOutOfRange`] for ranges beyond the net,
+    /// [`Error::CrossingCell`] if only what is outside made the opposite corners of a cell one,
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn part(&self, rows: Range<usize>, columns: Range<usize>, job: &Job<'_>) -> Result<Net<'static>> {
         let old = self.shape();
         for (option, range, count) in [("rows", &rows, old.rows()), ("columns", &columns, old.columns())] {
@@ -76,8 +78,8 @@ impl Net<'_> {
         self.mapped(&FlippedColumns(self.shape()), self.topology().flipped_columns()?, flip, job)
     }
 
-    /// The net rotated by quarter turns, anticlockwise as the matrix is written down: after one, the
-    /// last column is the first row. The face orientation stays.
+    /// The net rotated by quarter turns, anticlockwise as the matrix is written down: after one,
+    /// the last column is the first row. The face orientation stays.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`], [`Error::Cancelled`].

@@ -1,10 +1,10 @@
 //! Three closures of a box, among them the cube of Deryagin's Fig. 6.
 //!
-//! A vertex of a box has total angle 3 pi / 2, an odd multiple of a right angle, which only a corner of
-//! the net provides; a net has four corners and a box eight vertices, so some cells must degenerate. All
-//! three closures wrap the four lateral faces by a closed band of rows and differ in the rows that cover
-//! the two caps. Invariant: the place of a node on the box is a function of its row and column, and the
-//! contracted links are those between equal places. O(nodes).
+//! A vertex of a box has total angle 3 pi / 2, an odd multiple of a right angle, which only a
+//! corner of the net provides; a net has four corners and a box eight vertices, so some cells must
+//! degenerate. All three closures wrap the four lateral faces by a closed band of rows and differ
+//! in the rows that cover the two caps. Invariant: the place of a node on the box is a function of
+//! its row and column, and the contracted links are those between equal places. O(nodes).
 
 use crate::error::{Error, Result};
 use crate::net::topology::{Links, Matrix, Run, Seam};
@@ -13,15 +13,17 @@ use crate::net::{Shape, Sides, Topology};
 /// The covering of the caps of a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum BoxKind {
-    /// Two opposite rims of the cap sweep over it until they meet in a slit, which then closes from both
-    /// ends. All faces are unit quads, all vertices but the eight have four edges, and the characteristic
-    /// matrix suffices.
+    /// Two opposite rims of the cap sweep over it until they meet in a slit, which then closes from
+    /// both ends. All faces are unit quads, all vertices but the eight have four edges, and the
+    /// characteristic matrix suffices.
     #[default]
     Slit,
-    /// The paper's cross unwrapping: one block of the net is the cap, and the three blocks beside it are
-    /// contracted to its sides. All faces are unit quads; the last row of each cap is a [`Seam`].
+    /// The paper's cross unwrapping: one block of the net is the cap, and the three blocks beside
+    /// it are contracted to its sides. All faces are unit quads; the last row of each cap is a
+    /// [`Seam`].
     Cross,
-    /// Concentric rings. Fewest nodes; cells on the diagonals of the caps are split into two triangles.
+    /// Concentric rings. Fewest nodes; cells on the diagonals of the caps are split into two
+    /// triangles.
     Concentric,
 }
 
@@ -103,8 +105,8 @@ impl Cuboid {
         i.saturating_sub(self.cap_rows()).min(self.cells[2] as usize) as u32
     }
 
-    /// The place of node (i, j), in cells from the corner of the box. Rows run from the bottom to the top,
-    /// columns round the box counter-clockwise seen from above.
+    /// The place of node (i, j), in cells from the corner of the box. Rows run from the bottom to
+    /// the top, columns round the box counter-clockwise seen from above.
     pub fn place(&self, i: usize, j: usize) -> [u32; 3] {
         let [a, b, _] = self.cells;
         let (depth, column) = (self.depth(i) as u32, j as u32 % (2 * (a + b)));
@@ -134,8 +136,9 @@ impl Cuboid {
         }
     }
 
-    /// The first block is the cap itself, from its rim at y = 0; the third, opposite, is contracted to the rim
-    /// at y = b; the two between to those at x = a and x = 0, where they follow the end of the first block.
+    /// The first block is the cap itself, from its rim at y = 0; the third, opposite, is contracted
+    /// to the rim at y = b; the two between to those at x = a and x = 0, where they follow the end
+    /// of the first block.
     fn crosswise(&self, depth: u32, column: u32) -> [u32; 2] {
         let [a, b, _] = self.cells;
         let [x, y] = self.rim(column);
@@ -147,8 +150,8 @@ impl Cuboid {
     }
 }
 
-/// A coordinate clamped to the interval from 0 to `size` less `steps` at both ends; for an odd size the last
-/// step moves one end only.
+/// A coordinate clamped to the interval from 0 to `size` less `steps` at both ends; for an odd size
+/// the last step moves one end only.
 fn inset(value: u32, steps: u32, size: u32) -> u32 {
     value.clamp(steps.min(size.div_ceil(2)), size - steps.min(size / 2))
 }

@@ -1,8 +1,8 @@
 //! Closures beyond [`Sides`]: boxes, and surfaces with a reversed or folded side.
 //!
-//! A closed surface is a rectangle with glued sides. [`Sides`], and the characteristic matrix in general,
-//! glue neighbours and the ends of rows and columns; a side glued to another in reverse, or to itself
-//! folded, is a [`Seam`]. O(nodes).
+//! A closed surface is a rectangle with glued sides. [`Sides`], and the characteristic matrix in
+//! general, glue neighbours and the ends of rows and columns; a side glued to another in reverse,
+//! or to itself folded, is a [`Seam`]. O(nodes).
 
 mod cuboid;
 
@@ -12,7 +12,8 @@ use super::topology::{Links, Run, Seam};
 use super::{Shape, Sides, Topology};
 use crate::error::{Error, Result};
 
-/// A Möbius strip: the last column is the first in reverse. Euler's characteristic 0, one boundary loop.
+/// A Möbius strip: the last column is the first in reverse. Euler's characteristic 0, one boundary
+/// loop.
 ///
 /// # Errors
 /// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
@@ -20,8 +21,8 @@ pub fn moebius(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape)])
 }
 
-/// A Klein bottle: columns are closed, and the last column is the first in reverse. Euler's characteristic
-/// 0, closed.
+/// A Klein bottle: columns are closed, and the last column is the first in reverse. Euler's
+/// characteristic 0, closed.
 ///
 /// # Errors
 /// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
@@ -40,12 +41,12 @@ pub fn projective_plane(shape: Shape) -> Result<Topology> {
     Topology::new(shape, Links::Sides(Sides::SHEET), &[reversed_column(shape), rows])
 }
 
-/// A pillow: a tube laid flat whose two rims are folded shut. A sphere with four vertices of two edges, unlike any that
-/// [`Sides`] describe.
+/// A pillow: a tube laid flat whose two rims are folded shut. A sphere with four vertices of two
+/// edges, unlike any that [`Sides`] describe.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for an even number of columns: a row is folded at its first and its middle node.
-/// [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
+/// [`Error::OptionOutOfRange`] for an even number of columns: a row is folded at its first and its
+/// middle node. [`Error::CrossingCell`] for nets too small for it, [`Error::OutOfMemory`].
 pub fn pillow(shape: Shape) -> Result<Topology> {
     let (h, w) = (shape.rows() as u32, shape.columns() as u32);
     if w % 2 == 0 {

@@ -1,4 +1,5 @@
-//! The boundary: edges of one face, linked to chains. O(edges), and a sort at vertices with several.
+//! The boundary: edges of one face, linked to chains. O(edges), and a sort at vertices with
+//! several.
 
 use super::vertex_sort;
 use crate::alloc;
@@ -12,8 +13,8 @@ pub(super) type FanEnds = [u32; 3];
 
 /// The chains of edges of one face each.
 ///
-/// Where the boundary passes a vertex more than once, a chain continues along the fan of faces that it
-/// came along. All chains are loops, except those that end at edges of three or more faces.
+/// Where the boundary passes a vertex more than once, a chain continues along the fan of faces that
+/// it came along. All chains are loops, except those that end at edges of three or more faces.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Boundary {
     offsets: Vec<u32>,
@@ -67,8 +68,9 @@ impl Boundary {
         &self.nodes
     }
 
-    /// The chains of `edges` of a net of `count` nodes, in the direction of their faces or (`reversed`)
-    /// against it. `fan_ends`: the pairs of edges that belong together at vertices with more than two.
+    /// The chains of `edges` of a net of `count` nodes, in the direction of their faces or
+    /// (`reversed`) against it. `fan_ends`: the pairs of edges that belong together at vertices
+    /// with more than two.
     pub(super) fn of(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize, reversed: bool) -> Result<Self> {
         let limit = u64::from(u32::MAX / 2);
         if edges.len() as u64 > limit {
@@ -107,7 +109,8 @@ impl Boundary {
     }
 }
 
-/// For each end of each edge (number `2 * edge + side`) the end of the next edge of its chain, or itself.
+/// For each end of each edge (number `2 * edge + side`) the end of the next edge of its chain, or
+/// itself.
 fn partners(edges: &[Edge], fan_ends: &mut Vec<FanEnds>, count: usize) -> Result<Vec<u32>> {
     vertex_sort::sort(fan_ends, count, |fan| fan[0])?;
     let mut partners: Vec<u32> = alloc::collect((0..2 * edges.len()).map(|end| end as u32))?;

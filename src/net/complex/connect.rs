@@ -44,8 +44,8 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
     Ok(roots.count() as u64)
 }
 
-/// True if the faces can be oriented so that no two traverse an edge in the same direction; edges of three
-/// or more faces do not count. O(cells).
+/// True if the faces can be oriented so that no two traverse an edge in the same direction; edges
+/// of three or more faces do not count. O(cells).
 pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &Classes, presence: &Presence) -> Result<bool> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());

@@ -1,5 +1,5 @@
-//! Edges and vertices at glued nodes: the sides and corners that the pass over the rows collected, grouped
-//! by edge and by vertex. O(s log s) for s sides at most.
+//! Edges and vertices at glued nodes: the sides and corners that the pass over the rows collected,
+//! grouped by edge and by vertex. O(s log s) for s sides at most.
 
 use super::boundary::FanEnds;
 use super::quotient::Complex;
@@ -32,8 +32,8 @@ pub(super) fn faces(sides: &[Side]) -> &[Side] {
     &sides[..sides.partition_point(|side| side.sense != Sense::None)]
 }
 
-/// Groups the corners at each vertex to fans, sequences of adjacent faces round it. A vertex with several is
-/// a pinch; the boundary edges of each fan are added to the scan's.
+/// Groups the corners at each vertex to fans, sequences of adjacent faces round it. A vertex with
+/// several is a pinch; the boundary edges of each fan are added to the scan's.
 pub(super) fn fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
     let count = scan.node_count();
     vertex_sort::sort(&mut scan.corners, count, |corner| corner[0])?;
@@ -47,8 +47,8 @@ pub(super) fn fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> 
     Ok(())
 }
 
-/// The link of a vertex: its points are the edges that meet there, and each face joins two of them. The
-/// memory is reused for each vertex.
+/// The link of a vertex: its points are the edges that meet there, and each face joins two of them.
+/// The memory is reused for each vertex.
 #[derive(Default)]
 struct VertexLink {
     /// The other ends of the edges, in order.
@@ -86,7 +86,8 @@ impl VertexLink {
         }
         self.ends.sort_unstable();
         for component in self.ends.chunk_by(|a, b| a.0 == b.0) {
-            // More than two only where a fan branches; an odd end terminates a chain of the boundary.
+            // More than two only where a fan branches; an odd end terminates a chain of the
+            // boundary.
             for pair in component.chunks_exact(2) {
                 alloc::push(ends, [corners[0][0], pair[0].1, pair[1].1])?;
             }

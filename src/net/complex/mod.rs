@@ -1,9 +1,9 @@
 //! The quotient complex of a net: the surface that it is once glued nodes are one.
 //!
-//! Vertices are classes of nodes. Edges are pairs of vertices that links join: links with the same ends
-//! are one edge. Faces are the quads and triangles that cells reduce to; digons, points and folds are
-//! none. An edge of no face is a wire, such as the thread between two closed nets; of one face,
-//! boundary; of more than two, a branch. Invariant: V - E + F is Euler's characteristic.
+//! Vertices are classes of nodes. Edges are pairs of vertices that links join: links with the same
+//! ends are one edge. Faces are the quads and triangles that cells reduce to; digons, points and
+//! folds are none. An edge of no face is a wire, such as the thread between two closed nets; of one
+//! face, boundary; of more than two, a branch. Invariant: V - E + F is Euler's characteristic.
 //!
 //! One pass over the rows counts the regular part and collects the rest, which is sorted by vertex.
 //! O(nodes), and a sort of the edges and corners at glued nodes.
@@ -41,7 +41,8 @@ impl Complex {
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face),
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn of_topology(topology: &Topology, job: &Job<'_>) -> Result<Self> {
         Complex::new(topology, &Presence::ALL, job)
     }
@@ -50,7 +51,8 @@ impl Complex {
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge) (more than 2^31 edges of one face),
-    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+    /// [`Error::Cancelled`](crate::Error::Cancelled).
     pub fn of(net: &Net<'_>, cells: Cells, job: &Job<'_>) -> Result<Self> {
         let presence = match cells {
             Cells::All => Presence::ALL,

@@ -1,5 +1,5 @@
-//! The existing cells: those with four finite corners that no hidden bridge covers. O(nodes), 1 byte a cell
-//! unless all exist.
+//! The existing cells: those with four finite corners that no hidden bridge covers. O(nodes), 1
+//! byte a cell unless all exist.
 
 use crate::alloc;
 use crate::error::Result;
@@ -36,7 +36,8 @@ impl Presence {
         self.cells.is_none()
     }
 
-    /// Writes row i of cells to `row`, with a missing cell at both ends; rows outside the net have none.
+    /// Writes row i of cells to `row`, with a missing cell at both ends; rows outside the net have
+    /// none.
     pub(super) fn row(&self, shape: Shape, i: usize, row: &mut [u8]) {
         let columns = shape.columns() - 1;
         let inner = &mut row[1..=columns];

@@ -1,8 +1,10 @@
-//! The quotient complex: its counts, and the elements that keep it from being a closed oriented surface.
+//! The quotient complex: its counts, and the elements that keep it from being a closed oriented
+//! surface.
 
 use super::boundary::{Boundary, Edge};
 
-/// The quotient complex: its counts, and the elements that keep it from being a closed oriented surface.
+/// The quotient complex: its counts, and the elements that keep it from being a closed oriented
+/// surface.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub struct Complex {
@@ -59,8 +61,8 @@ impl Complex {
         self.wires.is_empty() && self.branches.is_empty() && self.pinches.is_empty()
     }
 
-    /// The genus of a manifold, summed over its components: handles if it is orientable, else crosscaps.
-    /// `None` otherwise.
+    /// The genus of a manifold, summed over its components: handles if it is orientable, else
+    /// crosscaps. `None` otherwise.
     pub fn genus(&self) -> Option<u64> {
         // chi = sum of (2 - 2 g - b), or of (2 - k - b), over the components.
         let excess = 2 * self.components as i64 - self.euler_characteristic() - self.boundary.len() as i64;

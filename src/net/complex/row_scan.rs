@@ -1,8 +1,8 @@
 //! One pass over the rows of a net, which counts the regular elements and collects the others.
 //!
-//! A link between two single nodes is an edge, and the two cells beside it determine its faces. Only at
-//! glued nodes must edges be grouped, and only at these and their neighbours can the faces round a vertex
-//! be more than the cells round a node. O(nodes), memory for the glued part only.
+//! A link between two single nodes is an edge, and the two cells beside it determine its faces.
+//! Only at glued nodes must edges be grouped, and only at these and their neighbours can the faces
+//! round a vertex be more than the cells round a node. O(nodes), memory for the glued part only.
 
 use super::boundary::{Edge, FanEnds};
 use super::presence::Presence;
@@ -114,7 +114,8 @@ impl<'a> RowScan<'a> {
         let (w, start) = (self.shape.columns(), self.shape.node(i, 0));
         let (marks, next) = self.marks[start as usize..].split_at(w);
         let rim = &mut self.rim;
-        // `with`: whether the face that traverses the link from a to b exists; `against`: the opposite one.
+        // `with`: whether the face that traverses the link from a to b exists; `against`: the
+        // opposite one.
         let mut link = |a: u32, b: u32, with: u8, against: u8| match (with, against) {
             (0, 0) => Ok(()),
             (1, 1) => {
@@ -141,7 +142,8 @@ impl<'a> RowScan<'a> {
         Ok(())
     }
 
-    /// Counts the cells of row i by their reduced form, and collects sides and corners at glued nodes.
+    /// Counts the cells of row i by their reduced form, and collects sides and corners at glued
+    /// nodes.
     fn cells(&mut self, i: usize, below: &[u8], complex: &mut Complex) -> Result<()> {
         if i + 1 == self.shape.rows() {
             return Ok(());

@@ -1,5 +1,5 @@
-//! Sorting of items by vertex: a counting sort where there are many, comparison sorts elsewhere. O(items +
-//! vertices) with few items at each vertex, as on nets but for poles.
+//! Sorting of items by vertex: a counting sort where there are many, comparison sorts elsewhere.
+//! O(items + vertices) with few items at each vertex, as on nets but for poles.
 
 use crate::alloc;
 use crate::error::Result;

@@ -1,9 +1,9 @@
 //! Recognition of a rectangular grid in the faces of a mesh.
 //!
 //! A cell is represented by the half-edge of its face that runs from (i, j) to (i, j + 1); its four
-//! neighbours, and their half-edges, are a few half-edges away. A step in one direction is an injective
-//! map, so that a walk ends at the border, at a pole, or where it began. Every candidate is verified
-//! cell by cell: no mesh that is not a grid is accepted. O(faces).
+//! neighbours, and their half-edges, are a few half-edges away. A step in one direction is an
+//! injective map, so that a walk ends at the border, at a pole, or where it began. Every candidate
+//! is verified cell by cell: no mesh that is not a grid is accepted. O(faces).
 
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -23,13 +23,15 @@ pub struct GridNet {
     pub face_of_cell: Vec<u32>,
 }
 
-/// The net whose cells are the faces of a mesh: quads in rows and columns, which may be closed, and at
-/// the first and the last row a fan of triangles round a pole each. `seed`: a face of the component;
-/// without it the mesh must have one only. Rows run along the first edge of the first quad, or round if
-/// only one direction is closed. O(H log d) for H half-edges and vertices of degree d.
+/// The net whose cells are the faces of a mesh: quads in rows and columns, which may be closed, and
+/// at the first and the last row a fan of triangles round a pole each. `seed`: a face of the
+/// component; without it the mesh must have one only. Rows run along the first edge of the first
+/// quad, or round if only one direction is closed. O(H log d) for H half-edges and vertices of
+/// degree d.
 ///
 /// # Errors
-/// [`Error::NoGrid`] with a face that violates the grid, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::NoGrid`] with a face that violates the grid, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn net_of_grid(mesh: &MeshView<'_>, seed: Option<u32>, job: &Job<'_>) -> Result<GridNet> {
     let pairing = Pairing::new(mesh, &job.part(0.0, 0.6))?;
     let walker = Walker { mesh, pairing: &pairing };
@@ -139,7 +141,8 @@ struct Grid {
     rows_closed: bool,
     /// The column of the first row below the first cell of the last row, if columns are closed.
     shift: Option<usize>,
-    /// The fans of triangles before the first and after the last row, as their half-edges shared with quads.
+    /// The fans of triangles before the first and after the last row, as their half-edges shared
+    /// with quads.
     poles: [Option<Vec<u32>>; 2],
 }
 
@@ -232,8 +235,8 @@ impl Grid {
         if (columns, closed) == (self.columns, self.rows_closed) { Ok(()) } else { Err(walker.no_grid(head)) }
     }
 
-    /// Verifies that each cell is above the next one of its column, that rows start at the border, and that
-    /// no face occurs twice.
+    /// Verifies that each cell is above the next one of its column, that rows start at the border,
+    /// and that no face occurs twice.
     fn check(&self, walker: &Walker<'_>, job: &Job<'_>) -> Result<()> {
         let mut visited = alloc::filled(false, walker.mesh.faces().len())?;
         let rows = self.cells.len() / self.columns;
@@ -267,8 +270,8 @@ impl Grid {
         Ok(())
     }
 
-    /// The fan beyond the row that starts at `first`: every cell has a triangle, all with one third corner;
-    /// or none has.
+    /// The fan beyond the row that starts at `first`: every cell has a triangle, all with one third
+    /// corner; or none has.
     fn pole(&self, walker: &Walker<'_>, first: usize, heading: Heading) -> Result<Option<Vec<u32>>> {
         if self.shift.is_some() {
             return Ok(None);

@@ -16,8 +16,8 @@ pub struct Heights<'a, T> {
     pub values: &'a [T],
     /// Numbers from row to row; 0 for rows without gaps.
     pub stride: usize,
-    /// The step from column to column (x) and from row to row (y), negative for rows from north to south.
-    /// Neither is 0.
+    /// The step from column to column (x) and from row to row (y), negative for rows from north to
+    /// south. Neither is 0.
     pub spacing: [f64; 2],
     /// The position of the first node at height 0.
     pub origin: DVec3,
@@ -25,13 +25,15 @@ pub struct Heights<'a, T> {
     pub no_data: Option<f64>,
 }
 
-/// The net of a height field, in its scalar type: x = origin + j spacing, y = origin + i spacing,
-/// z = origin + height. Missing heights become missing nodes. Faces are counter-clockwise from above,
+/// The net of a height field, in its scalar type: x = origin + j spacing, y = origin + i spacing, z
+/// = origin + height. Missing heights become missing nodes. Faces are counter-clockwise from above,
 /// whatever the signs of the spacing. O(nodes).
 ///
 /// # Errors
-/// [`Error::StrideTooSmall`], [`Error::ArrayTooShort`], [`Error::SizeOverflow`]; [`Error::OptionOutOfRange`] for a spacing or an
-/// origin that is not finite, or a spacing that leaves no distance between nodes in the type of the heights; [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::StrideTooSmall`], [`Error::ArrayTooShort`], [`Error::SizeOverflow`];
+/// [`Error::OptionOutOfRange`] for a spacing or an origin that is not finite, or a spacing that
+/// leaves no distance between nodes in the type of the heights; [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn net_of_heights<T: Real>(heights: &Heights<'_, T>, job: &Job<'_>) -> Result<Net<'static>>
 where
     Coordinates<'static>: From<Planes<'static, T>>,
@@ -84,7 +86,8 @@ fn height(value: f64, no_data: Option<f64>) -> f64 {
 /// position with a coordinate that is NaN, infinite or `no_data` is a missing node. O(nodes).
 ///
 /// # Errors
-/// [`Error::ArrayTooShort`] for fewer positions than nodes, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::ArrayTooShort`] for fewer positions than nodes, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn net_of_points(
     shape: Shape,
     points: &Positions<'_>,
@@ -121,7 +124,8 @@ fn organised<T: Real>(
 }
 
 impl Net<'_> {
-    /// Makes every node missing that has the coordinate `value`, rounded to the scalar type. O(nodes).
+    /// Makes every node missing that has the coordinate `value`, rounded to the scalar type.
+    /// O(nodes).
     pub fn clear_no_data(&mut self, value: f64) {
         each!(self.coordinates_mut(), planes => clear(planes, value));
     }

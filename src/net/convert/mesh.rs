@@ -1,8 +1,8 @@
 //! The polygon mesh of a net.
 //!
-//! Classes of glued nodes become vertices, and cells their reduced polygons (Deryagin, Fig. 4): quads,
-//! triangles, or nothing. Invariant: a closed net becomes a closed mesh, with positions bit for bit.
-//! O(nodes).
+//! Classes of glued nodes become vertices, and cells their reduced polygons (Deryagin, Fig. 4):
+//! quads, triangles, or nothing. Invariant: a closed net becomes a closed mesh, with positions bit
+//! for bit. O(nodes).
 
 use super::texture::Texture;
 use super::used_links::UsedLinks;
@@ -24,8 +24,8 @@ const NUMBERS: &str = "numbering vertices";
 /// The diagonal that cuts a quad into triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Diagonal {
-    /// The shorter diagonal; from (i, j) to (i + 1, j + 1) where they are equal. Where it would repeat an
-    /// edge, which gluing makes possible, the other one.
+    /// The shorter diagonal; from (i, j) to (i + 1, j + 1) where they are equal. Where it would
+    /// repeat an edge, which gluing makes possible, the other one.
     Shorter,
     /// From (i, j) to (i + 1, j + 1), with the same exception.
     Fixed,
@@ -59,11 +59,13 @@ pub struct NetMesh {
     pub mesh: Mesh,
     /// For each node its vertex, or `u32::MAX`.
     pub vertex_of_node: Vec<u32>,
-    /// For each vertex the smallest of its nodes. The vertex lies at the first of them that is not missing.
+    /// For each vertex the smallest of its nodes. The vertex lies at the first of them that is not
+    /// missing.
     pub node_of_vertex: Vec<u32>,
     /// For each face its cell.
     pub cell_of_face: Vec<u32>,
-    /// Edges without faces, as vertices: those of cells whose opposite sides are glued, such as threads.
+    /// Edges without faces, as vertices: those of cells whose opposite sides are glued, such as
+    /// threads.
     pub wires: Vec<[u32; 2]>,
     /// Texture coordinates, if requested.
     pub texture: Option<Texture>,
@@ -73,7 +75,8 @@ impl Net<'_> {
     /// The mesh of the net. It has the cells that [`Net::is_present`]. O(nodes).
     ///
     /// # Errors
-    /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::TooLarge`] for more than 2^32 - 2 corners, [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
     pub fn to_mesh(&self, options: &MeshOptions, job: &Job<'_>) -> Result<NetMesh> {
         let corners = 4 * self.shape().cell_count() as u64 * if options.triangles.is_some() { 3 } else { 2 } / 2;
         if corners > MAX_ELEMENTS {
@@ -130,8 +133,8 @@ fn build<T: Real>(net: &Net<'_>, planes: &Planes<'_, T>, options: &MeshOptions, 
 struct VertexPlaces {
     /// Whether each node has finite coordinates.
     finite: Vec<bool>,
-    /// The classes whose smallest node is missing, each with its first node that is not, in order. Rarely
-    /// any.
+    /// The classes whose smallest node is missing, each with its first node that is not, in order.
+    /// Rarely any.
     elsewhere: Vec<[u32; 2]>,
 }
 

@@ -8,8 +8,8 @@ use crate::net::Shape;
 
 /// Texture coordinates: column and row, each from 0 to 1 (u = j / (W - 1), v = i / (H - 1)).
 ///
-/// They belong to nodes, not to vertices: a vertex on a seam has a pair of coordinates on each side, so
-/// that an image covers a closed net once and does not run back within its last column.
+/// They belong to nodes, not to vertices: a vertex on a seam has a pair of coordinates on each
+/// side, so that an image covers a closed net once and does not run back within its last column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texture {
     /// u and v, once for each node that a face uses, in the order of the nodes.

@@ -1,5 +1,5 @@
-//! Edges that diagonals of quads must avoid: a diagonal along an edge of the mesh would give it four
-//! faces.
+//! Edges that diagonals of quads must avoid: a diagonal along an edge of the mesh would give it
+//! four faces.
 //!
 //! Only edges with a glued end matter: between two single nodes no second edge exists.
 

@@ -5,8 +5,8 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::net::shape::sorted_pair;
 
-/// The edges, as pairs of classes, that belong to no face, each once, in order. O(e log e) for e edges,
-/// and O(faces log e) if there are any.
+/// The edges, as pairs of classes, that belong to no face, each once, in order. O(e log e) for e
+/// edges, and O(faces log e) if there are any.
 pub(super) fn without_faces(
     mut edges: Vec<[u32; 2]>,
     offsets: &[u32],

@@ -1,5 +1,5 @@
-//! Free-form deformation: Sederberg and Parry, "Free-Form Deformation of Solid Geometric Models", 1986.
-//! A tensor product of Bernstein polynomials over a box; O(control points) a node.
+//! Free-form deformation: Sederberg and Parry, "Free-Form Deformation of Solid Geometric Models",
+//! 1986. A tensor product of Bernstein polynomials over a box; O(control points) a node.
 
 use super::{Field, Points, check_finite, each_point};
 use crate::alloc;
@@ -8,8 +8,8 @@ use glam::DVec3;
 
 const MAX_POINTS: usize = Lattice::MAX_POINTS;
 
-/// A box of control points, which points inside follow; points outside stay. In part: that part of the
-/// displacement.
+/// A box of control points, which points inside follow; points outside stay. In part: that part of
+/// the displacement.
 #[derive(Debug, Clone)]
 pub struct Lattice {
     low: DVec3,
@@ -20,12 +20,13 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// The largest number of control points along an axis: Bernstein polynomials of higher degree are slow
-    /// and hardly follow single points.
+    /// The largest number of control points along an axis: Bernstein polynomials of higher degree
+    /// are slow and hardly follow single points.
     pub const MAX_POINTS: usize = 32;
 
-    /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each. `offsets`:
-    /// the displacement of each control point from the uniform grid; x runs first, then y, then z.
+    /// A box from `low` to `high` with `counts` control points along x, y and z, 2 to 32 each.
+    /// `offsets`: the displacement of each control point from the uniform grid; x runs first, then
+    /// y, then z.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], [`Error::ArrayTooShort`], [`Error::OutOfMemory`].

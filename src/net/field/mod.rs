@@ -1,15 +1,16 @@
 //! Deformation fields (Deryagin, "Spatial operations"): one description of shaping, animation and
 //! projection.
 //!
-//! * [`Field`]: a map of space that can be applied in part. [`deform`]: chains of fields in one pass.
-//! * [`Twist`], [`Taper`], [`Bend`], [`Shear`]: shaping. [`Spherify`], [`CylinderWrap`], [`TorusWrap`]:
-//!   sheets onto surfaces.
-//! * [`Lattice`]: free-form. [`Projection`]: parallel, perspective, any 4 x 4 matrix. [`displace`]: along
-//!   the normals.
+//! * [`Field`]: a map of space that can be applied in part. [`deform`]: chains of fields in one
+//!   pass.
+//! * [`Twist`], [`Taper`], [`Bend`], [`Shear`]: shaping. [`Spherify`], [`CylinderWrap`],
+//!   [`TorusWrap`]: sheets onto surfaces.
+//! * [`Lattice`]: free-form. [`Projection`]: parallel, perspective, any 4 x 4 matrix. [`displace`]:
+//!   along the normals.
 //! * [`Timed`]: the strength of a field as a function of time.
 //!
-//! Invariant: a field maps each point independently, so that nodes of equal bits, such as glued ones,
-//! keep equal bits. O(nodes x fields).
+//! Invariant: a field maps each point independently, so that nodes of equal bits, such as glued
+//! ones, keep equal bits. O(nodes x fields).
 
 mod lattice;
 mod projection;
@@ -37,8 +38,9 @@ pub type Points<'a> = [&'a mut [f64]; 3];
 
 /// A map of space.
 pub trait Field: Sync {
-    /// Moves each point independently. `strength`: 1 applies the whole map; values between 0 and 1, and
-    /// beyond, are defined by each field; never 0. A point outside the field's domain becomes NaN.
+    /// Moves each point independently. `strength`: 1 applies the whole map; values between 0 and 1,
+    /// and beyond, are defined by each field; never 0. A point outside the field's domain becomes
+    /// NaN.
     fn map(&self, strength: f64, points: Points<'_>);
 
     /// True if finite points stay finite, but for overflow.
@@ -58,14 +60,15 @@ pub struct Step<'a> {
 
 /// Moves every node by each field in order, in place, in one pass over the memory.
 ///
-/// Fields work in double precision; the result is rounded once to the net's type. Steps of strength 0
-/// change nothing. Missing nodes stay missing. On an error no node is moved: if a field is partial, a
-/// first pass checks that the chain is defined at every node and finite in the net's type. Other chains
-/// are not checked, and nodes that overflow become missing. O(nodes x fields), no memory that depends on
-/// the net.
+/// Fields work in double precision; the result is rounded once to the net's type. Steps of strength
+/// 0 change nothing. Missing nodes stay missing. On an error no node is moved: if a field is
+/// partial, a first pass checks that the chain is defined at every node and finite in the net's
+/// type. Other chains are not checked, and nodes that overflow become missing. O(nodes x fields),
+/// no memory that depends on the net.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a strength that is not finite, [`Error::FieldUndefined`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] for a strength that is not finite, [`Error::FieldUndefined`],
+/// [`Error::Cancelled`].
 pub fn deform(net: &mut Net<'_>, steps: &[Step<'_>], job: &Job<'_>) -> Result<()> {
     if let Some(step) = steps.iter().find(|step| !step.strength.is_finite()) {
         return Err(Error::OptionOutOfRange { option: "strength", value: step.strength });

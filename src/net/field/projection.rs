@@ -4,8 +4,9 @@ use super::{Field, Points, along_line, check_finite, each_point_simd};
 use crate::error::{Error, Result};
 use glam::DVec3;
 
-/// A projective map: (x, y, z, 1) is multiplied by `rows`, and the first three components are divided by
-/// the fourth. In part: along the line to the image. Undefined where the fourth component is 0.
+/// A projective map: (x, y, z, 1) is multiplied by `rows`, and the first three components are
+/// divided by the fourth. In part: along the line to the image. Undefined where the fourth
+/// component is 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
     map: Map,
@@ -14,8 +15,8 @@ pub struct Projection {
 #[derive(Debug, Clone, Copy)]
 enum Map {
     Rows([[f64; 4]; 4]),
-    /// Central projection; `depth`: the normal times the vector from the eye to the plane. As a matrix,
-    /// terms as large as the squared distance from the origin would have to cancel.
+    /// Central projection; `depth`: the normal times the vector from the eye to the plane. As a
+    /// matrix, terms as large as the squared distance from the origin would have to cancel.
     Central {
         eye: DVec3,
         normal: DVec3,
@@ -33,7 +34,8 @@ impl Projection {
         }
     }
 
-    /// Onto the plane through `point` with the given `normal`, along `direction`. Neither need be a unit vector.
+    /// Onto the plane through `point` with the given `normal`, along `direction`. Neither need be a
+    /// unit vector.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], also if the direction is parallel to the plane.
@@ -53,8 +55,9 @@ impl Projection {
         Self::new(rows)
     }
 
-    /// Onto the plane through `point` with the given `normal`, along the lines through `eye`. Points behind
-    /// the eye have inverted images; those as high above the plane as the eye have none.
+    /// Onto the plane through `point` with the given `normal`, along the lines through `eye`.
+    /// Points behind the eye have inverted images; those as high above the plane as the eye have
+    /// none.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], also if the eye is in the plane.

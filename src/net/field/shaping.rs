@@ -1,8 +1,8 @@
-//! Twist, taper, bend and shear about a coordinate axis: Barr, "Global and Local Deformations of Solid
-//! Primitives", 1984.
+//! Twist, taper, bend and shear about a coordinate axis: Barr, "Global and Local Deformations of
+//! Solid Primitives", 1984.
 //!
-//! Conjugation by an [`Affine`](crate::net::transform::Affine) in the chain gives any other axis. O(1) a
-//! node.
+//! Conjugation by an [`Affine`](crate::net::transform::Affine) in the chain gives any other axis.
+//! O(1) a node.
 
 use super::{Field, Points, check_finite, each_point, each_point_simd};
 use crate::error::{Error, Result};
@@ -17,7 +17,8 @@ pub struct Twist {
 }
 
 impl Twist {
-    /// By `rate` radians for each unit along the axis, right-handed, from where the axis has the coordinate `origin`.
+    /// By `rate` radians for each unit along the axis, right-handed, from where the axis has the
+    /// coordinate `origin`.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] if a number is not finite; as for all that follow.
@@ -46,7 +47,8 @@ pub struct Taper {
 }
 
 impl Taper {
-    /// Distances from the axis grow by `rate` times themselves for each unit along it, from the coordinate `origin` on.
+    /// Distances from the axis grow by `rate` times themselves for each unit along it, from the
+    /// coordinate `origin` on.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
@@ -76,8 +78,9 @@ pub struct Bend {
 }
 
 impl Bend {
-    /// The axis is bent from its coordinate `from` to `to`, towards the next axis (x after z), with the given
-    /// curvature; points before stay, and the axis continues straight after. Lengths along it are kept.
+    /// The axis is bent from its coordinate `from` to `to`, towards the next axis (x after z), with
+    /// the given curvature; points before stay, and the axis continues straight after. Lengths
+    /// along it are kept.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`], also if `to` is less than `from`; `to` may be infinite.
@@ -107,8 +110,8 @@ impl Field for Bend {
     }
 }
 
-/// A displacement along one axis in proportion to the coordinate on another. In part: at that part of the
-/// rate.
+/// A displacement along one axis in proportion to the coordinate on another. In part: at that part
+/// of the rate.
 #[derive(Debug, Clone, Copy)]
 pub struct Shear {
     along: Axis,

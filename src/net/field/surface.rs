@@ -1,5 +1,5 @@
-//! Deformations that depend on the net: displacement along its normals, a host's function of rows, and
-//! [`snap`], which makes glued nodes equal again. O(nodes).
+//! Deformations that depend on the net: displacement along its normals, a host's function of rows,
+//! and [`snap`], which makes glued nodes equal again. O(nodes).
 
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -7,8 +7,8 @@ use crate::net::chunks;
 use crate::net::normals::normals;
 use crate::net::{Classes, Coordinates, Net, Planes, Real, each};
 
-/// Gives all nodes of a class the position of its representative, bit for bit. Returns the number of
-/// nodes that moved.
+/// Gives all nodes of a class the position of its representative, bit for bit. Returns the number
+/// of nodes that moved.
 ///
 /// O(H + W) for a net that is glued along its sides alone, else O(nodes).
 ///
@@ -42,12 +42,13 @@ fn snap_class<T: Real>(planes: &mut Planes<'_, T>, class: &[u32]) -> u64 {
     moved
 }
 
-/// Moves every node by `distance` along its unit normal. Nodes without a normal stay. O(nodes), and as
-/// much memory as the coordinates take.
+/// Moves every node by `distance` along its unit normal. Nodes without a normal stay. O(nodes), and
+/// as much memory as the coordinates take.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] if the distance is not finite, [`Error::FieldUndefined`] for the first node whose
-/// coordinates would overflow (no node is moved), [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] if the distance is not finite, [`Error::FieldUndefined`] for the
+/// first node whose coordinates would overflow (no node is moved), [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn displace(net: &mut Net<'_>, distance: f64, job: &Job<'_>) -> Result<()> {
     if !distance.is_finite() {
         return Err(Error::OptionOutOfRange { option: "distance", value: distance });
@@ -92,9 +93,9 @@ pub enum RowsMut<'a> {
 
 /// Moves the nodes by a function of the host, then [`snap`]s.
 ///
-/// `map` is called on this thread with the number of the first node and the coordinates of consecutive
-/// nodes, which it changes in place, from the first node to the last. If it fails, or the host cancels,
-/// earlier changes remain.
+/// `map` is called on this thread with the number of the first node and the coordinates of
+/// consecutive nodes, which it changes in place, from the first node to the last. If it fails, or
+/// the host cancels, earlier changes remain.
 ///
 /// # Errors
 /// Those of `map`, [`Error::OutOfMemory`], [`Error::Cancelled`].

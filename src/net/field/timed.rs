@@ -15,10 +15,11 @@ pub enum Easing {
     Hold,
 }
 
-/// A strength given at times and interpolated between them; constant before the first time and after the
-/// last.
+/// A strength given at times and interpolated between them; constant before the first time and
+/// after the last.
 ///
-/// For each frame, [`deform`](super::deform) a copy of the net at rest with the strength of its time.
+/// For each frame, [`deform`](super::deform) a copy of the net at rest with the strength of its
+/// time.
 #[derive(Debug, Clone, Copy)]
 pub struct Timed<'a> {
     keys: &'a [[f64; 2]],

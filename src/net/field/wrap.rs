@@ -1,12 +1,13 @@
-//! Maps of sheets onto a sphere, a cylinder and a torus (Deryagin, "hard" deformations: they bring nodes
-//! together that the net did not glue, see [`analyse`](crate::net::analyse)). O(1) a node.
+//! Maps of sheets onto a sphere, a cylinder and a torus (Deryagin, "hard" deformations: they bring
+//! nodes together that the net did not glue, see [`analyse`](crate::net::analyse)). O(1) a node.
 
 use super::{Field, Points, along_line, check_finite, each_point, each_point_simd};
 use crate::error::{Error, Result};
 use crate::net::transform::Axis;
 use glam::DVec3;
 
-/// The central projection onto a sphere. In part: along the line to the image. Undefined at the centre.
+/// The central projection onto a sphere. In part: along the line to the image. Undefined at the
+/// centre.
 #[derive(Debug, Clone, Copy)]
 pub struct Spherify {
     centre: DVec3,
@@ -15,7 +16,8 @@ pub struct Spherify {
 
 impl Spherify {
     /// # Errors
-    /// [`Error::OptionOutOfRange`] if a number is not check_finite, or the radius not above 0; as for all that follow.
+    /// [`Error::OptionOutOfRange`] if a number is not check_finite, or the radius not above 0; as
+    /// for all that follow.
     pub fn new(centre: DVec3, radius: f64) -> Result<Self> {
         check_finite(&[("centre", centre.x), ("centre", centre.y), ("centre", centre.z)])?;
         Ok(Spherify { centre, radius: positive("radius", radius)? })
@@ -41,9 +43,9 @@ impl Field for Spherify {
     }
 }
 
-/// Rolls space up about an axis. Of the two axes that follow it (x after z), the first becomes the arc and
-/// the second the height above the cylinder; coordinates along the axis stay. In part: along the line to
-/// the image.
+/// Rolls space up about an axis. Of the two axes that follow it (x after z), the first becomes the
+/// arc and the second the height above the cylinder; coordinates along the axis stay. In part:
+/// along the line to the image.
 #[derive(Debug, Clone, Copy)]
 pub struct CylinderWrap {
     axis: Axis,
@@ -69,9 +71,10 @@ impl Field for CylinderWrap {
     }
 }
 
-/// Rolls space up to a torus about an axis. Of the two axes that follow it (x after z), the first goes round the axis,
-/// and the second round the tube, from its outside towards the tip of the axis; the coordinate along the axis becomes
-/// the height above the torus. In part: along the line to the image.
+/// Rolls space up to a torus about an axis. Of the two axes that follow it (x after z), the first
+/// goes round the axis, and the second round the tube, from its outside towards the tip of the
+/// axis; the coordinate along the axis becomes the height above the torus. In part: along the line
+/// to the image.
 #[derive(Debug, Clone, Copy)]
 pub struct TorusWrap {
     axis: Axis,
@@ -80,8 +83,8 @@ pub struct TorusWrap {
 }
 
 impl TorusWrap {
-    /// `major`: from the axis to the middle of the tube; `minor`: the radius of the tube. Arcs have the lengths they
-    /// had at these radii.
+    /// `major`: from the axis to the middle of the tube; `minor`: the radius of the tube. Arcs have
+    /// the lengths they had at these radii.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].

@@ -1,7 +1,8 @@
-//! Adapting a net before it is joined, flipped, replicated and rotated in this order, and undoing it.
+//! Adapting a net before it is joined, flipped, replicated and rotated in this order, and undoing
+//! it.
 //!
-//! Invariant: [`restored`] inverts [`AdaptedNet::new`] bit for bit. If the gluing was not edited since,
-//! the topology is the recorded one. O(nodes).
+//! Invariant: [`restored`] inverts [`AdaptedNet::new`] bit for bit. If the gluing was not edited
+//! since, the topology is the recorded one. O(nodes).
 
 use super::JoinOptions;
 use crate::alloc;
@@ -21,7 +22,8 @@ pub(super) enum AdaptedNet<'n, 'a> {
 }
 
 impl<'n, 'a> AdaptedNet<'n, 'a> {
-    /// `flipped`: its face orientation is opposite to that of the others. `along`: the nodes of the side.
+    /// `flipped`: its face orientation is opposite to that of the others. `along`: the nodes of the
+    /// side.
     pub(super) fn new(
         net: &'n Net<'a>,
         flipped: bool,
@@ -155,8 +157,8 @@ fn rotated(net: &Net<'_>, direction: Direction, twist: u32, job: &Job<'_>) -> Re
     Ok(made)
 }
 
-/// [`Error::SidesApart`] unless the last row (`Down`) or column has the bits of the first: a rotation
-/// loses one of the two.
+/// [`Error::SidesApart`] unless the last row (`Down`) or column has the bits of the first: a
+/// rotation loses one of the two.
 fn check_closed<T: Real>(planes: &Planes<'_, T>, axis: Direction) -> Result<()> {
     let (count, along) = axis.extent(planes.shape());
     for k in 0..along {
@@ -198,8 +200,8 @@ fn rotate_rows(topology: &Topology, by: usize) -> Result<Topology> {
         map_seam(seam, |(i, j)| Some((place(i as usize) as i64, j)), &mut seams)?;
     }
     let mut seams = merge_seams(&seams)?;
-    // A seam between the last row and the first may now close rows, which links express once the net is
-    // cut out again.
+    // A seam between the last row and the first may now close rows, which links express once the
+    // net is cut out again.
     seams.retain(|&seam| match closed_rows(shape, seam) {
         Some(rows) => {
             rows.for_each(|i| matrix.set(shape.horizontal_link(i, shape.columns() - 1), true));

@@ -1,10 +1,10 @@
 //! Joining nets side by side, and splitting them again (Deryagin, "Concatenation", Figs. 8 and 9).
 //!
 //! The columns, or rows, of one net follow those of another; between them lies a row of new cells,
-//! the bridge. Nets of different sizes are reformatted first. The characteristic matrix is not closed
-//! under concatenation: the closing links of a net whose rows are closed would start at the other
-//! net's last column. They become a seam, so that every net stays what it was.
-//! Invariant: [`Net::split`] restores the nets bit for bit. O(nodes).
+//! the bridge. Nets of different sizes are reformatted first. The characteristic matrix is not
+//! closed under concatenation: the closing links of a net whose rows are closed would start at the
+//! other net's last column. They become a seam, so that every net stays what it was. Invariant:
+//! [`Net::split`] restores the nets bit for bit. O(nodes).
 //!
 //! `adapt` fits nets to each other, `topology` joins gluings, `matrices` coordinates.
 
@@ -28,8 +28,9 @@ use glam::DVec3;
 /// Joins two nets. O(nodes).
 ///
 /// # Errors
-/// [`Error::MixedScalars`], [`Error::NetsOpposed`], [`Error::SidesDiffer`], [`Error::OptionOutOfRange`] for the tolerance and
-/// for a twist of an open side, [`Error::SidesApart`] if welded nodes, or the ends of a rotated side, do not coincide,
+/// [`Error::MixedScalars`], [`Error::NetsOpposed`], [`Error::SidesDiffer`],
+/// [`Error::OptionOutOfRange`] for the tolerance and for a twist of an open side,
+/// [`Error::SidesApart`] if welded nodes, or the ends of a rotated side, do not coincide,
 /// [`Error::CrossingCell`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
     join_mirrored(&[a, b], &[false; 2], options, job)
@@ -38,13 +39,15 @@ pub fn concatenate(a: &Net<'_>, b: &Net<'_>, options: &JoinOptions, job: &Job<'_
 /// Joins any number of nets in one pass; a twist rotates each but the first. O(nodes).
 ///
 /// # Errors
-/// As [`concatenate`], and [`Error::EmptyScene`] for no nets; places of sides that are apart count along the side.
+/// As [`concatenate`], and [`Error::EmptyScene`] for no nets; places of sides that are apart count
+/// along the side.
 pub fn concatenate_all(nets: &[&Net<'_>], options: &JoinOptions, job: &Job<'_>) -> Result<Net<'static>> {
     let mirrored = alloc::filled(false, nets.len())?;
     join_mirrored(nets, &mirrored, options, job)
 }
 
-/// Joins nets that the caller transforms afterwards; `mirrored`: which of them by a map that mirrors.
+/// Joins nets that the caller transforms afterwards; `mirrored`: which of them by a map that
+/// mirrors.
 pub(crate) fn join_mirrored(
     nets: &[&Net<'_>],
     mirrored: &[bool],
@@ -94,7 +97,8 @@ fn joined_shape(shapes: impl Iterator<Item = Shape>, direction: Direction, along
     Shape::new(rows, columns)
 }
 
-/// The nets' own bridges and those between them, in the order in which joining them one by one would make them.
+/// The nets' own bridges and those between them, in the order in which joining them one by one
+/// would make them.
 fn add_bridges(net: &mut Net<'_>, adapted: &[AdaptedNet<'_, '_>], options: &JoinOptions) -> Result<()> {
     let direction = options.direction;
     let along = direction.extent(net.shape()).1 as u32;
@@ -108,7 +112,8 @@ fn add_bridges(net: &mut Net<'_>, adapted: &[AdaptedNet<'_, '_>], options: &Join
         }
         if let Some(before) = k.checked_sub(1).and_then(|k| adapted.get(k)) {
             let kind = topology::bridge_kind(before.net().topology(), part.net().topology(), direction)?;
-            // The record of a net is with the bridge before it, that of the first net with the bridge after it.
+            // The record of a net is with the bridge before it, that of the first net with the
+            // bridge after it.
             let first = if k == 1 { before.adaptation() } else { None };
             let mut bridge = Bridge::new(direction, at, along, kind, options.mode);
             bridge.properties = options.properties;
@@ -132,8 +137,8 @@ impl Bridge {
     }
 }
 
-/// [`Error::SidesApart`] unless the last side of one net and the first of the other coincide: each pair
-/// of nodes is within the tolerance, or both are missing.
+/// [`Error::SidesApart`] unless the last side of one net and the first of the other coincide: each
+/// pair of nodes is within the tolerance, or both are missing.
 fn check_coincident(a: &Net<'_>, b: &Net<'_>, direction: Direction, tolerance: f64) -> Result<()> {
     let (across, along) = direction.extent(a.shape());
     for k in 0..along {
@@ -158,12 +163,12 @@ fn check_tolerance(value: f64) -> Result<()> {
 }
 
 impl Net<'_> {
-    /// Changes the treatment of the cells of a bridge. `tolerance`: the largest distance of nodes that
-    /// are welded. O(nodes) if welding begins or ends, else O(1).
+    /// Changes the treatment of the cells of a bridge. `tolerance`: the largest distance of nodes
+    /// that are welded. O(nodes) if welding begins or ends, else O(1).
     ///
     /// # Errors
-    /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance, [`Error::CrossingCell`],
-    /// [`Error::OutOfMemory`]; the net is then as it was.
+    /// [`Error::NoSuch`], [`Error::SidesApart`], [`Error::OptionOutOfRange`] for the tolerance,
+    /// [`Error::CrossingCell`], [`Error::OutOfMemory`]; the net is then as it was.
     pub fn set_bridge_mode(&mut self, index: usize, mode: BridgeMode, tolerance: f64) -> Result<()> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
         let bridge = self.bridges().get(index).ok_or(no_such)?.clone();

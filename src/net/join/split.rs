@@ -1,7 +1,7 @@
 //! Splitting joined nets: the inverse of concatenation.
 //!
-//! Invariant: coordinates, links, seams and bridges of each part are bit for bit those of the net that
-//! was joined, unless the joined net was edited. O(nodes).
+//! Invariant: coordinates, links, seams and bridges of each part are bit for bit those of the net
+//! that was joined, unless the joined net was edited. O(nodes).
 
 use super::adapt::restored;
 use crate::alloc;
@@ -13,13 +13,13 @@ use std::ops::Range;
 
 impl Net<'_> {
     /// The two nets on either side of a bridge, bit for bit and with the gluing that
-    /// [`concatenate`](super::concatenate) found, unless the net was edited since. The bridge must run
-    /// from side to side of the net; in a net joined of joined ones the last bridge does, and splitting
-    /// in reverse order restores all. Gluings across the bridge are cut. O(nodes).
+    /// [`concatenate`](super::concatenate) found, unless the net was edited since. The bridge must
+    /// run from side to side of the net; in a net joined of joined ones the last bridge does, and
+    /// splitting in reverse order restores all. Gluings across the bridge are cut. O(nodes).
     ///
     /// # Errors
-    /// [`Error::NoSuch`], also for a bridge within a part of the net only; [`Error::CrossingCell`] if
-    /// a cell is crossed without the gluings across the bridge; [`Error::OutOfMemory`],
+    /// [`Error::NoSuch`], also for a bridge within a part of the net only; [`Error::CrossingCell`]
+    /// if a cell is crossed without the gluings across the bridge; [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
     pub fn split(&self, index: usize, job: &Job<'_>) -> Result<[Net<'static>; 2]> {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
@@ -32,8 +32,8 @@ impl Net<'_> {
         Ok([restored(first, a, bridge.direction)?, restored(second, b, bridge.direction)?])
     }
 
-    /// The nets between the last bridges of a direction that run from side to side, all at once: the
-    /// inverse of [`concatenate_all`](super::concatenate_all). O(nodes).
+    /// The nets between the last bridges of a direction that run from side to side, all at once:
+    /// the inverse of [`concatenate_all`](super::concatenate_all). O(nodes).
     ///
     /// # Errors
     /// As [`Net::split`].
@@ -51,7 +51,8 @@ impl Net<'_> {
         let parts = cut(self, direction, &cuts, &indices, job)?;
         let mut nets = alloc::with_capacity(parts.len())?;
         for (k, part) in parts.into_iter().enumerate() {
-            // The record of a net is with the bridge before it, that of the first net with the bridge after it.
+            // The record of a net is with the bridge before it, that of the first net with the
+            // bridge after it.
             let adaptation = match k {
                 0 => indices.first().and_then(|&index| self.bridges()[index].adaptations[0].as_deref()),
                 _ => self.bridges()[indices[k - 1]].adaptations[1].as_deref(),

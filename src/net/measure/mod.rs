@@ -3,12 +3,14 @@
 //! A cell is the bilinear patch through its corners a, b, c, d. With N = (c - a) x (d - b):
 //!
 //! * its area vector is N / 2, that of any surface with the same boundary;
-//! * its share of the volume, by the divergence theorem, is (a + b + c + d) . N / 24, exact for the patch;
-//! * its area is |N| / 2: the midpoint rule, exact for plane cells, else of second order in their size.
+//! * its share of the volume, by the divergence theorem, is (a + b + c + d) . N / 24, exact for the
+//!   patch;
+//! * its area is |N| / 2: the midpoint rule, exact for plane cells, else of second order in their
+//!   size.
 //!
-//! Cells with coincident corners need no other formulas: a triangle is a patch with a side of length 0,
-//! and a line or a point adds 0. Invariant: double precision throughout and one order of summation,
-//! whatever the number of threads and the width of vectors. O(nodes).
+//! Cells with coincident corners need no other formulas: a triangle is a patch with a side of
+//! length 0, and a line or a point adds 0. Invariant: double precision throughout and one order of
+//! summation, whatever the number of threads and the width of vectors. O(nodes).
 
 mod moments;
 mod planarity;
@@ -33,16 +35,16 @@ const CHUNK: usize = 64;
 /// Partial sums that are accumulated in parallel.
 const LANES: usize = 8;
 
-/// The results of [`measure`]. Cells that touch a missing node, or belong to a hidden bridge, do not
-/// count.
+/// The results of [`measure`]. Cells that touch a missing node, or belong to a hidden bridge, do
+/// not count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measures {
     /// The area of all cells.
     pub area: f64,
     /// The sum of the area vectors; zero for closed surfaces.
     pub area_vector: DVec3,
-    /// The enclosed volume of a closed surface, positive if the normals point outwards. Of an open surface:
-    /// that of the cone over it with its apex at the first existing node.
+    /// The enclosed volume of a closed surface, positive if the normals point outwards. Of an open
+    /// surface: that of the cone over it with its apex at the first existing node.
     pub volume: f64,
     /// The smallest coordinates of existing nodes; above `high` if there are none.
     pub low: DVec3,
@@ -53,7 +55,8 @@ pub struct Measures {
 /// Area, volume and box. O(nodes), no memory that depends on the net.
 ///
 /// # Errors
-/// [`Error::Cancelled`](crate::Error::Cancelled), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+/// [`Error::Cancelled`](crate::Error::Cancelled),
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub fn measure(net: &Net<'_>, job: &Job<'_>) -> Result<Measures> {
     let sign = if net.topology().is_reversed() { -1.0 } else { 1.0 };
     let origin = origin(net);
@@ -215,8 +218,8 @@ impl<T: Real> Kernel for RowBounds<'_, T> {
 fn extend<T: Real>(rows: [&[T]; 3], low: &mut [[T; LANES]; 3], high: &mut [[T; LANES]; 3]) {
     let count = CHUNK.min(rows[0].len());
     let [x, y, z] = rows.map(|row| &row[..count]);
-    // 0, and NaN for missing nodes, which compares as neither smaller nor larger. Entries after the last node
-    // are missing too.
+    // 0, and NaN for missing nodes, which compares as neither smaller nor larger. Entries after the
+    // last node are missing too.
     let (zero, mut missing) = (T::of(0.0), [T::of(f64::NAN); CHUNK]);
     for j in 0..count {
         missing[j] = zero * x[j] + zero * y[j] + zero * z[j];

@@ -1,7 +1,7 @@
 //! Volume, centroid and inertia of the body that a closed net encloses, by the divergence theorem.
 //!
-//! The flux through each bilinear patch is integrated by the 3 x 3 product Gauss rule, which is exact:
-//! the integrands have degree at most 4 in each parameter. O(nodes).
+//! The flux through each bilinear patch is integrated by the 3 x 3 product Gauss rule, which is
+//! exact: the integrands have degree at most 4 in each parameter. O(nodes).
 
 use super::{origin, rows_at_once};
 use crate::error::Result;
@@ -18,8 +18,8 @@ pub struct Moments {
     pub volume: f64,
     /// The centre of mass; NaN if the volume is 0.
     pub centroid: DVec3,
-    /// The tensor of inertia about the centroid: diagonal entries integrate y^2 + z^2 and so on, the others
-    /// -x y and so on.
+    /// The tensor of inertia about the centroid: diagonal entries integrate y^2 + z^2 and so on,
+    /// the others -x y and so on.
     pub inertia: DMat3,
 }
 
@@ -33,7 +33,8 @@ fn gauss() -> [(f64, f64); 3] {
 /// undefined unless the net is closed. O(nodes), no memory that depends on the net.
 ///
 /// # Errors
-/// [`Error::Cancelled`](crate::Error::Cancelled), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+/// [`Error::Cancelled`](crate::Error::Cancelled),
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub fn moments(net: &Net<'_>, job: &Job<'_>) -> Result<Moments> {
     let (origin, hidden) = (origin(net), HiddenCells::of(net)?);
     let row = |i: usize| {

@@ -1,5 +1,5 @@
-//! Planarity of the cells: whether a surface can be clad with plane quads (Deryagin, "Facing of smooth
-//! surfaces by quadrangular tiles"). O(nodes).
+//! Planarity of the cells: whether a surface can be clad with plane quads (Deryagin, "Facing of
+//! smooth surfaces by quadrangular tiles"). O(nodes).
 
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -11,8 +11,8 @@ use glam::DVec3;
 /// The planarity of the cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Planarity {
-    /// The distance of each cell's corners from its mean plane, divided by its longer diagonal. 0 for
-    /// triangles and less; NaN for missing cells.
+    /// The distance of each cell's corners from its mean plane, divided by its longer diagonal. 0
+    /// for triangles and less; NaN for missing cells.
     pub cells: Vec<f64>,
     /// The largest value and its cell; `None` without cells.
     pub worst: Option<(f64, u32)>,
@@ -22,11 +22,13 @@ pub struct Planarity {
     pub above: u64,
 }
 
-/// Measures each cell against its mean plane, through the mean of its corners and normal to its area
-/// vector: two corners lie above it and two below, all at one distance. O(nodes), 8 bytes a cell.
+/// Measures each cell against its mean plane, through the mean of its corners and normal to its
+/// area vector: two corners lie above it and two below, all at one distance. O(nodes), 8 bytes a
+/// cell.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn planarity(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Planarity> {
     if tolerance.is_nan() || tolerance < 0.0 {
         return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });

@@ -14,8 +14,8 @@ fn disc([u, v]: [f64; 2]) -> [f64; 2] {
     if ring == 0.0 { [0.0, 0.0] } else { [u / length * ring, v / length * ring] }
 }
 
-/// The map from the square to the unit sphere that takes its centre to the top, concentric squares to
-/// parallels and its rim to the bottom.
+/// The map from the square to the unit sphere that takes its centre to the top, concentric squares
+/// to parallels and its rim to the bottom.
 pub(super) fn one_pole([u, v]: [f64; 2]) -> [f64; 3] {
     let (ring, length) = (u.abs().max(v.abs()), (u * u + v * v).sqrt());
     match ring {
@@ -39,8 +39,8 @@ pub(super) fn bulge(size: [f64; 2], thickness: f64, [u, v]: [f64; 2]) -> [f64; 3
     [size[0] / 2.0 * u, size[1] / 2.0 * v, thickness / 2.0 * ((1.0 - u * u) * (1.0 - v * v))]
 }
 
-/// The point at `from_middle` on a line through the circle of `radius` at `k` n-ths of a turn, which rotates
-/// half as fast.
+/// The point at `from_middle` on a line through the circle of `radius` at `k` n-ths of a turn,
+/// which rotates half as fast.
 pub(super) fn strip(radius: f64, from_middle: f64, k: usize, n: usize) -> [f64; 3] {
     let ([c, s], [half_c, half_s]) = (on_circle(k, n), on_circle(k, 2 * n));
     let distance = radius + from_middle * half_c;
@@ -55,10 +55,9 @@ pub(super) fn figure_eight(radius: f64, minor_radius: f64, section: [usize; 2], 
     [distance * c, distance * s, minor_radius * (half_s * p + half_c * q)]
 }
 
-/// Boy's surface in the parametrisation of Kusner and Bryant: with w in the unit disc and
-/// d = w^6 + sqrt(5) w^3 - 1, g = (-3/2 Im(w (1 - w^4) / d), -3/2 Re(w (1 + w^4) / d),
-/// Im((1 + w^6) / d) - 1/2), the point is g / |g|^2. All terms are multiplied by |d|^2, which may be nearly
-/// 0.
+/// Boy's surface in the parametrisation of Kusner and Bryant: with w in the unit disc and d = w^6 +
+/// sqrt(5) w^3 - 1, g = (-3/2 Im(w (1 - w^4) / d), -3/2 Re(w (1 + w^4) / d), Im((1 + w^6) / d) -
+/// 1/2), the point is g / |g|^2. All terms are multiplied by |d|^2, which may be nearly 0.
 pub(super) fn boy(square: [f64; 2]) -> [f64; 3] {
     let w = disc(square);
     let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];

@@ -1,9 +1,9 @@
 //! Nets of standard shapes: coordinates and topology (Deryagin, Figs. 5 and 6).
 //!
-//! Solids of revolution, prisms and pyramids sweep a profile round the z axis; the others each have a
-//! formula. All are centred at the origin. Invariant: glued nodes have the same bits, as their coordinates
-//! are computed from reduced indices; closed surfaces have faces counter-clockwise seen from outside, and
-//! so a positive volume. O(nodes).
+//! Solids of revolution, prisms and pyramids sweep a profile round the z axis; the others each have
+//! a formula. All are centred at the origin. Invariant: glued nodes have the same bits, as their
+//! coordinates are computed from reduced indices; closed surfaces have faces counter-clockwise seen
+//! from outside, and so a positive volume. O(nodes).
 
 mod construct;
 mod coordinates;
@@ -47,7 +47,8 @@ impl<'a> Request<'a> {
     /// The size that the net will have.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for too few rows or columns, [`Error::NetTooSmall`], [`Error::TooLarge`].
+    /// [`Error::OptionOutOfRange`] for too few rows or columns, [`Error::NetTooSmall`],
+    /// [`Error::TooLarge`].
     pub fn shape(&self) -> Result<Shape> {
         let or_default = |given: usize, default: usize| if given == 0 { default } else { given };
         let (mut rows, columns) = (or_default(self.rows, Self::ROWS), or_default(self.columns, Self::COLUMNS));
@@ -70,9 +71,9 @@ impl<'a> Request<'a> {
     /// The net. O(nodes).
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for measures that are not positive, or too large or too small for the type of the
-    /// coordinates, and for too few rows or columns; [`Error::NetTooSmall`], [`Error::TooLarge`],
-    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for measures that are not positive, or too large or too small
+    /// for the type of the coordinates, and for too few rows or columns; [`Error::NetTooSmall`],
+    /// [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn net(&self, job: &Job<'_>) -> Result<Net<'static>> {
         let shape = self.shape()?;
         self.primitive.check(self.scalar)?;

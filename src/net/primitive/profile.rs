@@ -1,4 +1,5 @@
-//! Profiles, which are swept round the axis: points given by distance from the axis and height. O(points).
+//! Profiles, which are swept round the axis: points given by distance from the axis and height.
+//! O(points).
 
 use super::unit_circle::on_circle;
 use crate::alloc;
@@ -33,8 +34,8 @@ pub(super) fn circle(distance: f64, radius: f64, rows: usize) -> Result<Vec<Poin
     }))
 }
 
-/// A polyline of `rows` points at nearly equal distances, its corners among them. Needs a row for each
-/// corner.
+/// A polyline of `rows` points at nearly equal distances, its corners among them. Needs a row for
+/// each corner.
 pub(super) fn polyline(corners: &[Point], rows: usize) -> Result<Vec<Point>> {
     let lengths = corners.windows(2).map(|ends| libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]));
     let mut segments: Vec<(f64, usize)> = lengths.map(|length| (length, 1)).collect();
@@ -53,8 +54,8 @@ pub(super) fn polyline(corners: &[Point], rows: usize) -> Result<Vec<Point>> {
     Ok(points)
 }
 
-/// The points of a regular polygon with a corner at (1, 0), in `columns` nodes, the last of which is the first; its
-/// corners among them.
+/// The points of a regular polygon with a corner at (1, 0), in `columns` nodes, the last of which
+/// is the first; its corners among them.
 pub(super) fn polygon(sides: usize, columns: usize) -> Result<Vec<Point>> {
     let first = |side: usize| side * (columns - 1) / sides;
     let mut points = alloc::with_capacity(columns)?;

@@ -25,8 +25,8 @@ pub(super) fn net(
     })
 }
 
-/// Rows are closed, those on the axis contracted, and columns closed if the profile is. A closed surface is
-/// oriented so that its volume is positive.
+/// Rows are closed, those on the axis contracted, and columns closed if the profile is. A closed
+/// surface is oriented so that its volume is positive.
 fn topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
     let last = profile.len() - 1;
     let ring = last >= 3 && profile[0] == profile[last];
@@ -37,7 +37,8 @@ fn topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
         for i in (1..last).filter(|&i| on_axis(i)) {
             (0..shape.columns() - 1).for_each(|j| matrix.set(shape.horizontal_link(i, j), true));
         }
-        // A contracted row reduces its cells to triangles, or wires between two such rows: none is crossed.
+        // A contracted row reduces its cells to triangles, or wires between two such rows: none is
+        // crossed.
         Topology::assembled(shape, Links::Matrix(matrix), Vec::new(), false)?
     } else {
         Topology::of_sides(shape, sides)
@@ -46,7 +47,8 @@ fn topology(shape: Shape, profile: &[Point]) -> Result<Topology> {
     Ok(topology.with_reversed(closed && volume(profile) < 0.0))
 }
 
-/// The volume that the profile encloses, up to a positive factor: truncated cones, signed by their heights.
+/// The volume that the profile encloses, up to a positive factor: truncated cones, signed by their
+/// heights.
 fn volume(profile: &[Point]) -> f64 {
     // Scaled, so that products stay in range.
     let scale = profile.iter().flatten().fold(f64::MIN_POSITIVE, |max, value| max.max(value.abs()));

@@ -18,7 +18,8 @@ pub enum Primitive<'a> {
         /// Radius.
         radius: f64,
     },
-    /// A disc whose rim is contracted to the lowest point; closed by one pole. At least 4 rows and columns.
+    /// A disc whose rim is contracted to the lowest point; closed by one pole. At least 4 rows and
+    /// columns.
     OnePoleSphere {
         /// Radius.
         radius: f64,
@@ -37,8 +38,8 @@ pub enum Primitive<'a> {
         /// Along z.
         height: f64,
     },
-    /// A right prism over a regular polygon, with caps; all its vertices are nodes. At least 4 rows, and a column more
-    /// than sides.
+    /// A right prism over a regular polygon, with caps; all its vertices are nodes. At least 4
+    /// rows, and a column more than sides.
     Prism {
         /// The number of lateral faces, 3 and more.
         sides: u32,
@@ -54,8 +55,8 @@ pub enum Primitive<'a> {
         /// Along z; the apex is above.
         height: f64,
     },
-    /// A right pyramid over a regular polygon, with its base; all its vertices are nodes. At least 3 rows, and a column
-    /// more than sides.
+    /// A right pyramid over a regular polygon, with its base; all its vertices are nodes. At least
+    /// 3 rows, and a column more than sides.
     Pyramid {
         /// The number of lateral faces, 3 and more.
         sides: u32,
@@ -64,8 +65,9 @@ pub enum Primitive<'a> {
         /// Along z; the apex is above.
         height: f64,
     },
-    /// A profile turned round the z axis. Each of its points is a row: where it is on the axis, the row is a pole. A
-    /// profile that ends where it begins makes a closed ring. At least 4 columns; rows are as the profile says.
+    /// A profile turned round the z axis. Each of its points is a row: where it is on the axis, the
+    /// row is a pole. A profile that ends where it begins makes a closed ring. At least 4 columns;
+    /// rows are as the profile says.
     Lathe {
         /// Distances from the axis, 0 and more, and heights; at least two points.
         profile: &'a [[f64; 2]],
@@ -91,21 +93,22 @@ pub enum Primitive<'a> {
         /// Of the strip.
         width: f64,
     },
-    /// A Klein bottle as a tube with a figure-eight section that makes half a turn (an immersion: it passes through
-    /// itself). At least 4 rows and columns.
+    /// A Klein bottle as a tube with a figure-eight section that makes half a turn (an immersion:
+    /// it passes through itself). At least 4 rows and columns.
     Klein {
         /// From the axis to the middle of the tube.
         radius: f64,
         /// Of the section.
         minor_radius: f64,
     },
-    /// The projective plane as Boy's surface, in the parametrisation of R. Kusner and R. Bryant (an immersion). At
-    /// least 4 rows and columns.
+    /// The projective plane as Boy's surface, in the parametrisation of R. Kusner and R. Bryant (an
+    /// immersion). At least 4 rows and columns.
     ProjectivePlane {
         /// A scale: 1 for the surface as published.
         radius: f64,
     },
-    /// A pillow: two sheets joined along their rim. At least 3 rows, and an odd number of columns, 5 and more.
+    /// A pillow: two sheets joined along their rim. At least 3 rows, and an odd number of columns,
+    /// 5 and more.
     Pillow {
         /// Along x and y.
         size: [f64; 2],

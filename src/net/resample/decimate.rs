@@ -1,7 +1,8 @@
-//! Decimation: rows and columns are removed greedily, in the order of the deviation that each causes.
+//! Decimation: rows and columns are removed greedily, in the order of the deviation that each
+//! causes.
 //!
-//! Invariant: the deviation of removed nodes from the segments that replace them stays within half the
-//! tolerance for rows, and for columns. O(nodes log rows) approximately.
+//! Invariant: the deviation of removed nodes from the segments that replace them stays within half
+//! the tolerance for rows, and for columns. O(nodes log rows) approximately.
 
 use super::{min_size, require_sides, selected, with_sides};
 use crate::alloc;
@@ -22,24 +23,24 @@ pub struct Decimated {
     pub rows: Vec<usize>,
     /// The columns that were kept.
     pub columns: Vec<usize>,
-    /// The largest distance of removed nodes from the segments that replace them, that of rows plus that of
-    /// columns; at most the tolerance.
+    /// The largest distance of removed nodes from the segments that replace them, that of rows plus
+    /// that of columns; at most the tolerance.
     pub deviation: f64,
 }
 
 /// Removes rows, then columns, one at a time, always the one of least cost.
 ///
-/// The cost of a row: the largest distance of its nodes, and of those of removed rows beside it, from the
-/// segments that join the nodes of their columns in the kept rows on both sides. Rows may cost up to half
-/// the tolerance, and so may columns, evaluated at the kept rows. First and last ones are kept, three
-/// distinct rows of closed columns, and one or two between poles, so that the surface stays the same. Rows
-/// with some missing nodes are kept.
+/// The cost of a row: the largest distance of its nodes, and of those of removed rows beside it,
+/// from the segments that join the nodes of their columns in the kept rows on both sides. Rows may
+/// cost up to half the tolerance, and so may columns, evaluated at the kept rows. First and last
+/// ones are kept, three distinct rows of closed columns, and one or two between poles, so that the
+/// surface stays the same. Rows with some missing nodes are kept.
 ///
 /// O(nodes log rows) approximately.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::GluedInside`], [`Error::OutOfMemory`],
-/// [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] for a tolerance that is negative or NaN, [`Error::GluedInside`],
+/// [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn decimate(net: &Net<'_>, tolerance: f64, job: &Job<'_>) -> Result<Decimated> {
     if tolerance.is_nan() || tolerance < 0.0 {
         return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
@@ -65,7 +66,8 @@ struct Gap {
     to: usize,
 }
 
-/// The largest distance of nodes in a gap from the segments across it. `node(k, j)`: node j of line k.
+/// The largest distance of nodes in a gap from the segments across it. `node(k, j)`: node j of line
+/// k.
 fn deviation(node: impl Fn(usize, usize) -> DVec3, gap: Gap, places: &[usize]) -> f64 {
     let mut max = 0.0f64;
     for &j in places {
@@ -142,8 +144,8 @@ fn kept(
     Ok((lines, max))
 }
 
-/// Least cost first, among equal ones the narrowest gap, so that gaps grow evenly and all costs take O(n log
-/// n).
+/// Least cost first, among equal ones the narrowest gap, so that gaps grow evenly and all costs
+/// take O(n log n).
 type Candidate = Reverse<(u64, usize, usize, usize, usize)>;
 
 fn candidate(cost: f64, gap: Gap, line: usize) -> Candidate {

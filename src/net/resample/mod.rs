@@ -1,8 +1,8 @@
 //! Nets of other sizes: resampled, levels of detail, decimated.
 //!
-//! For nets that are glued along whole sides (see [`Sides`]). Invariant: the result has the same sides,
-//! and glued nodes have equal bits. Splines after Catmull and Rom, "A class of local interpolating
-//! splines", 1974. O(nodes).
+//! For nets that are glued along whole sides (see [`Sides`]). Invariant: the result has the same
+//! sides, and glued nodes have equal bits. Splines after Catmull and Rom, "A class of local
+//! interpolating splines", 1974. O(nodes).
 
 mod decimate;
 mod pyramid;
@@ -27,20 +27,21 @@ const BLOCK: usize = 1 << 14;
 pub enum Interpolation {
     /// Bilinear patches.
     Bilinear,
-    /// Catmull-Rom splines along rows and columns, which interpolate the nodes with continuous tangents,
-    /// across the seam where a row or column is closed.
+    /// Catmull-Rom splines along rows and columns, which interpolate the nodes with continuous
+    /// tangents, across the seam where a row or column is closed.
     #[default]
     Bicubic,
 }
 
-/// A net of another size, with nodes evenly spaced in the parameters of this one. First and last rows and
-/// columns stay.
+/// A net of another size, with nodes evenly spaced in the parameters of this one. First and last
+/// rows and columns stay.
 ///
-/// Nodes that coincide with old ones have their bits. New nodes that depend on missing ones are missing.
-/// O(nodes of both).
+/// Nodes that coincide with old ones have their bits. New nodes that depend on missing ones are
+/// missing. O(nodes of both).
 ///
 /// # Errors
-/// [`Error::GluedInside`], [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::GluedInside`], [`Error::NetTooSmall`], [`Error::TooLarge`], [`Error::OutOfMemory`],
+/// [`Error::Cancelled`].
 pub fn resample(
     net: &Net<'_>,
     rows: usize,
@@ -62,8 +63,8 @@ fn require_sides(net: &Net<'_>) -> Result<Sides> {
     net.topology().sides().filter(|_| plain).ok_or(Error::GluedInside)
 }
 
-/// The smallest numbers of rows and columns that preserve the surface, if closed ones keep `closed` nodes: a
-/// face between two poles must not become an edge, or the same face twice.
+/// The smallest numbers of rows and columns that preserve the surface, if closed ones keep `closed`
+/// nodes: a face between two poles must not become an edge, or the same face twice.
 fn min_size(sides: Sides, closed: usize) -> [usize; 2] {
     let min = |is_closed: bool, poles: [bool; 2], across: [bool; 2]| match (poles, across) {
         _ if is_closed => closed,
@@ -123,8 +124,8 @@ impl Tap {
         Tap { nodes: [first as u32, second as u32, third as u32, last as u32], weights }
     }
 
-    /// The Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is extrapolated linearly:
-    /// the missing node is twice the last less the one before.
+    /// The Catmull-Rom spline between nodes `k` and `k + 1` of `count`. An open end is extrapolated
+    /// linearly: the missing node is twice the last less the one before.
     fn cubic(k: usize, count: usize, closed: bool, t: f64) -> Self {
         let (s, square) = (1.0 - t, t * t);
         let mut weights =

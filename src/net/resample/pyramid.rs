@@ -1,4 +1,5 @@
-//! Levels of detail: a pyramid of nets of 2^k + 1 rows and columns. The memory is 4/3 of the first level.
+//! Levels of detail: a pyramid of nets of 2^k + 1 rows and columns. The memory is 4/3 of the first
+//! level.
 
 use super::{Interpolation, min_size, require_sides, resample, selected, with_sides};
 use crate::alloc;
@@ -6,13 +7,13 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::net::Net;
 
-/// Nets of 2^k + 1 rows and columns. The first has at least the rows and columns of the given net, and each
-/// of the others every second row and column of the one before, bit for bit.
+/// Nets of 2^k + 1 rows and columns. The first has at least the rows and columns of the given net,
+/// and each of the others every second row and column of the one before, bit for bit.
 ///
-/// A net of sizes 2^k + 1 is itself the first; others are resampled. Closed rows and columns keep five
-/// nodes, others two; between poles three, or five where other sides are poles too, so that the surface
-/// stays the same. The nodes of each level are nodes of the finer one, and a host can morph between levels
-/// in place. The memory is 4/3 of the first.
+/// A net of sizes 2^k + 1 is itself the first; others are resampled. Closed rows and columns keep
+/// five nodes, others two; between poles three, or five where other sides are poles too, so that
+/// the surface stays the same. The nodes of each level are nodes of the finer one, and a host can
+/// morph between levels in place. The memory is 4/3 of the first.
 ///
 /// # Errors
 /// As for [`resample`].

@@ -1,5 +1,5 @@
-//! Flattening: the visible nets of a scene joined to one, in the space of the scene, and the inverse.
-//! O(entries + instances + nodes).
+//! Flattening: the visible nets of a scene joined to one, in the space of the scene, and the
+//! inverse. O(entries + instances + nodes).
 
 use super::{Content, Instance, Scene};
 use crate::alloc;
@@ -25,12 +25,12 @@ pub struct Flattened {
 }
 
 impl Scene {
-    /// Joins the nets of all visible instances to one. Nets whose transforms mirror are flipped along the
-    /// side where face orientations would differ; `options.turn` counts as true. O(entries + instances +
-    /// nodes).
+    /// Joins the nets of all visible instances to one. Nets whose transforms mirror are flipped
+    /// along the side where face orientations would differ; `options.turn` counts as true.
+    /// O(entries + instances + nodes).
     ///
-    /// [`Net::split_all`] and [`Scene::of_flat`] are the inverse: they give the nets in the space of the
-    /// scene, bit for bit where transforms are the identity.
+    /// [`Net::split_all`] and [`Scene::of_flat`] are the inverse: they give the nets in the space
+    /// of the scene, bit for bit where transforms are the identity.
     ///
     /// # Errors
     /// [`Error::EmptyScene`] if no net is visible; those of [`Scene::instances`] and
@@ -85,8 +85,8 @@ impl Scene {
     }
 }
 
-/// Transforms each net k, which lies between `starts[k]` and `starts[k + 1]` in the direction, in double
-/// precision. Nodes of equal bits keep equal bits.
+/// Transforms each net k, which lies between `starts[k]` and `starts[k + 1]` in the direction, in
+/// double precision. Nodes of equal bits keep equal bits.
 fn transform<T: Real>(
     planes: &mut Planes<'static, T>,
     direction: Direction,

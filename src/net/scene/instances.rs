@@ -1,5 +1,5 @@
-//! Instances of a scene and their transforms: counted in topological order, listed depth first. O(entries +
-//! children) and O(instances).
+//! Instances of a scene and their transforms: counted in topological order, listed depth first.
+//! O(entries + children) and O(instances).
 
 use super::{Content, Counts, Entry, Scene};
 use crate::alloc;
@@ -82,8 +82,8 @@ impl Scene {
     /// All instances, each after its group, children in order. O(instances).
     ///
     /// # Errors
-    /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], before any is listed; [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::TooLarge`] for more than [`MAX_INSTANCES`], before any is listed;
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn instances(&self, job: &Job<'_>) -> Result<Vec<Instance>> {
         let count = self.instance_count()?;
         let mut instances: Vec<Instance> = alloc::with_capacity(count)?;

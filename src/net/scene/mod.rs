@@ -1,9 +1,10 @@
-//! Scenes: nets in nested groups (Deryagin, "an unlimited number of levels of grouping is allowed").
+//! Scenes: nets in nested groups (Deryagin, "an unlimited number of levels of grouping is
+//! allowed").
 //!
-//! A scene is an arena of entries, nets and groups, each with a local transform into the space of its
-//! group. An entry in several groups has several instances, one for each path to it from an entry in no
-//! group. Invariant: the graph of groups is acyclic. Nothing recurses, so that a million levels are as
-//! good as one.
+//! A scene is an arena of entries, nets and groups, each with a local transform into the space of
+//! its group. An entry in several groups has several instances, one for each path to it from an
+//! entry in no group. Invariant: the graph of groups is acyclic. Nothing recurses, so that a
+//! million levels are as good as one.
 //!
 //! `reachability` detects cycles, `instances` lists instances, `flatten` joins a scene to one net.
 
@@ -96,8 +97,8 @@ impl Scene {
         Ok(index as u32)
     }
 
-    /// Appends an entry to a group, possibly again. O(1) for an entry without descendants or a group in no
-    /// group; at most O(entries below the one or above the other, whichever are fewer).
+    /// Appends an entry to a group, possibly again. O(1) for an entry without descendants or a
+    /// group in no group; at most O(entries below the one or above the other, whichever are fewer).
     ///
     /// # Errors
     /// [`Error::NoSuch`], [`Error::SceneCycle`], [`Error::OutOfMemory`].
@@ -138,8 +139,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Removes an entry from the scene and from all groups; the children of a removed group remain. O(children
-    /// of its groups + groups of its children).
+    /// Removes an entry from the scene and from all groups; the children of a removed group remain.
+    /// O(children of its groups + groups of its children).
     ///
     /// # Errors
     /// [`Error::NoSuch`].

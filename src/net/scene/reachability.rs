@@ -1,9 +1,9 @@
 //! Reachability in the graph of groups by bidirectional search: it keeps groups from containing
 //! themselves.
 //!
-//! Two depth-first searches are interleaved, one down from the ancestor and one up from the descendant;
-//! the first to finish decides. A chain of groups built from either end therefore costs O(1) a link, and
-//! a query at most the smaller of the two searches. Nothing recurses.
+//! Two depth-first searches are interleaved, one down from the ancestor and one up from the
+//! descendant; the first to finish decides. A chain of groups built from either end therefore costs
+//! O(1) a link, and a query at most the smaller of the two searches. Nothing recurses.
 
 use crate::alloc;
 use crate::error::Result;
@@ -80,8 +80,8 @@ impl Search {
         Some((*at, *next - 1))
     }
 
-    /// Descends to a neighbour unless it was visited, or backtracks if there is none. True where the two
-    /// searches meet.
+    /// Descends to a neighbour unless it was visited, or backtracks if there is none. True where
+    /// the two searches meet.
     fn visit(&mut self, neighbour: Option<u32>, marks: &mut Marks) -> Result<bool> {
         let [own, opposite] = self.numbers;
         let Some(entry) = neighbour else {

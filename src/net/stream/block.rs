@@ -141,7 +141,8 @@ impl<T: Bits, L: Levels<T>> Blocks<'_, T, L> {
 /// Decodes a block into its rows of the three matrices, all but duplicates.
 ///
 /// # Errors
-/// [`Error::BadStream`](crate::Error::BadStream), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+/// [`Error::BadStream`](crate::Error::BadStream),
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
 pub(super) fn decode<T: Bits>(
     info: &StreamInfo,
     duplicates: &Duplicates,

@@ -30,7 +30,8 @@ impl Writer {
         self.u64(value.to_bits())
     }
 
-    /// LEB128: seven bits a byte, the low ones first; all but the last byte have their eighth bit set.
+    /// LEB128: seven bits a byte, the low ones first; all but the last byte have their eighth bit
+    /// set.
     pub(super) fn varint(&mut self, mut value: u64) -> Result<()> {
         while value >= 0x80 {
             self.u8(value as u8 | 0x80)?;

@@ -1,5 +1,5 @@
-//! Entropy coding: the range coder of the crate `constriction` with adaptive models, and beside it a plain
-//! bit stream for incompressible bits.
+//! Entropy coding: the range coder of the crate `constriction` with adaptive models, and beside it
+//! a plain bit stream for incompressible bits.
 //!
 //! Invariant: one routine drives encoder and decoder through [`Coder`], so that they cannot differ.
 
@@ -10,8 +10,8 @@ use constriction::backends::{Cursor, WriteWords};
 use constriction::stream::queue::{DefaultRangeDecoder, DefaultRangeEncoder};
 use constriction::stream::{Decode, Encode};
 
-/// An encoder or a decoder of a sequence of numbers: an encoder writes each number that it is given, a decoder
-/// ignores it and returns the one it reads.
+/// An encoder or a decoder of a sequence of numbers: an encoder writes each number that it is
+/// given, a decoder ignores it and returns the one it reads.
 pub(super) trait Coder {
     /// Codes a symbol by an adaptive model, and updates the model.
     fn symbol<const N: usize>(&mut self, model: &mut Model<N>, symbol: usize) -> usize;

@@ -1,7 +1,8 @@
 //! Fitting of a block's predictors to a sample of its nodes: iteratively reweighted least squares.
 //!
-//! The code length grows with the logarithm of the residual, so that observations have Cauchy weights: a
-//! few nodes at discontinuities do not spoil the fit of the others. O(sample) for each of few rounds.
+//! The code length grows with the logarithm of the residual, so that observations have Cauchy
+//! weights: a few nodes at discontinuities do not spoil the fit of the others. O(sample) for each
+//! of few rounds.
 
 use super::levels::Levels;
 use super::predict::{Line, MARGIN_BEFORE, NEIGHBOURS, Predictor, WEIGHTS, WEIGHTS_PER_ERROR, place};
@@ -17,7 +18,8 @@ const WEIGHT_BITS: f64 = 14.0;
 /// A node of the sample.
 #[derive(Clone, Copy)]
 struct Point {
-    /// For each coordinate the neighbours' differences from W, in the order of the weights, and the node's own.
+    /// For each coordinate the neighbours' differences from W, in the order of the weights, and the
+    /// node's own.
     neighbours: [[f64; NEIGHBOURS]; 3],
     own: [f64; 3],
     /// Column and row, -1 to 1.
@@ -110,8 +112,8 @@ impl Sample {
         Ok((std::array::from_fn(|k| Predictor::new(&fits[k].weights, fraction)), cost))
     }
 
-    /// The best of three predictors: the parallelogram, with added errors of the coordinates before, and with
-    /// all weights free.
+    /// The best of three predictors: the parallelogram, with added errors of the coordinates
+    /// before, and with all weights free.
     fn fit(&self, axis: usize, before: &[Fit], rounds: usize) -> Result<Fit> {
         let mut best = self.evaluated(axis, before, Predictor::PARALLELOGRAM)?;
         for free in [NEIGHBOURS, 0] {
@@ -165,8 +167,9 @@ impl Sample {
         Ok(fit)
     }
 
-    /// Weighted least squares about the weights of `fit`, with Cauchy weights from its errors; weights before
-    /// `first` stay. Normal equations with a regularised diagonal, so that undetermined weights stay.
+    /// Weighted least squares about the weights of `fit`, with Cauchy weights from its errors;
+    /// weights before `first` stay. Normal equations with a regularised diagonal, so that
+    /// undetermined weights stay.
     fn refitted(&self, axis: usize, before: &[Fit], fit: &Fit, first: usize) -> Result<[f64; WEIGHTS]> {
         let count = NEIGHBOURS + WEIGHTS_PER_ERROR * before.len();
         let scale = 2.0 * median(&fit.errors)? + 1.0;
@@ -234,8 +237,8 @@ fn median(errors: &[f64]) -> Result<f64> {
     Ok(*magnitudes.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// Solves the symmetric equations of some rows, given by their lower triangle, by Cholesky factorisation.
-/// Zeros elsewhere, and if the solution is not finite.
+/// Solves the symmetric equations of some rows, given by their lower triangle, by Cholesky
+/// factorisation. Zeros elsewhere, and if the solution is not finite.
 fn cholesky(
     mut normal: [[f64; WEIGHTS]; WEIGHTS],
     mut right: [f64; WEIGHTS],

@@ -11,8 +11,8 @@ pub const HEADER_SIZE: usize = 128;
 const MAGIC: [u8; 8] = *b"\x8bTRN\r\n\x1a\n";
 /// The version of the format.
 const VERSION: u32 = 1;
-/// The largest number of nodes per byte. Encoders pad shorter streams, so that a short stream cannot demand
-/// much memory.
+/// The largest number of nodes per byte. Encoders pad shorter streams, so that a short stream
+/// cannot demand much memory.
 pub(super) const MAX_NODES_PER_BYTE: u64 = 4096;
 /// The alignment of blocks in a raw stream.
 pub(super) const ALIGNMENT: usize = 64;
@@ -44,8 +44,8 @@ pub struct StreamInfo {
     pub rows_per_block: usize,
     /// For [`Mode::Quantised`], the coordinates of level 0.
     pub origin: [f64; 3],
-    /// For [`Mode::Quantised`], the distance of levels. The error of a coordinate is at most half of it and half
-    /// a unit in the last place.
+    /// For [`Mode::Quantised`], the distance of levels. The error of a coordinate is at most half
+    /// of it and half a unit in the last place.
     pub step: [f64; 3],
     /// Bytes before the first block.
     pub prelude_size: u64,

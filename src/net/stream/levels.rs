@@ -1,6 +1,7 @@
 //! Levels: coordinates as whole numbers, so that residuals are differences of integers.
 //!
-//! Lossless levels are bit patterns in numerical order; quantised ones count equal steps. O(1) a number.
+//! Lossless levels are bit patterns in numerical order; quantised ones count equal steps. O(1) a
+//! number.
 
 use crate::net::Real;
 
@@ -8,7 +9,8 @@ use crate::net::Real;
 pub(super) trait Bits: Real {
     /// Bytes of a number.
     const SIZE: usize = size_of::<Self>();
-    /// The number as an integer in numerical order, from -infinity to infinity, -0 before 0; NaN beyond both.
+    /// The number as an integer in numerical order, from -infinity to infinity, -0 before 0; NaN
+    /// beyond both.
     fn level(self) -> i64;
     /// The number of a level, if it is in range.
     fn of_level(level: i64) -> Option<Self>;
@@ -81,7 +83,8 @@ pub(super) trait Levels<T>: Sync {
     fn level(&self, axis: usize, number: T) -> i64;
     /// The number of a level, if it is in range.
     fn number(&self, axis: usize, level: i64) -> Option<T>;
-    /// The value of a level for predictors, nearly linear in the number; not finite for NaN and infinities.
+    /// The value of a level for predictors, nearly linear in the number; not finite for NaN and
+    /// infinities.
     fn value(&self, level: i64) -> f64;
     /// The level nearest to a finite value.
     fn nearest(&self, axis: usize, value: f64) -> i64;
@@ -137,8 +140,8 @@ impl<T: Bits> Levels<T> for LosslessLevels<T> {
     }
 }
 
-/// The levels 0 to `last` in equal steps: level k is `origin + k * step`, computed in double precision and
-/// rounded to the scalar type.
+/// The levels 0 to `last` in equal steps: level k is `origin + k * step`, computed in double
+/// precision and rounded to the scalar type.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct UniformLevels {
     pub(super) origin: [f64; 3],

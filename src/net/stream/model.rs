@@ -1,7 +1,8 @@
 //! Adaptive models of symbols for the range coder: probabilities from counts.
 //!
-//! Invariant: encoder and decoder update a model from the same symbols in the same order, so that their
-//! probabilities are equal. Probabilities are renewed at growing intervals; O(1) amortised a symbol.
+//! Invariant: encoder and decoder update a model from the same symbols in the same order, so that
+//! their probabilities are equal. Probabilities are renewed at growing intervals; O(1) amortised a
+//! symbol.
 
 use constriction::stream::model::{DecoderModel, EncoderModel, EntropyModel};
 use std::num::NonZeroU32;

@@ -1,11 +1,11 @@
 //! Linear prediction of coordinates from decoded neighbours.
 //!
-//! A coordinate is predicted as a linear combination of its causal neighbours N, NW, NE, NEE, NWW, WW and
-//! NN (N is the row above), all relative to W on its left, and of the prediction errors of the node's
-//! earlier coordinates. These are correlated: a depth camera's x is z times a linear function of the
-//! column, so that their weights are linear functions of column and row.
-//! Invariant: weights are multiples of 2^-fraction, and all operations are in one order: encoder and
-//! decoder predict the same bits. O(1) a node.
+//! A coordinate is predicted as a linear combination of its causal neighbours N, NW, NE, NEE, NWW,
+//! WW and NN (N is the row above), all relative to W on its left, and of the prediction errors of
+//! the node's earlier coordinates. These are correlated: a depth camera's x is z times a linear
+//! function of the column, so that their weights are linear functions of column and row. Invariant:
+//! weights are multiples of 2^-fraction, and all operations are in one order: encoder and decoder
+//! predict the same bits. O(1) a node.
 
 use super::bytes::{Reader, Writer};
 use crate::alloc;
@@ -17,15 +17,16 @@ pub(super) const NEIGHBOURS: usize = 7;
 pub(super) const WEIGHTS_PER_ERROR: usize = 3;
 pub(super) const WEIGHTS: usize = NEIGHBOURS + 2 * WEIGHTS_PER_ERROR;
 
-/// Extrapolated entries before the first node of a row and after its last, for neighbours beyond the ends.
+/// Extrapolated entries before the first node of a row and after its last, for neighbours beyond
+/// the ends.
 pub(super) const MARGIN_BEFORE: usize = 2;
 const MARGIN_AFTER: usize = 2;
 
 /// The largest magnitude of a weight.
 const MAX_WEIGHT: f64 = 64.0;
 
-/// The weights of one coordinate, in units of 2^-fraction: of N, NW, NE, WW, NN, NEE, NWW, then of the error
-/// of each earlier coordinate: constant, times the column, times the row.
+/// The weights of one coordinate, in units of 2^-fraction: of N, NW, NE, WW, NN, NEE, NWW, then of
+/// the error of each earlier coordinate: constant, times the column, times the row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Predictor {
     weights: [i32; WEIGHTS],
@@ -36,8 +37,8 @@ impl Predictor {
     /// The fourth corner of a parallelogram, W + N - NW.
     pub(super) const PARALLELOGRAM: [f64; WEIGHTS] = [1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
-    /// Weights rounded to `fraction` bits after the binary point, at most 24; those above [`MAX_WEIGHT`] or
-    /// not finite become 0.
+    /// Weights rounded to `fraction` bits after the binary point, at most 24; those above
+    /// [`MAX_WEIGHT`] or not finite become 0.
     pub(super) fn new(weights: &[f64; WEIGHTS], fraction: u32) -> Self {
         let one = f64::from(1u32 << fraction);
         let whole = |weight: f64| if weight.abs() <= MAX_WEIGHT { libm::rint(weight * one) as i32 } else { 0 };
@@ -81,8 +82,8 @@ impl Line {
         Ok(Line { here: row()?, north: row()?, north2: row()? })
     }
 
-    /// Advances to row `i` of a block. Margins are extrapolated linearly along rows, the left one of the new
-    /// row from the two above, so that planes are predicted exactly.
+    /// Advances to row `i` of a block. Margins are extrapolated linearly along rows, the left one
+    /// of the new row from the two above, so that planes are predicted exactly.
     pub(super) fn advance(&mut self, i: usize) {
         if i == 0 {
             return;
@@ -127,7 +128,8 @@ impl Line {
         }
     }
 
-    /// The weights of the neighbours. In the second row there is no NN, and it is predicted by parallelograms.
+    /// The weights of the neighbours. In the second row there is no NN, and it is predicted by
+    /// parallelograms.
     fn weights(i: usize, predictor: &Predictor) -> [f64; NEIGHBOURS] {
         std::array::from_fn(|k| if i == 1 { Predictor::PARALLELOGRAM[k] } else { predictor.weight(k) })
     }
@@ -149,8 +151,8 @@ impl Line {
         [1.0 - weights.iter().sum::<f64>(), weights[3]]
     }
 
-    /// Fills nodes without coordinates once the row is complete, from their neighbours in the row or from the
-    /// row above, as context for the next row.
+    /// Fills nodes without coordinates once the row is complete, from their neighbours in the row
+    /// or from the row above, as context for the next row.
     pub(super) fn fill_gaps(&mut self, known: &[bool]) {
         let mut start = 0;
         for run in known.chunk_by(|a, b| a == b) {
@@ -162,8 +164,8 @@ impl Line {
         }
     }
 
-    /// Fills nodes `start..end` of a row of `columns`: linearly between known nodes, constant at the ends, from
-    /// the row above in an empty row.
+    /// Fills nodes `start..end` of a row of `columns`: linearly between known nodes, constant at
+    /// the ends, from the row above in an empty row.
     fn fill_gap(&mut self, start: usize, end: usize, columns: usize) {
         let row = &mut self.here[MARGIN_BEFORE..];
         if start == 0 && end == columns {

@@ -1,8 +1,8 @@
 //! The choice of quantisation levels.
 //!
-//! The step follows from the number of bits and the bounding box. Scanners often have an intrinsic step:
-//! if the coordinates of an axis already lie in equal steps larger than the requested one, theirs is
-//! used, which is more exact and takes fewer bits. O(nodes).
+//! The step follows from the number of bits and the bounding box. Scanners often have an intrinsic
+//! step: if the coordinates of an axis already lie in equal steps larger than the requested one,
+//! theirs is used, which is more exact and takes fewer bits. O(nodes).
 
 use super::levels::{Bits, Levels, UniformLevels};
 use crate::alloc;
@@ -15,7 +15,8 @@ const MAX_SAMPLES: usize = 4096;
 /// Levels of `bits` bits for the existing nodes: one step for all axes, or one each.
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] for coordinates whose differences could overflow, [`Error::OutOfMemory`].
+/// [`Error::OptionOutOfRange`] for coordinates whose differences could overflow,
+/// [`Error::OutOfMemory`].
 pub(super) fn levels<T: Bits>(planes: &Planes<'_, T>, bits: u32, per_axis: bool) -> Result<UniformLevels> {
     let last = (1i64 << bits) - 1;
     let [low, high] = bounds(planes);
@@ -65,8 +66,8 @@ fn bounds<T: Bits>(planes: &Planes<'_, T>) -> [[f64; 3]; 2] {
     if bounds[0][0] > bounds[1][0] { [[0.0; 3]; 2] } else { bounds }
 }
 
-/// The first coordinate and the step of an axis, if a sample of its coordinates lies in equal steps larger
-/// than `step`.
+/// The first coordinate and the step of an axis, if a sample of its coordinates lies in equal steps
+/// larger than `step`.
 fn intrinsic_step<T: Bits>(planes: &Planes<'_, T>, axis: usize, step: f64) -> Result<Option<(f64, f64)>> {
     let (w, count) = (planes.shape().columns(), planes.shape().node_count());
     let mut found: Vec<f64> = alloc::with_capacity(MAX_SAMPLES)?;

@@ -1,5 +1,5 @@
-//! Uncompressed blocks: the rows of X, then of Y, then of Z, without gaps, each of the three at a multiple of
-//! 64 bytes from the start of the block; little-endian. O(nodes).
+//! Uncompressed blocks: the rows of X, then of Y, then of Z, without gaps, each of the three at a
+//! multiple of 64 bytes from the start of the block; little-endian. O(nodes).
 
 use super::bytes::Reader;
 use super::header::{ALIGNMENT, StreamInfo};

@@ -1,7 +1,7 @@
 //! Decoding of streams, whole or as they arrive.
 //!
-//! Invariant: bytes that no encoder wrote are refused, and memory is allocated only within the bound that the
-//! length of the stream implies. O(nodes), blocks in parallel.
+//! Invariant: bytes that no encoder wrote are refused, and memory is allocated only within the
+//! bound that the length of the stream implies. O(nodes), blocks in parallel.
 
 use super::block::{self, Duplicates};
 use super::bytes::{Reader, checksum};
@@ -34,7 +34,8 @@ pub(super) struct Prelude {
 }
 
 impl Prelude {
-    /// `bytes`: the stream, at least up to the first block. `total`: the length of the stream, if known.
+    /// `bytes`: the stream, at least up to the first block. `total`: the length of the stream, if
+    /// known.
     pub(super) fn read(info: StreamInfo, bytes: &[u8], total: Option<u64>) -> Result<Self> {
         let mut from = Reader::new(&bytes[HEADER_SIZE..], HEADER_SIZE as u64);
         let too_long = from.bad("a size is too large");
@@ -117,8 +118,8 @@ fn read_table(info: &StreamInfo, mut from: Reader<'_>) -> Result<(Vec<Entry>, u6
 
 /// The net of a stream.
 ///
-/// O(nodes); blocks are decoded in parallel. Bytes that no encoder wrote are refused, damaged ones by their
-/// checksums; memory is bounded by the length of the stream.
+/// O(nodes); blocks are decoded in parallel. Bytes that no encoder wrote are refused, damaged ones
+/// by their checksums; memory is bounded by the length of the stream.
 ///
 /// # Errors
 /// [`Error::BadStream`], [`Error::OutOfMemory`], [`Error::Cancelled`].
@@ -166,13 +167,14 @@ pub struct StreamDecoder {
 }
 
 impl StreamDecoder {
-    /// `node_limit`: a larger net is refused, as its memory is allocated before the stream is complete.
+    /// `node_limit`: a larger net is refused, as its memory is allocated before the stream is
+    /// complete.
     pub fn new(node_limit: u64) -> Self {
         StreamDecoder { pending: Vec::new(), offset: 0, node_limit, state: None, next: 0, failed: None }
     }
 
-    /// Takes the next bytes of the stream and decodes all blocks that they complete. Returns the number of
-    /// complete rows. An error is final and returned again.
+    /// Takes the next bytes of the stream and decodes all blocks that they complete. Returns the
+    /// number of complete rows. An error is final and returned again.
     ///
     /// # Errors
     /// [`Error::BadStream`], [`Error::TooLarge`], [`Error::OutOfMemory`].

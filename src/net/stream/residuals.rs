@@ -1,9 +1,9 @@
 //! Coding of residuals: contexts by expected magnitude, with an adaptive model each.
 //!
-//! The magnitudes of neighbouring residuals predict that of the next, and choose one of many models.
-//! Each starts from a geometric distribution of the expected mean, so that small nets need not learn
-//! from nothing. Symbols are magnitude classes in the manner of Golomb-Rice codes; the bits below are
-//! coded as they are. O(1) a residual.
+//! The magnitudes of neighbouring residuals predict that of the next, and choose one of many
+//! models. Each starts from a geometric distribution of the expected mean, so that small nets need
+//! not learn from nothing. Symbols are magnitude classes in the manner of Golomb-Rice codes; the
+//! bits below are coded as they are. O(1) a residual.
 
 use super::coder::Coder;
 use super::model::Model;

@@ -1,5 +1,5 @@
-//! Coding of rows of levels, the routine that encoder and decoder share: gaps, predictions, residuals. O(1) a
-//! node.
+//! Coding of rows of levels, the routine that encoder and decoder share: gaps, predictions,
+//! residuals. O(1) a node.
 
 use super::coder::Coder;
 use super::levels::Levels;
@@ -86,8 +86,8 @@ impl RowCoder {
         })
     }
 
-    /// Codes the next row, at `vertical` between -1 and 1. `may_miss`: gaps among nodes that are no duplicates
-    /// are coded first.
+    /// Codes the next row, at `vertical` between -1 and 1. `may_miss`: gaps among nodes that are no
+    /// duplicates are coded first.
     pub(super) fn code<C: Coder, T, L: Levels<T>>(
         &mut self,
         coder: &mut C,

@@ -1,4 +1,5 @@
-//! The structure of a stream: topology, adaptations and bridges. O(contracted links + seams + bridges).
+//! The structure of a stream: topology, adaptations and bridges. O(contracted links + seams +
+//! bridges).
 
 use super::bytes::{Reader, Writer};
 use crate::alloc;
@@ -14,7 +15,8 @@ const MATRIX: u8 = 64;
 /// The flag of a byte of sides that faces are reversed.
 const REVERSED: u8 = 128;
 
-/// Writes all of a net but its coordinates. Returns the number of nodes and pairs of seams of all topologies.
+/// Writes all of a net but its coordinates. Returns the number of nodes and pairs of seams of all
+/// topologies.
 pub(super) fn write(net: &Net<'_>, to: &mut Writer) -> Result<u64> {
     write_topology(net.topology(), to)?;
     let adaptations = Adaptations::of(net.bridges())?;
@@ -211,7 +213,8 @@ fn sides_of(bits: u8) -> Sides {
     }
 }
 
-/// Writes contracted links in runs of equal distance: the gap before the run, its length, the distance.
+/// Writes contracted links in runs of equal distance: the gap before the run, its length, the
+/// distance.
 fn write_matrix(matrix: &Matrix, to: &mut Writer) -> Result<()> {
     let mut links = matrix.links().peekable();
     let mut end = 0;
@@ -280,8 +283,8 @@ fn write_bridges(bridges: &[Bridge], adaptations: &HashMap<*const Adaptation, u6
     bridges.iter().try_for_each(|bridge| write_bridge(bridge, adaptations, to))
 }
 
-/// Writes direction, kind and mode in a byte, the place, the extent and the nesting, the adaptations of the
-/// nets on both sides, and the host's numbers if they are not all zero.
+/// Writes direction, kind and mode in a byte, the place, the extent and the nesting, the
+/// adaptations of the nets on both sides, and the host's numbers if they are not all zero.
 fn write_bridge(bridge: &Bridge, adaptations: &HashMap<*const Adaptation, u64>, to: &mut Writer) -> Result<()> {
     let direction = u8::from(bridge.direction == Direction::Down);
     let kind = match bridge.kind {

@@ -1,4 +1,5 @@
-//! Encoding of nets to streams. O(nodes), blocks in parallel; the same bytes for any number of threads.
+//! Encoding of nets to streams. O(nodes), blocks in parallel; the same bytes for any number of
+//! threads.
 
 use super::block::{Blocks, Duplicates};
 use super::bytes::{Writer, checksum};
@@ -20,8 +21,8 @@ pub struct StreamOptions {
     pub mode: Mode,
     /// For [`Mode::Quantised`]: a step for each axis from its own extent, instead of a common one.
     pub per_axis: bool,
-    /// Rows in a block, which is coded independently; 0 for one block of a raw stream, and about 2^17 nodes a
-    /// block otherwise.
+    /// Rows in a block, which is coded independently; 0 for one block of a raw stream, and about
+    /// 2^17 nodes a block otherwise.
     pub rows_per_block: usize,
 }
 
@@ -42,11 +43,12 @@ impl StreamOptions {
 
 /// The stream of a net: see the module.
 ///
-/// O(nodes); blocks are coded in parallel. Extra memory: the stream, and that of [`Classes`](crate::net::Classes).
+/// O(nodes); blocks are coded in parallel. Extra memory: the stream, and that of
+/// [`Classes`](crate::net::Classes).
 ///
 /// # Errors
-/// [`Error::OptionOutOfRange`] (bits; coordinates above a quarter of the largest number, to be quantised),
-/// [`Error::OutOfMemory`], [`Error::Cancelled`].
+/// [`Error::OptionOutOfRange`] (bits; coordinates above a quarter of the largest number, to be
+/// quantised), [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn encode(net: &Net<'_>, options: &StreamOptions, job: &Job<'_>) -> Result<Vec<u8>> {
     if let Mode::Quantised { bits } = options.mode
         && !(8..=24).contains(&bits)

@@ -1,11 +1,11 @@
-//! The canonical seams of a partition: those that glue the connected components that contracted links
-//! leave of each class.
+//! The canonical seams of a partition: those that glue the connected components that contracted
+//! links leave of each class.
 //!
-//! One pair for each component is enough: the first nodes of the class and of the component. A greedy
-//! search takes the longest run of equal steps through each pair, in the first of the directions;
-//! runs are then extended through pairs that are one point already, and those that merge nothing are
-//! dropped. Invariant: the result depends on the partition alone, not on the seams it came from.
-//! O(pairs log pairs) for each of 80 directions.
+//! One pair for each component is enough: the first nodes of the class and of the component. A
+//! greedy search takes the longest run of equal steps through each pair, in the first of the
+//! directions; runs are then extended through pairs that are one point already, and those that
+//! merge nothing are dropped. Invariant: the result depends on the partition alone, not on the
+//! seams it came from. O(pairs log pairs) for each of 80 directions.
 
 use super::{Forest, Run, Seam};
 use crate::alloc;
@@ -92,8 +92,8 @@ impl RunSearch<'_> {
         Seam { a: run(a, steps[0]), b: run(b, steps[1]), count: (before + after + 1) as u32 }.canonical()
     }
 
-    /// The number of consecutive pairs in no run yet before pair `k` and after it. A fold meets itself
-    /// in the middle.
+    /// The number of consecutive pairs in no run yet before pair `k` and after it. A fold meets
+    /// itself in the middle.
     fn free_pairs(&mut self, k: usize, steps: [Step; 2]) -> [i64; 2] {
         self.trial += 1;
         self.seen[k] = self.trial;

@@ -1,7 +1,8 @@
 //! The polygon that a cell becomes once glued corners are one (Deryagin, Fig. 4): consecutive equal
 //! corners are merged. O(1).
 
-/// A cell whose glued corners are one. Corners are the representatives of their classes, in the cell's order.
+/// A cell whose glued corners are one. Corners are the representatives of their classes, in the
+/// cell's order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reduced {
     /// Four corners.

@@ -27,8 +27,8 @@ enum ClassMap {
 }
 
 impl Classes {
-    /// The classes of a topology. O(1) if its sides describe it; else O(nodes + contracted links), and
-    /// 4 bytes a node.
+    /// The classes of a topology. O(1) if its sides describe it; else O(nodes + contracted links),
+    /// and 4 bytes a node.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -281,9 +281,9 @@ impl Forest {
 
     /// Joins the ends of all links of a matrix, in a forest that has joined nothing yet.
     ///
-    /// Nodes are taken in order, 32 at a time, and those without links to the west or north are passed over. A node
-    /// with one of the two becomes a child of its neighbour's parent, without a search for the root; only where both
-    /// lead to different parents are trees joined.
+    /// Nodes are taken in order, 32 at a time, and those without links to the west or north are
+    /// passed over. A node with one of the two becomes a child of its neighbour's parent, without a
+    /// search for the root; only where both lead to different parents are trees joined.
     fn contract(&mut self, shape: Shape, matrix: &Matrix, job: &Job<'_>, stage: &'static str) -> Result<()> {
         let (h, w) = (shape.rows(), shape.columns());
         let often = (NODES_PER_REPORT / w).max(1);
@@ -292,7 +292,8 @@ impl Forest {
                 job.step(i as f64 / h as f64, stage)?;
             }
             let first = i * w + j;
-            // Bit 2k: the link west of node k of these; bit 2k + 1: north. Closing links are done last.
+            // Bit 2k: the link west of node k of these; bit 2k + 1: north. Closing links are done
+            // last.
             let west = if j > 0 { matrix.bits(2 * (first - 1)) } else { matrix.bits(2 * first) << 2 };
             let north = if i > 0 { matrix.bits(2 * (first - w)) } else { 0 };
             let here = (west & WEST) | (north & !WEST);

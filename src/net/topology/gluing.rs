@@ -1,9 +1,9 @@
-//! Gluing and ungluing by hand: a link, the star of a node, a cell, a run of nodes (Deryagin, "Local
-//! gluings of nodes", Fig. 4).
+//! Gluing and ungluing by hand: a link, the star of a node, a cell, a run of nodes (Deryagin,
+//! "Local gluings of nodes", Fig. 4).
 //!
 //! Every request resolves to pairs of nodes: gluing contracts or seams a pair, ungluing removes
-//! every link and seam that names it. A batch is done as a whole or not at all. O(nodes), and a sort
-//! of the pairs.
+//! every link and seam that names it. A batch is done as a whole or not at all. O(nodes), and a
+//! sort of the pairs.
 
 use super::local_gluing::{cell_links, star_links};
 use super::{GluingType, Links, Run, Seam, Topology};
@@ -25,8 +25,9 @@ pub enum Diagonal {
 pub enum Gluing {
     /// The two ends of a link.
     Link(u32),
-    /// A node and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8. At the sides of the
-    /// net the links go round to the other side, as the characteristic matrix has them.
+    /// A node and its neighbours in the directions of the mask: east 1, south 2, west 4, north 8.
+    /// At the sides of the net the links go round to the other side, as the characteristic matrix
+    /// has them.
     Star {
         /// The node.
         node: u32,
@@ -52,8 +53,9 @@ pub enum Gluing {
 }
 
 impl Gluing {
-    /// The gluing of a type at a node (numbers 0 to 12) or a cell (13 to 17): [`classify_node`](super::classify_node)
-    /// or [`classify_cell`](super::classify_cell) finds it there again, if the surroundings are not glued.
+    /// The gluing of a type at a node (numbers 0 to 12) or a cell (13 to 17):
+    /// [`classify_node`](super::classify_node) or [`classify_cell`](super::classify_cell) finds it
+    /// there again, if the surroundings are not glued.
     pub fn of_type(kind: GluingType, at: u32) -> Self {
         match (kind.star_mask(), kind.cell_mask()) {
             (Some(mask), _) => Gluing::Star { node: at, mask },
@@ -111,8 +113,8 @@ impl Topology {
     /// The topology with more nodes glued. O(nodes).
     ///
     /// # Errors
-    /// [`Error::NoSuch`], [`Error::OptionOutOfRange`] (a mask above
-    /// 15), [`Error::BadSeam`] (its place in the batch), [`Error::CrossingCell`], [`Error::OutOfMemory`].
+    /// [`Error::NoSuch`], [`Error::OptionOutOfRange`] (a mask above 15), [`Error::BadSeam`] (its
+    /// place in the batch), [`Error::CrossingCell`], [`Error::OutOfMemory`].
     pub fn glued(&self, gluings: &[Gluing]) -> Result<Self> {
         let (mut matrix, mut seams) = (self.matrix()?, alloc::copied(self.seams())?);
         for (index, gluing) in gluings.iter().enumerate() {

@@ -31,8 +31,8 @@ const NO_TYPE: u8 = u8::MAX;
 /// The type of a star by its mask: east 1, south 2, west 4, north 8.
 const TYPE_OF_STAR: [u8; 16] = [NO_TYPE, 0, 1, 2, 0, 6, 3, 8, 1, 5, 7, 11, 4, 10, 9, 12];
 
-/// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a corner
-/// of the node between them.
+/// The type of a cell by its mask: top 1, right 2, bottom 4, left 8. Two sides that meet are a
+/// corner of the node between them.
 const TYPE_OF_CELL: [u8; 16] = [NO_TYPE, 0, 1, 3, 0, 13, 4, 15, 1, 2, 14, 15, 5, 15, 15, 15];
 
 impl GluingType {
@@ -54,7 +54,8 @@ impl GluingType {
         u8::try_from(number).ok().filter(|&n| usize::from(n) < Self::COUNT).map(GluingType)
     }
 
-    /// The links of a star that make it: see [`Gluing::Star`](super::Gluing::Star). `None` above 12.
+    /// The links of a star that make it: see [`Gluing::Star`](super::Gluing::Star). `None` above
+    /// 12.
     pub(super) fn star_mask(self) -> Option<u8> {
         (0..16u8).find(|&mask| TYPE_OF_STAR[usize::from(mask)] == self.0)
     }
@@ -83,7 +84,8 @@ impl GluingType {
         }
     }
 
-    /// The number of nodes that become one (the paper's order of the node); two classes of two for c(2,1).
+    /// The number of nodes that become one (the paper's order of the node); two classes of two for
+    /// c(2,1).
     pub fn node_order(self) -> usize {
         match self.0 {
             0 | 1 | 13 | 14 | 16 | 17 => 2,
@@ -107,8 +109,8 @@ pub(super) fn cell_links(shape: Shape, i: usize, j: usize) -> [u32; 4] {
     [2 * a, 2 * b + 1, 2 * d, 2 * a + 1]
 }
 
-/// The type of the star of node (i, j) by its contracted links. `cyclic`: closing links to the first
-/// row and column count too. `None` if no link is contracted.
+/// The type of the star of node (i, j) by its contracted links. `cyclic`: closing links to the
+/// first row and column count too. `None` if no link is contracted.
 pub fn classify_node(classes: &Classes, i: usize, j: usize, cyclic: bool) -> Option<GluingType> {
     let shape = classes.shape();
     let there = [j + 1 < shape.columns(), i + 1 < shape.rows(), j > 0, i > 0];
@@ -130,7 +132,8 @@ pub fn classify_cell(classes: &Classes, i: usize, j: usize) -> Option<GluingType
 }
 
 impl Topology {
-    /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the [`Classes`].
+    /// [`classify_node`] of one node. O(1) for sides alone, else O(nodes): for more nodes keep the
+    /// [`Classes`].
     ///
     /// # Errors
     /// [`Error::NoSuch`](crate::Error::NoSuch), [`Error::OutOfMemory`](crate::Error::OutOfMemory).
@@ -140,7 +143,8 @@ impl Topology {
         Ok(classify_node(&Classes::of(self)?, i, j, cyclic))
     }
 
-    /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the [`Classes`].
+    /// [`classify_cell`] of one cell. O(1) for sides alone, else O(nodes): for more cells keep the
+    /// [`Classes`].
     ///
     /// # Errors
     /// [`Error::NoSuch`](crate::Error::NoSuch), [`Error::OutOfMemory`](crate::Error::OutOfMemory).

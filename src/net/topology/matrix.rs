@@ -9,8 +9,8 @@ use std::ops::Range;
 
 const WORD: usize = u64::BITS as usize;
 
-/// The paper's matrix C of 2H x W bits. Its element (2i, j) is the horizontal link of node (i, j) and
-/// (2i + 1, j) the vertical one (rows and columns from 0); the two bits of a node are adjacent.
+/// The paper's matrix C of 2H x W bits. Its element (2i, j) is the horizontal link of node (i, j)
+/// and (2i + 1, j) the vertical one (rows and columns from 0); the two bits of a node are adjacent.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Matrix {
     words: Vec<u64>,
@@ -38,7 +38,8 @@ impl Matrix {
     /// From the paper's layout: 2H rows of W bytes, 0 or 1, row after row.
     ///
     /// # Errors
-    /// [`Error::ArrayTooShort`], [`Error::OptionOutOfRange`] for a byte other than 0 and 1, [`Error::OutOfMemory`].
+    /// [`Error::ArrayTooShort`], [`Error::OptionOutOfRange`] for a byte other than 0 and 1,
+    /// [`Error::OutOfMemory`].
     pub fn from_bytes(shape: Shape, bytes: &[u8]) -> Result<Self> {
         let (w, needed) = (shape.columns(), 2 * shape.node_count());
         let Some(bytes) = bytes.get(..needed) else {

@@ -68,8 +68,8 @@ impl Run {
 /// Node k of run `a` is node k of run `b`, for all k below `count`.
 ///
 /// Needed for closures that reverse a side (Möbius strip, Klein bottle, projective plane), for the
-/// cross unwrapping of the cube, for diagonals of cells (type c(1,2) of the paper's Fig. 4), and for
-/// closed nets within larger ones.
+/// cross unwrapping of the cube, for diagonals of cells (type c(1,2) of the paper's Fig. 4), and
+/// for closed nets within larger ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Seam {
     /// The first run.

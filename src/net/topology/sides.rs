@@ -1,13 +1,13 @@
-//! Closures that the four sides of a net describe completely (Deryagin, Fig. 5: tube, two poles, one
-//! pole, torus). O(1) memory; the contracted links lie at the sides.
+//! Closures that the four sides of a net describe completely (Deryagin, Fig. 5: tube, two poles,
+//! one pole, torus). O(1) memory; the contracted links lie at the sides.
 
 use crate::net::Shape;
 
 /// The closure of each of the four sides of a net: each flag contracts a set of links, see
 /// [`Sides::contracts`].
 ///
-/// The paper's closures (Fig. 5) are among the combinations, and so are partly closed nets, such as a
-/// cone with an open base.
+/// The paper's closures (Fig. 5) are among the combinations, and so are partly closed nets, such as
+/// a cone with an open base.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Sides {
     /// Every row is closed: its last node repeats its first.
@@ -36,7 +36,8 @@ impl Sides {
     };
     /// Rows closed; the first and the last row are rims.
     pub const TUBE: Sides = Sides { rows_closed: true, ..Sides::SHEET };
-    /// Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and pyramids with their caps.
+    /// Rows closed, the first and the last a point each: spheres, and cylinders, prisms, cones and
+    /// pyramids with their caps.
     pub const TWO_POLES: Sides = Sides { pole_top: true, pole_bottom: true, ..Sides::TUBE };
     /// All four sides are one point: a disc with its rim contracted.
     pub const ONE_POLE: Sides =

@@ -107,8 +107,8 @@ impl Topology {
         Topology { reversed, ..self }
     }
 
-    /// True if the link is contracted by name; [`Classes::contracts`](super::Classes::contracts) tells
-    /// whether its ends are one point for any reason.
+    /// True if the link is contracted by name; [`Classes::contracts`](super::Classes::contracts)
+    /// tells whether its ends are one point for any reason.
     pub fn contracts(&self, link: u32) -> bool {
         match &self.links {
             Links::Sides(sides) => sides.contracts(self.shape, link),

@@ -36,7 +36,8 @@ pub enum Sense {
     /// Right-handed: anticlockwise seen from the tip of the axis.
     #[default]
     RightHanded,
-    /// As in the paper's formula, which is written for row vectors and applied to columns: left-handed.
+    /// As in the paper's formula, which is written for row vectors and applied to columns:
+    /// left-handed.
     AsPrinted,
 }
 
@@ -69,8 +70,8 @@ impl Affine {
         Self::of(DMat3::IDENTITY, by)
     }
 
-    /// The paper's R(V, alpha), Rodrigues' formula, about the axis through `pivot` (the origin in the paper). The axis
-    /// need not be a unit vector. `angle`: radians.
+    /// The paper's R(V, alpha), Rodrigues' formula, about the axis through `pivot` (the origin in
+    /// the paper). The axis need not be a unit vector. `angle`: radians.
     ///
     /// # Errors
     /// Also [`Error::OptionOutOfRange`] if the axis is zero.
@@ -91,7 +92,8 @@ impl Affine {
         Self::of(linear, pivot - linear * pivot)
     }
 
-    /// The paper's S(k): away from the origin by `ratio`, the ratio of new distance to old. Negative ones mirror.
+    /// The paper's S(k): away from the origin by `ratio`, the ratio of new distance to old.
+    /// Negative ones mirror.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
@@ -99,8 +101,8 @@ impl Affine {
         Self::stretching(DVec3::splat(ratio))
     }
 
-    /// The paper's C(k): away from a coordinate axis by `ratio`, the ratio of new distance to old. Points on
-    /// the axis stay, and so do distances along it.
+    /// The paper's C(k): away from a coordinate axis by `ratio`, the ratio of new distance to old.
+    /// Points on the axis stay, and so do distances along it.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`].
@@ -155,7 +157,8 @@ impl Affine {
         self.linear().determinant()
     }
 
-    /// True if the map reverses orientation, even where the ratio of volumes overflows or underflows.
+    /// True if the map reverses orientation, even where the ratio of volumes overflows or
+    /// underflows.
     pub fn mirrors(&self) -> bool {
         // Rows, then columns, are scaled by powers of two, which is exact and keeps the sign.
         let scaled = |vector: DVec3| {

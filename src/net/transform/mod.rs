@@ -1,9 +1,10 @@
-//! Spatial operations (Deryagin, "All spatial operations on tetragonal regular networks come down to
-//! transforms of the space"): translations, rotations, scalings, compressions, all other affine maps.
+//! Spatial operations (Deryagin, "All spatial operations on tetragonal regular networks come down
+//! to transforms of the space"): translations, rotations, scalings, compressions, all other affine
+//! maps.
 //!
 //! Operations are composed to one matrix, which is applied to all nodes in place, in one pass.
-//! Invariant: each node is computed independently, so that glued nodes of equal bits keep equal bits.
-//! O(nodes), bound by memory.
+//! Invariant: each node is computed independently, so that glued nodes of equal bits keep equal
+//! bits. O(nodes), bound by memory.
 
 mod affine;
 
@@ -18,14 +19,14 @@ use crate::simd::{self, Kernel};
 /// Moves every node, in place, in the arithmetic of the net's type.
 ///
 /// A map that mirrors (negative determinant) turns the surface inside out; the topology's
-/// [`is_reversed`](super::Topology::is_reversed) changes then, so that faces look outwards as before. Missing nodes
-/// stay missing. Cancellable before the first node is moved: all nodes are moved, or none. O(nodes), no
-/// memory.
+/// [`is_reversed`](super::Topology::is_reversed) changes then, so that faces look outwards as
+/// before. Missing nodes stay missing. Cancellable before the first node is moved: all nodes are
+/// moved, or none. O(nodes), no memory.
 ///
 /// # Errors
-/// [`Error::FieldUndefined`] for the first node whose coordinates would overflow, and no node is moved (coordinates beyond
-/// the root of the greatest number of their type, 1e19 and 1e154, may overflow under harmless maps and are missing then);
-/// [`Error::Cancelled`].
+/// [`Error::FieldUndefined`] for the first node whose coordinates would overflow, and no node is
+/// moved (coordinates beyond the root of the greatest number of their type, 1e19 and 1e154, may
+/// overflow under harmless maps and are missing then); [`Error::Cancelled`].
 pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()> {
     job.step(0.0, "transform")?;
     each!(net.coordinates_mut(), planes => {
@@ -40,8 +41,8 @@ pub fn transform(net: &mut Net<'_>, affine: &Affine, job: &Job<'_>) -> Result<()
     Ok(())
 }
 
-/// [`Error::FieldUndefined`] for the first node that overflows. Nodes are checked only if the map is so
-/// large that nodes of common size may overflow.
+/// [`Error::FieldUndefined`] for the first node that overflows. Nodes are checked only if the map
+/// is so large that nodes of common size may overflow.
 fn check<T: Real>(planes: &Planes<'_, T>, affine: &Affine, threads: usize) -> Result<()> {
     let bound = |[a, b, c, d]: [f64; 4]| (a.abs() + b.abs() + c.abs()) * T::MAX.sqrt() + d.abs();
     if affine.rows().into_iter().all(|row| bound(row) <= T::MAX) {
@@ -86,7 +87,8 @@ impl<T: Real> Kernel for Apply<'_, T> {
 
 #[inline(always)]
 fn apply_to<T: Real>(rows: [[T; 4]; 3], x: &mut [T], y: &mut [T], z: &mut [T]) {
-    // Whole runs; the remainder elsewhere, as its loop would hold the matrix in registers that the vectors need.
+    // Whole runs; the remainder elsewhere, as its loop would hold the matrix in registers that the
+    // vectors need.
     let ((x, x_rest), (y, y_rest), (z, z_rest)) = (x.as_chunks_mut(), y.as_chunks_mut(), z.as_chunks_mut());
     for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
         apply_to_run(rows, x, y, z);
