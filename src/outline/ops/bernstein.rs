@@ -2,7 +2,7 @@
 
 use super::super::curve::MAX_DEGREE;
 
-/// Controls for the coefficients of the polynomials that are searched for roots: (C - q) . C' has degree 2 n - 1.
+/// Room for the coefficients of the polynomials that are searched for roots: (C - q) . C' has degree 2 n - 1.
 pub(super) const ROOM: usize = 2 * MAX_DEGREE;
 
 /// f(t) and f'(t). The sum runs from the nearer end by a scheme like Horner's, so that no power overflows its binomial.
