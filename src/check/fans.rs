@@ -2,8 +2,9 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
-use crate::mesh::{Across, MeshView, Sets, Topology};
+use crate::mesh::{Across, MeshView, Topology};
 
 /// Half-edges between two progress reports.
 const REPORT_INTERVAL: u32 = 1 << 18;
@@ -14,7 +15,7 @@ pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) 
     let faces = mesh.faces();
     let count = faces.half_edge_count();
     // A corner is named by the half-edge that leaves it. Corners are joined across every edge with two faces, at both ends.
-    let mut corners = Sets::new(count)?;
+    let mut corners = DisjointSets::new(count)?;
     for h in 0..count as u32 {
         if h % REPORT_INTERVAL == 0 {
             job.step(0.7 * f64::from(h) / count as f64, "checking fans")?;
@@ -27,18 +28,18 @@ pub(super) fn bow_ties(mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) 
         {
             let (next, mate_next) = (topology.next(mesh, h), topology.next(mesh, mate));
             if faces.corner(h) == faces.corner(mate) {
-                corners.join(h, mate);
-                corners.join(next, mate_next);
+                corners.union(h, mate);
+                corners.union(next, mate_next);
             } else {
-                corners.join(h, mate_next);
-                corners.join(next, mate);
+                corners.union(h, mate_next);
+                corners.union(next, mate);
             }
         }
     }
     job.step(0.7, "checking fans")?;
     let mut fans = alloc::filled(0u32, mesh.positions().len())?;
     for h in (0..count as u32).filter(|&h| !topology.is_ignored(h)) {
-        if corners.root(h) == h {
+        if corners.find(h) == h {
             fans[faces.corner(h) as usize] += 1;
         }
     }

@@ -7,9 +7,10 @@ use super::twins::duplicate_faces;
 use crate::alloc;
 use crate::boundary::{self, boundary_loops};
 use crate::error::Result;
+use crate::geom::disjoint_sets::{DisjointSets, ParitySets};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::mesh::{Across, Defect, MeshView, Sets, Topology};
+use crate::mesh::{Across, Defect, MeshView, Topology};
 use glam::DVec3;
 
 /// What [`check`] found. Lists are ascending.
@@ -142,9 +143,9 @@ impl Check {
     /// Counts the pieces, and finds out whether each can be oriented.
     fn enter_pieces(&mut self, mesh: &MeshView<'_>, topology: &Topology, job: &Job<'_>) -> Result<()> {
         let faces = mesh.faces();
-        let mut pieces = Sets::new(faces.len())?;
-        // The double cover: face f as it is (2 f) and turned over (2 f + 1).
-        let mut covers = Sets::new(2 * faces.len())?;
+        let mut pieces = DisjointSets::new(faces.len())?;
+        let mut orientations = ParitySets::new(faces.len())?;
+        self.orientable = true;
         let mut singular = Vec::new();
         for f in 0..faces.len() {
             if f % REPORT_INTERVAL == 0 {
@@ -159,21 +160,19 @@ impl Check {
                     Across::Singular => alloc::push(&mut singular, (self.edge_ends(mesh, h as u32), f as u32))?,
                     Across::Mate(mate) => {
                         let (f, g) = (f as u32, faces.face_of(mate));
-                        pieces.join(f, g);
-                        let turned = u32::from(faces.corner(h as u32) == faces.corner(mate));
-                        covers.join(2 * f, 2 * g + turned);
-                        covers.join(2 * f + 1, 2 * g + 1 - turned);
+                        pieces.union(f, g);
+                        let opposed = faces.corner(h as u32) == faces.corner(mate);
+                        self.orientable &= orientations.union(f, g, opposed);
                     }
                 }
             }
         }
         singular.sort_unstable();
         for pair in singular.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-            pieces.join(pair[0].1, pair[1].1);
+            pieces.union(pair[0].1, pair[1].1);
         }
         job.step(1.0, "checking pieces")?;
-        self.components = pieces.count() as u32;
-        self.orientable = (0..faces.len() as u32).all(|f| covers.root(2 * f) != covers.root(2 * f + 1));
+        self.components = pieces.roots().count() as u32;
         Ok(())
     }
 

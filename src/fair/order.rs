@@ -8,6 +8,7 @@
 use super::rings::Rings;
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::Aabb;
 use glam::DVec3;
 
 /// Parts of at most this many unknowns are not halved.
@@ -35,12 +36,7 @@ impl Halving<'_> {
         if order.len() <= LEAF {
             return;
         }
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for &v in order.iter() {
-            low = low.min(self.points[v as usize]);
-            high = high.max(self.points[v as usize]);
-        }
-        let axis = (high - low).max_position();
+        let axis = Aabb::of(order.iter().map(|&v| self.points[v as usize])).size().max_position();
         let middle = order.len() / 2;
         let points = self.points;
         order.select_nth_unstable_by(middle, |&u, &v| {

@@ -4,10 +4,9 @@ use super::request::{HoleStatus, Limits, Options};
 use crate::alloc;
 use crate::boundary::{Boundary, Loop, LoopFlags};
 use crate::error::Result;
-use crate::geom::scale::distance;
+use crate::geom::{Aabb, scale::distance};
 use crate::mesh::MeshView;
 use crate::stitch::FreeEdges;
-use glam::DVec3;
 use std::collections::BTreeSet;
 
 /// A loop, and whether it is to be filled.
@@ -107,9 +106,8 @@ fn size_status(mesh: &MeshView<'_>, vertices: &[u32], limits: &Limits) -> HoleSt
     let exceeds = |limit: Option<f64>, measure: &dyn Fn() -> f64| limit.is_some_and(|limit| measure() > limit);
     let length = || (0..n).map(|i| distance(point(i), point(i + 1))).sum::<f64>();
     let diameter = || {
-        let low = (0..n).map(point).fold(DVec3::INFINITY, DVec3::min);
-        let high = (0..n).map(point).fold(DVec3::NEG_INFINITY, DVec3::max);
-        distance(low, high)
+        let whole = Aabb::of((0..n).map(point));
+        distance(whole.low, whole.high)
     };
     if limits.edges.is_some_and(|limit| n > limit as usize)
         || exceeds(limits.length, &length)

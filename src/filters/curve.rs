@@ -2,7 +2,7 @@
 //! that they lie in.
 
 use super::data::{Curves, Input};
-use super::extent::{Extent, plane_of, put};
+use super::extent::{extent_of, plane_of, put};
 use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -103,7 +103,7 @@ fn laid(
 
 /// The length that chords are held to.
 pub(super) fn chord(given: &Curves, values: &Values<'_>) -> f64 {
-    let size = Extent::of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
+    let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
     (values.number(CHORD.id) * size).max(f64::MIN_POSITIVE)
 }
 
@@ -142,7 +142,7 @@ impl Flat {
     /// [`Error::CurveNotPlane`] with a place among all points, and those of [`curves`].
     pub(super) fn curves(&self, given: &Curves, values: &Values<'_>, job: &Job<'_>) -> Result<Vec<Curve>> {
         let largest = given.points.iter().flatten().fold(0.0f64, |largest, x| largest.max(x.abs()));
-        let size = Extent::of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
+        let size = extent_of(&[Input::Curves(given)]).map_or(0.0, |extent| extent.diagonal());
         let play = 1e-6 * size + 64.0 * f64::EPSILON * largest;
         laid(given, values, job, |first, points| {
             let mut flat = alloc::with_capacity(points.len())?;

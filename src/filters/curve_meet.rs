@@ -3,7 +3,7 @@
 use super::Filter;
 use super::curve::{self, BETWEEN, CATEGORY};
 use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put, rounded};
 use super::param::{Param, ParamKind, Values};
 use crate::alloc;
 use crate::error::Result;
@@ -45,8 +45,8 @@ const PARAMS: &[Param] = &[
 ];
 
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
-        put(PARAMS, values, "within", &[extent.length(1e-6)]);
+    if let Some(extent) = extent_of(inputs) {
+        put(PARAMS, values, "within", &[rounded(1e-6 * extent.diagonal())]);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Filter;
 use super::curve::{self, BETWEEN, CATEGORY, CHORD, Flat, PLANE};
 use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put, rounded};
 use super::param::{PLACES, Param, ParamKind, Values};
 use crate::error::Result;
 use crate::job::Job;
@@ -47,8 +47,8 @@ const PARAMS: &[Param] = &[
 
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
     curve::suggest_plane(PARAMS, inputs, values);
-    if let Some(extent) = Extent::of(inputs) {
-        put(PARAMS, values, "distance", &[extent.length(0.02)]);
+    if let Some(extent) = extent_of(inputs) {
+        put(PARAMS, values, "distance", &[rounded(0.02 * extent.diagonal())]);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Filter;
 use super::curve::{self, BETWEEN, CATEGORY, CHORD, REFERENCE};
 use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put, rounded};
 use super::param::{Choice, LENGTHS, Param, ParamKind, Values};
 use crate::error::Result;
 use crate::job::Job;
@@ -59,8 +59,8 @@ const PARAMS: &[Param] = &[
 ];
 
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
-        put(PARAMS, values, "step", &[extent.length(0.01)]);
+    if let Some(extent) = extent_of(inputs) {
+        put(PARAMS, values, "step", &[rounded(0.01 * extent.diagonal())]);
     }
 }
 

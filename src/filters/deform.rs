@@ -2,7 +2,7 @@
 
 use super::Filter;
 use super::data::{Input, InputKind, Output, OutputKind, with_positions};
-use super::extent::{Extent, put, rounded};
+use super::extent::{extent_of, put, rounded};
 use super::param::{Choice, Param, ParamKind, Values};
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -112,7 +112,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 
 /// The amount that turns the mesh by half a right angle from end to end, if it is twisted.
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
+    if let Some(extent) = extent_of(inputs) {
         put(PARAMS, values, "amount", &[rounded(0.25 * PI / extent.diagonal())]);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Filter;
 use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put, rounded};
 use super::param::{PLACES, Param, ParamKind, Values};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use crate::error::Result;
@@ -40,8 +40,8 @@ const PARAMS: &[Param] = &[
 ];
 
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
-        put(PARAMS, values, "distance", &[extent.length(0.01)]);
+    if let Some(extent) = extent_of(inputs) {
+        put(PARAMS, values, "distance", &[rounded(0.01 * extent.diagonal())]);
     }
 }
 

@@ -2,53 +2,30 @@
 
 use super::data::{Curves, Input};
 use super::param::Param;
+use crate::geom::Aabb;
 use glam::DVec3;
 
-/// The box round inputs.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Extent {
-    pub(super) low: DVec3,
-    pub(super) high: DVec3,
-}
-
-impl Extent {
-    /// Of all finite points of some inputs; `None` if there are none, or if they are all one.
-    pub(super) fn of(inputs: &[Input<'_>]) -> Option<Self> {
-        let mut extent = Extent { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
-        for input in inputs {
-            match input {
-                Input::Mesh(mesh) => {
-                    let positions = mesh.positions();
-                    (0..positions.len()).for_each(|v| extent.take(positions.get(v as u32)));
-                }
-                Input::Curves(curves) => curves.points.iter().for_each(|&point| extent.take(point.into())),
-            }
-        }
-        Some(extent).filter(|extent| extent.diagonal() > 0.0)
-    }
-
-    fn take(&mut self, point: DVec3) {
+/// The box round all finite points of some inputs; `None` if there are none, or if they are all one.
+pub(super) fn extent_of(inputs: &[Input<'_>]) -> Option<Aabb> {
+    let mut extent = Aabb::EMPTY;
+    let mut add = |point: DVec3| {
         if point.is_finite() {
-            (self.low, self.high) = (self.low.min(point), self.high.max(point));
+            extent.add(point);
+        }
+    };
+    for input in inputs {
+        match input {
+            Input::Mesh(mesh) => {
+                let positions = mesh.positions();
+                (0..positions.len()).for_each(|v| add(positions.get(v as u32)));
+            }
+            Input::Curves(curves) => curves.points.iter().for_each(|&point| add(point.into())),
         }
     }
-
-    /// From corner to corner.
-    pub(super) fn diagonal(&self) -> f64 {
-        self.low.distance(self.high)
-    }
-
-    pub(super) fn centre(&self) -> DVec3 {
-        self.low.midpoint(self.high)
-    }
-
-    /// A length of about two digits, so that dialogs show what can be read: `part` of the diagonal.
-    pub(super) fn length(&self, part: f64) -> f64 {
-        rounded(part * self.diagonal())
-    }
+    Some(extent).filter(|extent| extent.diagonal() > 0.0)
 }
 
-/// To two digits.
+/// A length of about two digits, so that dialogs show what can be read.
 pub(super) fn rounded(value: f64) -> f64 {
     let unit = libm::pow(10.0, value.abs().log10().floor() - 1.0);
     let round = (value / unit).round() * unit;
@@ -70,7 +47,7 @@ pub(super) fn put(params: &[Param], values: &mut [f64], id: &str, new: &[f64]) {
 /// The plane that curves lie in, or lie about: its unit normal, upwards where it can be, and its
 /// distance from the origin.
 pub(super) fn plane_of(curves: &Curves) -> Option<[f64; 4]> {
-    let extent = Extent::of(&[Input::Curves(curves)])?;
+    let extent = extent_of(&[Input::Curves(curves)])?;
     let (centre, size) = (extent.centre(), extent.diagonal());
     let mut area = DVec3::ZERO;
     for ends in curves.offsets.windows(2) {

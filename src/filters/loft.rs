@@ -3,7 +3,7 @@
 use super::Filter;
 use super::curve::REFERENCE;
 use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put};
 use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, FINENESS};
 use crate::alloc;
@@ -87,7 +87,7 @@ const PARAMS: &[Param] = &[
 ];
 
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    let (Some(extent), Some(Input::Curves(curves))) = (Extent::of(inputs), inputs.first()) else { return };
+    let (Some(extent), Some(Input::Curves(curves))) = (extent_of(inputs), inputs.first()) else { return };
     put(PARAMS, values, "point", &extent.centre().to_array());
     let middle = |ends: &[u32]| -> Option<DVec3> {
         let points = curves.points.get(ends[0] as usize..ends[1] as usize)?;

@@ -2,10 +2,11 @@
 
 use super::Filter;
 use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put, rounded};
 use super::param::{Param, ParamKind, Values};
 use super::quads::CATEGORY;
 use crate::error::{Error, Result};
+use crate::geom::aabb;
 use crate::job::Job;
 use crate::mesh::MeshView;
 use crate::net::analyse::analyse;
@@ -51,8 +52,8 @@ const PARAMS: &[Param] = &[
 ];
 
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
-        put(PARAMS, values, "tolerance", &[extent.length(1e-9)]);
+    if let Some(extent) = extent_of(inputs) {
+        put(PARAMS, values, "tolerance", &[rounded(1e-9 * extent.diagonal())]);
     }
 }
 
@@ -91,8 +92,8 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
 
 /// From the least number to the greatest.
 fn range(ratios: &[f64]) -> String {
-    let there = || ratios.iter().copied().filter(|ratio| !ratio.is_nan());
-    format!("{} to {}", there().fold(f64::INFINITY, f64::min), there().fold(f64::NEG_INFINITY, f64::max))
+    let [least, greatest] = aabb::range(ratios.iter().copied());
+    format!("{least} to {greatest}")
 }
 
 /// The net with the positions of the other mesh, which must have the same faces.

@@ -3,7 +3,7 @@
 use super::Filter;
 use super::curve::{self, BETWEEN};
 use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put};
 use super::param::{PLACES, Param, ParamKind, Values};
 use super::quads::{self, CATEGORY, REFERENCE, TRIANGLES};
 use crate::alloc;
@@ -59,8 +59,8 @@ const PARAMS: &[Param] = &[
 /// The axis is that of the curve's box: parallel to its longest side, at its edge next to the
 /// origin.
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
-        let size = extent.high - extent.low;
+    if let Some(extent) = extent_of(inputs) {
+        let size = extent.size();
         let axis = if size.z >= size.x && size.z >= size.y { 2 } else { usize::from(size.y >= size.x) };
         let near = DVec3::ZERO.clamp(extent.low, extent.high);
         put(PARAMS, values, "direction", &DVec3::AXES[axis].to_array());

@@ -3,7 +3,7 @@
 use super::Filter;
 use super::data::{Input, InputKind, Output, OutputKind};
 use super::deform::moved;
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put};
 use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -74,7 +74,7 @@ const PARAMS: &[Param] = &[
 ];
 
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
+    if let Some(extent) = extent_of(inputs) {
         put(PARAMS, values, "plane", &[0.0, 0.0, 1.0, extent.low.z]);
         let eye = extent.centre().with_z(extent.high.z + 2.0 * extent.diagonal());
         put(PARAMS, values, "eye", &eye.to_array());

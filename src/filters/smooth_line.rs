@@ -2,7 +2,7 @@
 
 use super::Filter;
 use super::data::{Curves, Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put};
 use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::error::Result;
@@ -52,7 +52,7 @@ const PARAMS: &[Param] = &[
 ];
 
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
+    if let Some(extent) = extent_of(inputs) {
         let point = extent.centre().with_z(extent.low.z - 0.1 * extent.diagonal());
         put(PARAMS, values, "point", &point.to_array());
     }

@@ -3,7 +3,7 @@
 use super::Filter;
 use super::curve::{self, BETWEEN};
 use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put, rounded};
 use super::param::{LENGTHS, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, FINENESS};
 use crate::alloc;
@@ -53,8 +53,8 @@ const PARAMS: &[Param] = &[
 
 /// What points were rounded to may keep curves apart.
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
-        put(PARAMS, values, "tolerance", &[extent.length(1e-4)]);
+    if let Some(extent) = extent_of(inputs) {
+        put(PARAMS, values, "tolerance", &[rounded(1e-4 * extent.diagonal())]);
     }
 }
 

@@ -2,10 +2,11 @@
 
 use super::Filter;
 use super::data::{Input, InputKind, Output, OutputKind};
-use super::extent::{Extent, put};
+use super::extent::{extent_of, put};
 use super::param::{Choice, LENGTHS, PLACES, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, CHORD, REFERENCE, SCHEME};
 use crate::error::Result;
+use crate::geom::aabb;
 use crate::job::Job;
 use crate::surface::contour::Planes;
 use crate::surface::{Paths, Surface};
@@ -63,8 +64,8 @@ const PARAMS: &[Param] = &[
 
 /// Ten planes across the z axis, as the defaults of the other parameters have it.
 fn suggest(inputs: &[Input<'_>], values: &mut [f64]) {
-    if let Some(extent) = Extent::of(inputs) {
-        let height = Some(extent.high.z - extent.low.z).filter(|&height| height > 0.0).unwrap_or(extent.diagonal());
+    if let Some(extent) = extent_of(inputs) {
+        let height = Some(extent.size().z).filter(|&height| height > 0.0).unwrap_or(extent.diagonal());
         put(PARAMS, values, "offset", &[extent.low.z + 0.05 * height]);
         put(PARAMS, values, "distance", &[0.1 * height]);
     }
@@ -94,8 +95,7 @@ fn cut(surface: &Surface<'_>, values: &Values<'_>, job: &Job<'_>) -> Result<Path
 fn evenly(surface: &Surface<'_>, normal: DVec3, number: usize) -> [f64; 2] {
     let [low, high] = surface.bounds();
     let corner = |k: usize| DVec3::new([low.x, high.x][k & 1], [low.y, high.y][k >> 1 & 1], [low.z, high.z][k >> 2]);
-    let along = || (0..8).map(|k| corner(k).dot(normal));
-    let (from, to) = (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max));
+    let [from, to] = aabb::range((0..8).map(|k| corner(k).dot(normal)));
     let distance = (to - from) / number as f64;
     [from + 0.5 * distance, distance]
 }

@@ -5,6 +5,7 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::Aabb;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use glam::DVec3;
@@ -32,10 +33,9 @@ pub(crate) struct KdTree<'a> {
     /// The group of all points of the range whose middle is at this place, or [`MIXED`]; empty if there are no groups.
     group: Vec<u32>,
     /// The box round all points of the range whose middle is at [`APART`] times this place, or up to 4 beyond; empty if there are none.
-    boxes: Vec<[DVec3; 2]>,
+    boxes: Vec<Aabb>,
     /// The box round all points.
-    low: DVec3,
-    high: DVec3,
+    whole: Aabb,
 }
 
 impl<'a> KdTree<'a> {
@@ -52,8 +52,7 @@ impl<'a> KdTree<'a> {
             axis: alloc::filled(0, points.len())?,
             group: Vec::new(),
             boxes: Vec::new(),
-            low: points.iter().fold(DVec3::INFINITY, |low, &p| low.min(p)),
-            high: points.iter().fold(DVec3::NEG_INFINITY, |high, &p| high.max(p)),
+            whole: Aabb::of(points),
         };
         let mut done = 0;
         let mut hear = |count: usize| {
@@ -69,23 +68,22 @@ impl<'a> KdTree<'a> {
     /// apart, boxes that fit do. 10 bytes a point more.
     pub(crate) fn boxed(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = Self::new_cancellable(points, job, stage)?;
-        let mut boxes = alloc::filled([DVec3::INFINITY, DVec3::NEG_INFINITY], points.len().div_ceil(APART))?;
+        let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(APART))?;
         tree.find_boxes(0..points.len(), &mut boxes);
         tree.boxes = boxes;
         Ok(tree)
     }
 
     /// Enters and returns the box of a range.
-    fn find_boxes(&self, range: Range<usize>, out: &mut [[DVec3; 2]]) -> [DVec3; 2] {
-        let around = |[low, high]: [DVec3; 2], p: DVec3| [low.min(p), high.max(p)];
-        let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+    fn find_boxes(&self, range: Range<usize>, out: &mut [Aabb]) -> Aabb {
         if range.len() <= LEAF {
-            return self.order[range].iter().map(|&index| self.points[index as usize]).fold(empty, around);
+            return Aabb::of(self.order[range].iter().map(|&index| self.points[index as usize]));
         }
         let middle = usize::midpoint(range.start, range.end);
         let low = self.find_boxes(range.start..middle, out);
         let high = self.find_boxes(middle + 1..range.end, out);
-        let whole = around([low[0].min(high[0]), low[1].max(high[1])], self.points[self.order[middle] as usize]);
+        let mut whole = low.union(high);
+        whole.add(self.points[self.order[middle] as usize]);
         out[middle / APART] = whole;
         whole
     }
@@ -128,8 +126,7 @@ impl<'a> KdTree<'a> {
         accept: impl Fn(u32) -> bool,
     ) -> Option<(f64, u32)> {
         let mut best = (limit, u32::MAX);
-        let off = (self.low - query).max(query - self.high).max(DVec3::ZERO);
-        self.search(0..self.order.len(), query, off, own, &accept, &mut best);
+        self.search(0..self.order.len(), query, self.whole.outside(query), own, &accept, &mut best);
         (best.1 != u32::MAX).then_some(best)
     }
 
@@ -137,8 +134,7 @@ impl<'a> KdTree<'a> {
     /// equally near ones the smallest index.
     pub(crate) fn nearest(&self, query: DVec3, limit: f64, accept: impl Fn(u32) -> bool) -> Option<(f64, u32)> {
         let mut best = (limit, u32::MAX);
-        let off = (self.low - query).max(query - self.high).max(DVec3::ZERO);
-        self.search(0..self.order.len(), query, off, MIXED, &accept, &mut best);
+        self.search(0..self.order.len(), query, self.whole.outside(query), MIXED, &accept, &mut best);
         (best.1 != u32::MAX).then_some(best)
     }
 
@@ -160,8 +156,8 @@ impl<'a> KdTree<'a> {
         // What a range of few points has is no more work than its box.
         if !self.boxes.is_empty()
             && range.len() > LEAF
-            && let Some([low, high]) = self.boxes.get(middle / APART)
-            && (*low - query).max(query - *high).max(DVec3::ZERO).length_squared() > best.0
+            && let Some(around) = self.boxes.get(middle / APART)
+            && around.distance_squared(query) > best.0
         {
             return;
         }
@@ -268,12 +264,7 @@ fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
 
 /// Brings the middle of a range to its place, and returns the halves on either side.
 fn split_once<'a>(points: &[DVec3], order: &'a mut [u32], axes: &'a mut [u8]) -> [(&'a mut [u32], &'a mut [u8]); 2] {
-    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for &i in order.iter() {
-        low = low.min(points[i as usize]);
-        high = high.max(points[i as usize]);
-    }
-    let axis = (high - low).max_position();
+    let axis = Aabb::of(order.iter().map(|&i| points[i as usize])).size().max_position();
     let middle = order.len() / 2;
     order.select_nth_unstable_by(middle, |&i, &j| {
         points[i as usize][axis].total_cmp(&points[j as usize][axis]).then(i.cmp(&j))

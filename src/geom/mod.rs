@@ -1,12 +1,25 @@
 //! Small geometry shared by all modules, over [`glam`]'s double-precision vectors.
 //!
+//! * [`aabb`]: axis-aligned boxes.
+//! * [`bernstein`]: polynomials in Bernstein form, scalar, vectorial and tensor.
+//! * [`linear`]: systems of linear equations.
+//! * [`disjoint_sets`], [`bit_set`]: sets of numbered things.
 //! * [`kd_tree`]: nearest point of a set.
 //! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of what is left.
 //! * [`triangle`]: area, angles and aspect ratio of one triangle.
 //! * [`scale`]: a power of two as unit of length, so that products of coordinates neither overflow nor vanish whatever
 //!   the host's units are.
 
+#![allow(dead_code, unused_imports, reason = "modules change over to this one by one")]
+
+pub(crate) mod aabb;
+pub(crate) mod bernstein;
+pub(crate) mod bit_set;
+pub(crate) mod disjoint_sets;
 pub(crate) mod kd_tree;
+pub(crate) mod linear;
 pub(crate) mod scale;
 pub(crate) mod subdivision;
 pub(crate) mod triangle;
+
+pub(crate) use aabb::Aabb;

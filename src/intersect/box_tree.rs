@@ -5,46 +5,23 @@
 
 use crate::alloc;
 use crate::error::Result;
-use glam::DVec3;
+use crate::geom::Aabb;
 use std::ops::Range;
-
-/// An axis-aligned box.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Box3 {
-    pub(super) low: DVec3,
-    pub(super) high: DVec3,
-}
-
-impl Box3 {
-    pub(super) const EMPTY: Box3 = Box3 { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
-
-    pub(super) fn of(points: impl IntoIterator<Item = DVec3>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |b, p| Box3 { low: b.low.min(p), high: b.high.max(p) })
-    }
-
-    fn and(self, other: &Box3) -> Self {
-        Box3 { low: self.low.min(other.low), high: self.high.max(other.high) }
-    }
-
-    pub(super) fn overlaps(&self, other: &Box3) -> bool {
-        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
-    }
-}
 
 /// Ranges of at most this many boxes are leaves.
 const LEAF: usize = 4;
 
 /// A set of boxes.
 pub(super) struct BoxTree<'a> {
-    boxes: &'a [Box3],
+    boxes: &'a [Aabb],
     order: Vec<u32>,
     /// The boxes of the nodes in depth-first order, and each one's right child.
-    nodes: Vec<(Box3, u32)>,
+    nodes: Vec<(Aabb, u32)>,
 }
 
 impl<'a> BoxTree<'a> {
     /// O(n log n); extra memory about 60 bytes a box.
-    pub(super) fn new(boxes: &'a [Box3]) -> Result<Self> {
+    pub(super) fn new(boxes: &'a [Aabb]) -> Result<Self> {
         let mut tree = BoxTree {
             boxes,
             order: alloc::collect((0..boxes.len()).map(|i| i as u32))?,
@@ -56,13 +33,13 @@ impl<'a> BoxTree<'a> {
     }
 
     fn split(&mut self, range: Range<usize>) {
-        let whole = self.order[range.clone()].iter().fold(Box3::EMPTY, |b, &i| b.and(&self.boxes[i as usize]));
+        let whole = self.order[range.clone()].iter().fold(Aabb::EMPTY, |b, &i| b.union(self.boxes[i as usize]));
         let node = self.nodes.len();
         self.nodes.push((whole, 0));
         if range.len() <= LEAF {
             return;
         }
-        let axis = (whole.high - whole.low).max_position();
+        let axis = whole.size().max_position();
         let middle = range.len() / 2;
         let boxes = self.boxes;
         let centre = |i: u32| boxes[i as usize].low[axis] + boxes[i as usize].high[axis];
@@ -74,16 +51,16 @@ impl<'a> BoxTree<'a> {
     }
 
     /// The box round everything.
-    pub(super) fn whole(&self) -> &Box3 {
+    pub(super) fn whole(&self) -> &Aabb {
         &self.nodes[0].0
     }
 
     /// Visits the boxes that overlap `query`.
-    pub(super) fn overlapping(&self, query: &Box3, visit: &mut impl FnMut(u32)) {
+    pub(super) fn overlapping(&self, query: &Aabb, visit: &mut impl FnMut(u32)) {
         self.search(0..self.order.len(), 0, query, visit);
     }
 
-    fn search(&self, range: Range<usize>, node: usize, query: &Box3, visit: &mut impl FnMut(u32)) {
+    fn search(&self, range: Range<usize>, node: usize, query: &Aabb, visit: &mut impl FnMut(u32)) {
         let (whole, right) = &self.nodes[node];
         if !whole.overlaps(query) {
             return;
@@ -102,6 +79,7 @@ impl<'a> BoxTree<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
     use proptest::prelude::*;
 
     proptest! {
@@ -109,9 +87,9 @@ mod tests {
         fn equals_brute_force(
             corners in prop::collection::vec((0u8..9, 0u8..9, 0u8..9, 0u8..3, 0u8..3, 0u8..3), 1..80),
         ) {
-            let boxes: Vec<Box3> = corners.iter().map(|&(x, y, z, u, v, w)| {
+            let boxes: Vec<Aabb> = corners.iter().map(|&(x, y, z, u, v, w)| {
                 let low = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-                Box3 { low, high: low + DVec3::new(f64::from(u), f64::from(v), f64::from(w)) }
+                Aabb { low, high: low + DVec3::new(f64::from(u), f64::from(v), f64::from(w)) }
             }).collect();
             let tree = BoxTree::new(&boxes).unwrap();
             for query in &boxes {

@@ -1,9 +1,10 @@
 //! All pairs of intersecting triangles of which at least one is new.
 
-use super::box_tree::{Box3, BoxTree};
+use super::box_tree::BoxTree;
 use super::predicates::triangles_intersect;
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::Aabb;
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
@@ -34,7 +35,7 @@ pub(crate) fn intersecting_pairs(
         return Ok(Vec::new());
     }
     job.step(0.0, "looking for intersections")?;
-    let around = |t: &[u32; 3]| Box3::of(t.map(&soup.at));
+    let around = |t: &[u32; 3]| Aabb::of(t.map(&soup.at));
     let boxes = alloc::collect(soup.new.iter().map(around))?;
     let tree = BoxTree::new(&boxes)?;
     let n = soup.new.len();

@@ -16,7 +16,7 @@ mod pairing;
 mod topology;
 mod view;
 
-pub(crate) use components::Sets;
+pub(crate) use components::vertex_components;
 pub use concat::{Piece, concatenate};
 pub use owned::{Mesh, PositionBuffer};
 pub(crate) use topology::{Across, half_edges};

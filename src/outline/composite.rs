@@ -17,9 +17,9 @@ use super::judge::Smoothness;
 use super::method::{Method, power};
 use super::request::{Joint, Lock, Options, PointStatus, Report, Solver};
 use super::run::{Run, Sketch, Solution, Solved, Workspace, mark};
-use super::tridiagonal::Cyclic;
-use super::{consistent, curvature, joints, segment, sweeps, tridiagonal};
+use super::{consistent, curvature, joints, segment, sweeps};
 use crate::error::Result;
+use crate::geom::linear::tridiagonal::{self, Cyclic};
 use glam::DVec3;
 
 /// Appends the composite curve of a run.

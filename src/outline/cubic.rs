@@ -14,8 +14,8 @@ use super::curve::Place;
 use super::method::power;
 use super::request::Options;
 use super::run::{Run, Sketch, Solution, Solved, Workspace};
-use super::tridiagonal::{self, Cyclic};
 use crate::error::Result;
+use crate::geom::linear::tridiagonal::{self, Cyclic};
 
 /// Appends the spline of a run.
 pub(super) fn curve(

@@ -2,10 +2,11 @@
 
 use crate::alloc;
 use crate::error::{Element, Error, Result};
+use crate::geom::bernstein;
 use glam::DVec3;
 
 /// The highest degree of a segment.
-pub const MAX_DEGREE: usize = 64;
+pub const MAX_DEGREE: usize = bernstein::MAX_DEGREE;
 
 /// A borrowed curve: segment k has the control points `ends[k]..=ends[k + 1]`, so that each begins with the last control
 /// point of the one before. A plane curve has z = 0 everywhere.

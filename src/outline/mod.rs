@@ -17,7 +17,6 @@ mod consistent;
 mod cubic;
 mod curvature;
 mod curve;
-mod dense;
 mod fit;
 pub mod frame;
 mod guided;
@@ -32,7 +31,6 @@ mod segment;
 mod single;
 mod stepping;
 mod sweeps;
-mod tridiagonal;
 mod worker;
 
 pub use curve::{Curve, CurveView, MAX_DEGREE, Place};

@@ -11,13 +11,13 @@
 
 use super::composite;
 use super::curve::{MAX_DEGREE, Place};
-use super::dense::Dense;
 use super::method::Method;
 use super::request::{FitStatus, Lock, Options, PointStatus, Report, Solver};
 use super::run::{Run, Sketch, Solved, Workspace, mark};
 use super::{segment, sweeps};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::linear::dense::Dense;
 use glam::DVec3;
 
 /// Farther from its point, in sizes of the outline, a control point shows that the equations are nearly singular.

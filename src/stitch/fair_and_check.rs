@@ -12,6 +12,7 @@ use super::strip::Strip;
 use crate::alloc;
 use crate::error::Result;
 use crate::fair::{Weights, thin_plate};
+use crate::geom::{Aabb, bit_set::BitSet};
 use crate::intersect::{Soup, intersecting_pairs};
 use crate::job::Job;
 use crate::mesh::{Mesh, Scalar};
@@ -113,7 +114,7 @@ struct Neighbourhood<'a> {
     strip: Vec<u32>,
     offsets: &'a [u32],
     /// The rims' vertices, one bit each.
-    rim: Bits,
+    rim: BitSet,
     /// The vertices at the ends of an open strip, in ascending order; they stay on their meridians.
     ends: Vec<u32>,
     /// The positions of the new vertices.
@@ -130,8 +131,8 @@ impl<'a> Neighbourhood<'a> {
             k if k < rims => b[k - n],
             k => base + (k - rims) as u32,
         };
-        let mut rim = Bits::new(whole.positions.len())?;
-        a.iter().chain(b).for_each(|&v| rim.set(v));
+        let mut rim = BitSet::new(whole.positions.len())?;
+        a.iter().chain(b).for_each(|&v| rim.insert(v));
         let mut ends = Vec::new();
         if !strip.a.closed {
             let columns = strip.meridians.len();
@@ -196,7 +197,7 @@ impl<'a> Neighbourhood<'a> {
     /// Moves the new vertices to where a thin plate would have them.
     fn fair(&mut self, strip: &Strip, job: &Job<'_>) -> Result<()> {
         let mut triangles = self.strip_triangles()?.corners;
-        let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.has(v)))?.corners;
+        let round = self.old_triangles(|face| face.iter().any(|&v| self.rim.contains(v)))?.corners;
         alloc::reserve(&mut triangles, round.len())?;
         triangles.extend(round);
         // The patch's own numbers.
@@ -211,7 +212,7 @@ impl<'a> Neighbourhood<'a> {
         let mut points = alloc::collect(vertices.iter().map(|&v| self.at(v)))?;
         let is_end = |v: u32| self.ends.binary_search(&v).is_ok();
         let is_new = |v: u32| v >= self.base;
-        let on_rim = |v: u32| v < self.base && self.rim.has(v);
+        let on_rim = |v: u32| v < self.base && self.rim.contains(v);
         let free = alloc::collect(vertices.iter().map(|&v| is_new(v) && !is_end(v)))?;
         // The apex of a large fan says nothing about slopes, and would tie all vertices round it to each other.
         let is_centre =
@@ -244,8 +245,8 @@ impl<'a> Neighbourhood<'a> {
         let lengths = strip.meridians.iter().map(|&[i, j]| strip.a.at(i).distance(strip.b.at(j)));
         let parts = strip.grid.matrix.len() / strip.meridians.len() - 1;
         let spacing = lengths.sum::<f64>() / strip.meridians.len() as f64 / parts as f64;
-        let on_rim = |k: u32| vertices[k as usize] < self.base && self.rim.has(vertices[k as usize]);
-        let beyond = |k: u32| vertices[k as usize] < self.base && !self.rim.has(vertices[k as usize]);
+        let on_rim = |k: u32| vertices[k as usize] < self.base && self.rim.contains(vertices[k as usize]);
+        let beyond = |k: u32| vertices[k as usize] < self.base && !self.rim.contains(vertices[k as usize]);
         let mut anchors = alloc::filled((DVec3::ZERO, 0.0), vertices.len())?;
         for triangle in triangles {
             for &k in triangle.iter().filter(|&&k| beyond(k)) {
@@ -268,11 +269,8 @@ impl<'a> Neighbourhood<'a> {
     fn old_triangles_nearby(&self, straight: &[DVec3]) -> Result<Triangles> {
         let rims = self.strip.iter().filter(|&&v| v < self.base).map(|&v| self.at(v));
         let new = self.points.iter().chain(straight).copied();
-        let [low, high] = bounds(rims.chain(new));
-        self.old_triangles(|face| {
-            let [from, to] = bounds(face.iter().map(|&v| self.at(v)));
-            from.cmple(high).all() && low.cmple(to).all()
-        })
+        let around = Aabb::of(rims.chain(new));
+        self.old_triangles(|face| Aabb::of(face.iter().map(|&v| self.at(v))).overlaps(&around))
     }
 
     /// The pairs of triangles that cut each other, and the strip's triangles that they are counted by.
@@ -333,25 +331,4 @@ struct IntersectingTriangles {
     /// Numbers below the strip's count of triangles are of the strip, the others of the old ones.
     pairs: Vec<[u32; 2]>,
     strip: Triangles,
-}
-
-fn bounds(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
-    points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| [low.min(p), high.max(p)])
-}
-
-/// A set of vertices.
-struct Bits(Vec<u64>);
-
-impl Bits {
-    fn new(count: usize) -> Result<Self> {
-        Ok(Bits(alloc::filled(0, count.div_ceil(64))?))
-    }
-
-    fn set(&mut self, v: u32) {
-        self.0[v as usize / 64] |= 1 << (v % 64);
-    }
-
-    fn has(&self, v: u32) -> bool {
-        self.0[v as usize / 64] >> (v % 64) & 1 == 1
-    }
 }

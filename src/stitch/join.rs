@@ -13,9 +13,10 @@ use super::strip::Strip;
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result, Side};
+use crate::geom::disjoint_sets::DisjointSets;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::mesh::{MeshView, Sets, concat};
+use crate::mesh::{MeshView, concat, vertex_components};
 
 /// Stitches two boundary loops, or the arcs of them that face each other, together by a strip of new faces.
 ///
@@ -60,10 +61,10 @@ pub fn stitch(request: &Request<'_>, options: &Options, job: &Job<'_>) -> Result
     pieces.extend(request.b);
     let mut whole = concat::empty(pieces.iter().copied(), [0; 3])?;
     let mesh_b = request.b.unwrap_or(request.a);
-    let mut components = if turn { Some(Sets::of_vertices(mesh_b)?) } else { None };
-    let root = components.as_mut().map(|sets| sets.root(b.vertices[0]));
+    let mut components = if turn { Some(vertex_components(mesh_b)?) } else { None };
+    let root = components.as_mut().map(|sets| sets.find(b.vertices[0]));
     let is_turned = |f: usize| {
-        let of_face = |sets: &mut Sets| mesh_b.face(f).next().map(|v| sets.root(v));
+        let of_face = |sets: &mut DisjointSets| mesh_b.face(f).next().map(|v| sets.find(v));
         components.as_mut().is_some_and(|sets| of_face(sets) == root)
     };
     let maps = match request.b {
@@ -164,8 +165,8 @@ fn must_turn(request: &Request<'_>, a: &Rim, b: &Rim, orientation: Orientation) 
         return Ok(false);
     }
     if request.b.is_none() {
-        let mut components = Sets::of_vertices(request.a)?;
-        if components.root(a.vertices[0]) == components.root(b.vertices[0]) {
+        let mut components = vertex_components(request.a)?;
+        if components.find(a.vertices[0]) == components.find(b.vertices[0]) {
             return Ok(false);
         }
     }

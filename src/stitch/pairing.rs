@@ -9,7 +9,7 @@ use super::rim::{Rim, is_usable, shared_vertex};
 use crate::alloc;
 use crate::boundary::Boundary;
 use crate::error::{Error, Result, Side};
-use crate::geom::kd_tree::KdTree;
+use crate::geom::{Aabb, kd_tree::KdTree};
 use crate::job::Job;
 use crate::mesh::MeshView;
 use glam::DVec3;
@@ -31,13 +31,14 @@ pub(super) fn usable_rims(mesh: &MeshView<'_>, boundary: &Boundary) -> Result<Ve
 ///
 /// Box tests for all pairs, and nearest-point searches for those that the boxes do not rule out.
 pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job: &Job<'_>) -> Result<(Rim, Rim)> {
-    let boxes: Vec<Extent> = alloc::collect(b.iter().map(Extent::of))?;
+    let boxes = alloc::collect(b.iter().map(|rim| Aabb::of(&rim.points)))?;
     let mut best = (f64::INFINITY, None);
     for (i, p) in a.iter().enumerate() {
         job.step(i as f64 / a.len() as f64, "pairing the loops")?;
-        let (extent, tree) = (Extent::of(p), KdTree::new(&p.points)?);
+        let (around, tree) = (Aabb::of(&p.points), KdTree::new(&p.points)?);
         for (j, q) in b.iter().enumerate() {
-            if extent.distance(&boxes[j]) >= best.0 {
+            // No points of the two rims are nearer than their boxes.
+            if around.distance(&boxes[j]) >= best.0 {
                 continue;
             }
             // The cheaper half first.
@@ -54,23 +55,6 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
     let side = if a.is_empty() { Side::A } else { Side::B };
     let (i, j) = best.1.ok_or(Error::NoLoop { side })?;
     Ok((a.swap_remove(i), b.swap_remove(j)))
-}
-
-struct Extent {
-    low: DVec3,
-    high: DVec3,
-}
-
-impl Extent {
-    fn of(rim: &Rim) -> Self {
-        let start = Extent { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
-        rim.points.iter().fold(start, |e, &p| Extent { low: e.low.min(p), high: e.high.max(p) })
-    }
-
-    /// A lower bound of every distance between points of the two rims.
-    fn distance(&self, other: &Extent) -> f64 {
-        (self.low - other.high).max(other.low - self.high).max(DVec3::ZERO).length()
-    }
 }
 
 /// The mean distance from the vertices of each rim to the nearest of the other, the larger of the two.

@@ -8,9 +8,9 @@
 //! polynomials in t whose integrals are exact. The chord back to the start sweeps nothing.
 
 use super::super::curve::{CurveView, MAX_DEGREE};
-use super::bernstein::{add_product, integral, integral_of_product};
 use super::frame::Frame;
 use crate::error::Result;
+use crate::geom::bernstein::{add_product, integral, integral_of_product};
 use glam::DVec3;
 
 /// The moments of the region that a plane curve encloses. Regions that the curve runs round clockwise count negative, those

@@ -3,8 +3,8 @@
 use super::super::curve::{CurveView, MAX_DEGREE};
 use super::super::segment;
 use super::frame::Frame;
-use super::roots::roots;
 use crate::error::Result;
+use crate::geom::bernstein::roots;
 use glam::DVec3;
 
 /// A box with sides along the axes.

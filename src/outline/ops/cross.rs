@@ -2,9 +2,9 @@
 
 use super::super::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use super::frame::Frame;
-use super::roots::roots;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::bernstein::roots;
 use glam::DVec3;
 
 /// What a curve has in common with a line or a plane.

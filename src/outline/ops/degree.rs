@@ -2,11 +2,11 @@
 
 use super::super::curve::{Curve, CurveView, MAX_DEGREE};
 use super::append;
-use super::bernstein::binomials;
 use super::frame::Frame;
 use super::split::Controls;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::bernstein::binomials;
 use glam::DVec3;
 
 /// A curve of lower degree.

@@ -2,12 +2,11 @@
 
 use super::super::curve::{CurveView, MAX_DEGREE, Place};
 use super::super::segment;
-use super::bernstein::add_product;
 use super::evaluate::derive;
 use super::frame::Frame;
-use super::roots::{Roots, closed_in, roots};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::bernstein::{Roots, add_product, bracketed_root, roots};
 use crate::job::Job;
 use glam::DVec3;
 
@@ -113,7 +112,7 @@ impl Lengths<'_> {
             return Place { segment, t: 1.0 };
         }
         let arc = Arc::new(&self.frame, self.curve.segment(k));
-        let t = closed_in(0.0, 1.0, -1.0, |t| (arc.length(0.0, t) - (length - before), arc.speed(t)));
+        let t = bracketed_root(0.0, 1.0, -1.0, |t| (arc.length(0.0, t) - (length - before), arc.speed(t)));
         Place { segment, t }
     }
 

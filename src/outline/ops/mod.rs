@@ -14,7 +14,7 @@
 //! * resample, [`Samples`]: points along a curve.
 //! * export: SVG paths, TrueType contours, B-splines.
 //!
-//! What they stand on: frame (numbers near 1, whatever the unit), bernstein and roots (polynomials on 0 to 1 and where they
+//! What they stand on: frame (numbers near 1, whatever the unit), [`bernstein`](crate::geom::bernstein) (polynomials on 0 to 1 and where they
 //! vanish), cubic (the closed form).
 //!
 //! Every operation measures in a frame in which the curve has about size 1, and is exact, or stops, at an error relative to
@@ -23,7 +23,6 @@
 
 mod approach;
 mod area;
-mod bernstein;
 mod bounds;
 mod cross;
 mod cubic;
@@ -37,7 +36,6 @@ mod nearest;
 mod offset;
 mod pair;
 mod resample;
-mod roots;
 mod split;
 mod tree;
 

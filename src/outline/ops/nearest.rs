@@ -6,13 +6,12 @@
 
 use super::super::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use super::super::segment;
-use super::bernstein::{ROOM, add_product};
 use super::cubic;
 use super::frame::Frame;
-use super::roots::roots;
 use super::tree::{Aabb, Tree};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::bernstein::{MAX_COEFFICIENTS, add_product, roots};
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
@@ -239,7 +238,7 @@ pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
 
 /// Offers the roots of (C - q) . C'.
 fn feet(controls: &[DVec3], q: DVec3, degree: usize, offer: &mut impl FnMut(f64)) {
-    let mut product = [0.0; ROOM];
+    let mut product = [0.0; MAX_COEFFICIENTS];
     let product = &mut product[..2 * degree];
     for axis in 0..3 {
         let (mut place, mut step) = ([0.0; MAX_DEGREE + 1], [0.0; MAX_DEGREE]);

@@ -7,13 +7,13 @@
 //! 3. Loops of different components that face each other across a gap are paired
 //!    (`facing_loops`): whole loops, or arcs along which one loop is the other's nearest
 //!    neighbour, as on scans of adjacent parts.
-//! 4. Components are turned over so that they agree across the gaps (`agree`).
+//! 4. Components are turned over so that they agree across the gaps: each is bound
+//!    to those that it faces, turned or not (union-find with parity).
 //! 5. Each pair is stitched, nearest first ([`stitch`](super)).
 //! 6. The remaining holes are filled, on request ([`fill`](crate::fill)).
 //!
 //! Loops without a partner stay as they are; the report lists every join and every loop left.
 
-mod agree;
 mod facing_loops;
 mod request;
 mod run;

@@ -1,15 +1,15 @@
 //! The stages of assembly in order, from pieces to one mesh and its report.
 
-use super::agree::Agreement;
 use super::facing_loops::{Candidate, Facing, FacingSearch};
 use super::request::{Assembly, Joint, LeftLoop, MaxGap, Options, Outcome, Reason, Selector};
 use crate::alloc;
 use crate::boundary::{self, Boundary, boundary_loops};
 use crate::error::{Error, Result};
 use crate::fill::fill_holes;
+use crate::geom::disjoint_sets::{DisjointSets, ParitySets};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
-use crate::mesh::{Defect, Mesh, MeshView, NONE, Sets, concat};
+use crate::mesh::{Defect, Mesh, MeshView, NONE, concat, vertex_components};
 use crate::repair::{orient, weld};
 use crate::stitch::combine::append_strip;
 use crate::stitch::fair_and_check::fair_and_check;
@@ -143,7 +143,11 @@ impl Base {
         if keep {
             return Ok(outcomes);
         }
-        let mut agreement = Agreement::new(self.mesh.positions.len())?;
+        let mut components = alloc::collect(loops.candidates.iter().map(|candidate| candidate.component))?;
+        components.sort_unstable();
+        components.dedup();
+        let place = |component: u32| components.partition_point(|&other| other < component) as u32;
+        let mut agreement = ParitySets::new(components.len())?;
         for (facing, outcome) in found.iter().zip(&mut outcomes) {
             let [i, j] = facing.rims.map(|r| loops.candidates[r].component);
             let [a, b] = loops.sides(facing)?;
@@ -152,20 +156,22 @@ impl Base {
                 Some(_) => arcs_run_the_same_way(&a.points, &b.points)?,
             };
             // Turning is no way out within one component: such loops are taken as they are.
-            if i != j && !agreement.bind(i, j, against) {
+            if i != j && !agreement.union(place(i), place(j), against) {
                 *outcome = Outcome::OrientationConflict;
             }
         }
-        let mut is_turned = |sets: &mut Sets, v: u32| agreement.root(sets.root(v)).1;
+        let mut turned = alloc::copied(&components)?;
+        turned.retain(|&component| agreement.find(place(component)).1);
+        let is_turned = |component: u32| turned.binary_search(&component).is_ok();
         for f in 0..self.mesh.face_count() {
             let [start, end] = [self.mesh.face_offsets[f], self.mesh.face_offsets[f + 1]].map(|at| at as usize);
-            if is_turned(&mut loops.components, self.mesh.face_corners[start]) {
+            if is_turned(loops.components.find(self.mesh.face_corners[start])) {
                 self.mesh.face_corners[start + 1..end].reverse();
                 self.turned[f] ^= true;
             }
         }
         for (rim, candidate) in loops.rims.iter_mut().zip(&loops.candidates) {
-            if agreement.root(candidate.component).1 {
+            if is_turned(candidate.component) {
                 rim.turn();
             }
         }
@@ -174,7 +180,7 @@ impl Base {
             if let Some(arcs) = &mut facing.arcs {
                 for (arc, r) in arcs.iter_mut().zip(facing.rims) {
                     let (n, component) = (loops.rims[r].vertices.len(), loops.candidates[r].component);
-                    if agreement.root(component).1 {
+                    if is_turned(component) {
                         arc.first = (2 * n - arc.first - arc.count) % n;
                     }
                 }
@@ -220,7 +226,7 @@ impl Base {
 struct Loops {
     rims: Vec<Rim>,
     candidates: Vec<Candidate>,
-    components: Sets,
+    components: DisjointSets,
     /// The loops that cannot, with the reason.
     others: Vec<LeftLoop>,
     /// What the rims' points are multiplied by.
@@ -232,7 +238,7 @@ impl Loops {
         let mut loops = Loops {
             rims: Vec::new(),
             candidates: Vec::new(),
-            components: Sets::new(0)?,
+            components: DisjointSets::default(),
             others: Vec::new(),
             unit: 1.0,
         };
@@ -241,7 +247,7 @@ impl Loops {
         }
         let view = mesh.view(&job.part(0.0, 0.3))?;
         let boundary: Boundary = boundary_loops(&view, &boundary::Options::default(), &job.part(0.3, 1.0))?;
-        loops.components = Sets::of_vertices(&view)?;
+        loops.components = vertex_components(&view)?;
         for found in boundary.iter() {
             if is_usable(&found) {
                 alloc::push(&mut loops.rims, Rim::found(&view, &found)?)?;
@@ -253,7 +259,7 @@ impl Loops {
         loops.unit = common_unit(loops.rims.iter().flat_map(|rim| &rim.points));
         for rim in &mut loops.rims {
             rim.points.iter_mut().for_each(|p| *p /= loops.unit);
-            let component = loops.components.root(rim.vertices[0]);
+            let component = loops.components.find(rim.vertices[0]);
             alloc::push(&mut loops.candidates, Candidate::new(rim, component))?;
         }
         Ok(loops)

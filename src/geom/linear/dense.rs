@@ -6,7 +6,7 @@ use glam::DVec3;
 
 /// A square matrix, row by row, and what elimination makes of it.
 #[derive(Default)]
-pub(super) struct Dense {
+pub(crate) struct Dense {
     entries: Vec<f64>,
     /// The row exchanged with each row.
     pivots: Vec<usize>,
@@ -15,7 +15,7 @@ pub(super) struct Dense {
 
 impl Dense {
     /// Zeros in `n` rows.
-    pub(super) fn resize(&mut self, n: usize) -> Result<()> {
+    pub(crate) fn resize(&mut self, n: usize) -> Result<()> {
         self.size = n;
         self.entries.clear();
         self.pivots.clear();
@@ -27,12 +27,12 @@ impl Dense {
     }
 
     /// Row `r`.
-    pub(super) fn row(&mut self, r: usize) -> &mut [f64] {
+    pub(crate) fn row(&mut self, r: usize) -> &mut [f64] {
         &mut self.entries[r * self.size..(r + 1) * self.size]
     }
 
     /// Eliminates with the largest pivot of each column. False if there is none.
-    pub(super) fn factor(&mut self) -> bool {
+    pub(crate) fn factor(&mut self) -> bool {
         let n = self.size;
         for k in 0..n {
             let mut best = k;
@@ -61,7 +61,7 @@ impl Dense {
     }
 
     /// Solves for a right side after [`Dense::factor`].
-    pub(super) fn solve(&self, right: &mut [DVec3]) {
+    pub(crate) fn solve(&self, right: &mut [DVec3]) {
         let n = self.size;
         // The rows were exchanged as wholes.
         for k in 0..n {

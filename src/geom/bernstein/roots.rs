@@ -9,45 +9,95 @@
 //! polynomial, or else one of its first two derivatives, changes its sign, or else the middle. So a root of multiplicity m is
 //! found once; places that come closer to 0 than the noise without reaching it count as double roots.
 
-use super::bernstein::{ROOM, halve, value_and_slope};
+use super::{MAX_COEFFICIENTS, halve, value_and_slope};
 
 /// Roots in ascending order.
 #[derive(Clone, Copy)]
-pub(super) struct Roots {
-    at: [f64; ROOM],
+pub(crate) struct Roots {
+    at: [f64; MAX_COEFFICIENTS],
     len: usize,
     /// The polynomial is 0 everywhere, as far as one can tell; there are no single roots then.
-    pub(super) everywhere: bool,
+    pub(crate) everywhere: bool,
 }
 
 impl Roots {
     /// None.
-    pub(super) fn new() -> Self {
-        Roots { at: [0.0; ROOM], len: 0, everywhere: false }
+    pub(crate) fn new() -> Self {
+        Roots { at: [0.0; MAX_COEFFICIENTS], len: 0, everywhere: false }
     }
 
     /// The roots.
-    pub(super) fn as_slice(&self) -> &[f64] {
+    pub(crate) fn as_slice(&self) -> &[f64] {
         &self.at[..self.len]
     }
 
     fn push(&mut self, t: f64) {
-        if self.len < ROOM {
+        if self.len < MAX_COEFFICIENTS {
             self.at[self.len] = t;
             self.len += 1;
         }
     }
 }
 
+/// Visits a polynomial from `from` to `to`, or where `visit` asks for it, the halves of this interval from left to right, and
+/// so on. O(n^2) for each halving.
+pub(crate) fn bisect<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
+    c: &mut A,
+    [from, to]: [f64; 2],
+    visit: &mut impl FnMut(&A, [f64; 2]) -> bool,
+) {
+    if visit(c, [from, to]) {
+        let mut before = c.clone();
+        halve(c.as_mut(), before.as_mut());
+        let middle = 0.5 * (from + to);
+        bisect(&mut before, [from, middle], visit);
+        bisect(c, [middle, to], visit);
+    }
+}
+
+/// The number of changes of sign among coefficients: by Descartes' rule that of the roots in (0, 1), or an even number more.
+#[inline(always)]
+pub(crate) fn sign_changes(signs: impl Iterator<Item = bool>) -> usize {
+    let mut last = None;
+    signs.filter(|&sign| last.replace(sign).is_some_and(|last| last != sign)).count()
+}
+
+/// Coefficients in memory of their own.
+#[derive(Clone)]
+struct Coefficients {
+    c: [f64; MAX_COEFFICIENTS],
+    len: usize,
+}
+
+impl Coefficients {
+    fn of(given: &[f64]) -> Self {
+        let mut c = [0.0; MAX_COEFFICIENTS];
+        c[..given.len()].copy_from_slice(given);
+        Coefficients { c, len: given.len() }
+    }
+}
+
+impl AsRef<[f64]> for Coefficients {
+    fn as_ref(&self) -> &[f64] {
+        &self.c[..self.len]
+    }
+}
+
+impl AsMut<[f64]> for Coefficients {
+    fn as_mut(&mut self) -> &mut [f64] {
+        &mut self.c[..self.len]
+    }
+}
+
 /// Intervals are not halved beyond this width.
 const NARROW: f64 = 1.0 / (1u64 << 48) as f64;
 
-/// The roots of the polynomial with these coefficients, at least one and at most [`ROOM`]; values up to `noise`, in absolute
+/// The roots of the polynomial with these coefficients, at least one and at most [`MAX_COEFFICIENTS`]; values up to `noise`, in absolute
 /// terms, are taken for 0. O(n^2) for each halving; a simple root takes about log2 of 1 over its distance from the next one,
 /// a root of multiplicity m about log2(1 / noise) / m.
-pub(super) fn roots(c: &[f64], noise: f64) -> Roots {
+pub(crate) fn roots(c: &[f64], noise: f64) -> Roots {
     let mut found = Roots::new();
-    if c.is_empty() || c.len() > ROOM {
+    if c.is_empty() || c.len() > MAX_COEFFICIENTS {
         return found;
     }
     if c.iter().all(|x| x.abs() <= noise) {
@@ -67,10 +117,8 @@ pub(super) fn roots(c: &[f64], noise: f64) -> Roots {
     {
         return found;
     }
-    let mut search = Search { c, noise, clusters: [(0.0, 0.0); ROOM], len: 0 };
-    let mut work = [0.0; ROOM];
-    work[..c.len()].copy_from_slice(c);
-    search.isolate(&mut work[..c.len()], 0.0, 1.0);
+    let mut search = Search { c, noise, clusters: [(0.0, 0.0); MAX_COEFFICIENTS], len: 0 };
+    bisect(&mut Coefficients::of(c), [0.0, 1.0], &mut |part, interval| search.isolate(part.as_ref(), interval));
     for &(low, high) in &search.clusters[..search.len] {
         found.push(search.centre(low, high));
     }
@@ -123,45 +171,36 @@ struct Search<'a> {
     c: &'a [f64],
     noise: f64,
     /// From where to where the polynomial is as good as 0: a point for most roots.
-    clusters: [(f64, f64); ROOM],
+    clusters: [(f64, f64); MAX_COEFFICIENTS],
     len: usize,
 }
 
 impl Search<'_> {
-    /// Finds the roots from `low` to `high`, where the polynomial has the coefficients `c`, from left to right.
-    fn isolate(&mut self, c: &mut [f64], low: f64, high: f64) {
-        let n = c.len() - 1;
+    /// Finds the roots between two ends, where the polynomial has the coefficients `c`, from left to right; true if the
+    /// halves must be searched instead.
+    fn isolate(&mut self, c: &[f64], [low, high]: [f64; 2]) -> bool {
         let noise = self.noise;
         if c.iter().all(|x| x.abs() <= noise) {
             self.add(low, high);
-            return;
+            return false;
         }
-        let (first, last) = (c[0], c[n]);
+        let (first, last) = (c[0], c[c.len() - 1]);
         if first.abs() <= noise {
             self.add(low, low);
         }
-        let mut changes = 0;
-        let mut sign = 0.0;
-        for &x in c.iter().filter(|x| x.abs() > noise) {
-            changes += u32::from(x * sign < 0.0);
-            sign = x.signum();
-        }
+        let changes = sign_changes(c.iter().filter(|x| x.abs() > noise).map(|&x| x < 0.0));
         if changes == 1 && first.abs() > noise && last.abs() > noise {
             let t = low + (high - low) * bracketed(c);
             self.add(t, t);
         } else if changes > 0 && high - low <= NARROW {
             self.add(low, high);
         } else if changes > 0 {
-            let middle = 0.5 * (low + high);
-            let mut right = [0.0; ROOM];
-            halve(c, &mut right[..=n]);
-            self.isolate(c, low, middle);
-            self.isolate(&mut right[..=n], middle, high);
-            return;
+            return true;
         }
         if last.abs() <= noise {
             self.add(high, high);
         }
+        false
     }
 
     /// Adds a root, or an interval of them, after all others; one that the noise does not separate from the last is the same.
@@ -174,7 +213,7 @@ impl Search<'_> {
                 return;
             }
         }
-        if self.len < ROOM {
+        if self.len < MAX_COEFFICIENTS {
             self.clusters[self.len] = (low, high);
             self.len += 1;
         }
@@ -190,7 +229,7 @@ impl Search<'_> {
             return 1.0;
         }
         let (a, b) = ((low - (high - low)).max(0.0), (high + (high - low)).min(1.0));
-        let mut derived = [0.0; ROOM];
+        let mut derived = [0.0; MAX_COEFFICIENTS];
         derived[..self.c.len()].copy_from_slice(self.c);
         let mut n = self.c.len();
         for _ in 0..3 {
@@ -198,7 +237,7 @@ impl Search<'_> {
             let (fa, fb) = (value_and_slope(c, a).0, value_and_slope(c, b).0);
             let largest = c.iter().fold(0.0f64, |m, x| m.max(x.abs()));
             if fa * fb < 0.0 && fa.abs().min(fb.abs()) > 4.0 * self.noise.max(f64::EPSILON * largest) {
-                return closed_in(a, b, fa, |t| value_and_slope(c, t));
+                return bracketed_root(a, b, fa, |t| value_and_slope(c, t));
             }
             if n == 1 {
                 break;
@@ -214,12 +253,12 @@ impl Search<'_> {
 
 /// The one root of a polynomial whose first and last coefficients have different signs, with one change between them.
 fn bracketed(c: &[f64]) -> f64 {
-    closed_in(0.0, 1.0, c[0], |t| value_and_slope(c, t))
+    bracketed_root(0.0, 1.0, c[0], |t| value_and_slope(c, t))
 }
 
 /// The root of a function between `low`, where it has the sign of `at_low`, and `high`, where it has the other: Newton's
 /// method from the middle, or halving where that leaves the bracket or does not halve the step. At most 100 rounds.
-pub(super) fn closed_in(mut low: f64, mut high: f64, at_low: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+pub(crate) fn bracketed_root(mut low: f64, mut high: f64, at_low: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let mut t = 0.5 * (low + high);
     let mut last_step = high - low;
     for _ in 0..100 {
@@ -246,7 +285,7 @@ pub(super) fn closed_in(mut low: f64, mut high: f64, at_low: f64, f: impl Fn(f64
 
 #[cfg(test)]
 mod tests {
-    use super::super::bernstein::add_product;
+    use super::super::add_product;
     use super::*;
     use proptest::prelude::*;
 

@@ -1,12 +1,10 @@
-//! Polynomials in Bernstein form, f(t) = sum C(n, i) t^i (1 - t)^(n - i) c_i: values, products, integrals.
+//! Scalar polynomials in Bernstein form: values in O(n), binomial coefficients, products and integrals (Farouki and Rajan
+//! 1988).
 
-use super::super::curve::MAX_DEGREE;
-
-/// Room for the coefficients of the polynomials that are searched for roots: (C - q) . C' has degree 2 n - 1.
-pub(super) const ROOM: usize = 2 * MAX_DEGREE;
+use super::MAX_DEGREE;
 
 /// f(t) and f'(t). The sum runs from the nearer end by a scheme like Horner's, so that no power overflows its binomial.
-pub(super) fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
+pub(crate) fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
     let n = c.len() - 1;
     let backwards = t > 0.5;
     let (x, s) = if backwards { ((1.0 - t) / t, t) } else { (t / (1.0 - t), 1.0 - t) };
@@ -30,7 +28,7 @@ pub(super) fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
 }
 
 /// C(n, 0), ..., C(n, n), the factors of the Bernstein polynomials. Exact up to 2^53, then rounded.
-pub(super) fn binomials(n: usize) -> impl Iterator<Item = f64> + Clone {
+pub(crate) fn binomials(n: usize) -> impl Iterator<Item = f64> + Clone {
     (0..=n).scan(1.0, move |next, i| {
         let now: f64 = *next;
         *next = now * (n - i) as f64 / (i + 1) as f64;
@@ -39,9 +37,20 @@ pub(super) fn binomials(n: usize) -> impl Iterator<Item = f64> + Clone {
     })
 }
 
+/// C(n, 0), ..., C(n, n), then zeros; for n < M.
+pub(crate) const fn binomial_row<const M: usize>(n: usize) -> [f64; M] {
+    let (mut row, mut k) = ([0.0; M], 0);
+    row[0] = 1.0;
+    while k < n {
+        row[k + 1] = row[k] * (n - k) as f64 / (k + 1) as f64;
+        k += 1;
+    }
+    row
+}
+
 /// Adds the product of two polynomials, times `factor`, to `out`, whose degree is the sum of theirs:
 /// (f g)_k = sum over i + j = k of C(n, i) C(m, j) / C(n + m, k) f_i g_j.
-pub(super) fn add_product(f: &[f64], g: &[f64], factor: f64, out: &mut [f64]) {
+pub(crate) fn add_product(f: &[f64], g: &[f64], factor: f64, out: &mut [f64]) {
     let (n, m) = (f.len() - 1, g.len() - 1);
     let mut weights = [0.0; 4 * MAX_DEGREE + 1];
     for (weight, b) in weights.iter_mut().zip(binomials(n + m)) {
@@ -55,32 +64,21 @@ pub(super) fn add_product(f: &[f64], g: &[f64], factor: f64, out: &mut [f64]) {
 }
 
 /// The integral over 0 to 1: the mean of the coefficients.
-pub(super) fn integral(c: &[f64]) -> f64 {
+pub(crate) fn integral(c: &[f64]) -> f64 {
     c.iter().sum::<f64>() / c.len() as f64
 }
 
 /// The integral over 0 to 1 of a product.
-pub(super) fn integral_of_product(f: &[f64], g: &[f64]) -> f64 {
+pub(crate) fn integral_of_product(f: &[f64], g: &[f64]) -> f64 {
     let mut product = [0.0; 4 * MAX_DEGREE + 1];
     let product = &mut product[..f.len() + g.len() - 1];
     add_product(f, g, 1.0, product);
     integral(product)
 }
 
-/// Splits at the middle by de Casteljau's scheme: `c` keeps the left half, `right` receives the right one.
-pub(super) fn halve(c: &mut [f64], right: &mut [f64]) {
-    let n = c.len() - 1;
-    // Round k leaves the left half's coefficient k in c[k], and the right half's n - k in c[n].
-    for k in 0..=n {
-        right[n - k] = c[n];
-        for i in (k + 1..=n).rev() {
-            c[i] = 0.5 * (c[i - 1] + c[i]);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::{MAX_COEFFICIENTS, halve};
     use super::*;
 
     #[test]
@@ -90,8 +88,8 @@ mod tests {
         assert_eq!(integral(&f), 1.0 / 6.0);
         let mut product = [0.0; 4];
         add_product(&f, &g, 2.0, &mut product);
-        let (mut left, mut right) = (product, [0.0; 4]);
-        halve(&mut left, &mut right);
+        let (mut left, mut right) = ([0.0; 4], product);
+        halve(&mut right, &mut left);
         for k in 0..=8 {
             let t = f64::from(k) / 8.0;
             let (value, slope) = value_and_slope(&product, t);
@@ -101,8 +99,11 @@ mod tests {
             assert!((part.0 - value).abs() < 1e-15);
         }
         assert_eq!(binomials(64).nth(32).map(|b| (b / 1.832_624_140_942_590_5e18 - 1.0).abs() < 1e-14), Some(true));
+        for n in 0..20 {
+            assert!(binomials(n).eq(binomial_row::<20>(n)[..=n].iter().copied()));
+        }
         // All ones stay one in any degree.
-        let ones = [1.0; ROOM];
+        let ones = [1.0; MAX_COEFFICIENTS];
         assert!((value_and_slope(&ones, 0.3).0 - 1.0).abs() < 1e-13);
     }
 }

@@ -13,7 +13,7 @@ const FAINT: f64 = 1e-24;
 /// i + 1; `known(i)`: the right side. `upper`: room for n factors. False if the system is singular.
 ///
 /// Source: Thomas's algorithm.
-pub(super) fn solve(
+pub(crate) fn solve(
     unknowns: &mut [DVec3],
     upper: &mut [f64],
     row: impl Fn(usize) -> [f64; 3],
@@ -41,10 +41,10 @@ pub(super) fn solve(
 }
 
 /// A cyclic system of n >= 3 unknowns, and the room to solve it in: n factors of each kind.
-pub(super) struct Cyclic<'a> {
-    pub(super) unknowns: &'a mut [DVec3],
-    pub(super) upper: &'a mut [f64],
-    pub(super) across: &'a mut [f64],
+pub(crate) struct Cyclic<'a> {
+    pub(crate) unknowns: &'a mut [DVec3],
+    pub(crate) upper: &'a mut [f64],
+    pub(crate) across: &'a mut [f64],
 }
 
 /// One end of a cyclic system while its rows are eliminated towards the middle: the unknown reached last is
@@ -97,7 +97,7 @@ impl Cyclic<'_> {
     ///
     /// As for an open system, but from both ends at once, which keeps a processor busy while it divides; and with the last
     /// unknown carried along in the rows next to it, until it has faded away.
-    pub(super) fn solve(self, row: impl Fn(usize, usize) -> [f64; 3], known: impl Fn(usize) -> DVec3) -> bool {
+    pub(crate) fn solve(self, row: impl Fn(usize, usize) -> [f64; 3], known: impl Fn(usize) -> DVec3) -> bool {
         let Cyclic { unknowns, upper, across } = self;
         let n = unknowns.len();
         let (upper, across) = (&mut upper[..n], &mut across[..n]);
