@@ -1,3 +1,4 @@
 //! The C interface as built.
 
 mod c_abi;
+mod layers;
