@@ -1597,7 +1597,7 @@ typedef struct gusset_outline_options {
      */
     uint32_t lock;
     /**
-     * GUSSET_JOINT_SHARE_..., for composite curves.
+     * GUSSET_JOINT_PARAMETER_..., for composite curves.
      */
     uint32_t joint;
     /**

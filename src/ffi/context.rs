@@ -1,7 +1,8 @@
 //! The context: how a host steers a call and learns what happened.
 
+use super::glue::{lend, versioned};
 use super::guard::guard;
-use super::input::{self, Versioned};
+use super::input;
 use super::status::{Failure, gusset_element, gusset_status};
 use crate::error::Error;
 use crate::job::{Job, Progress};
@@ -67,11 +68,7 @@ pub struct gusset_error_report {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_error_report {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(size_of::<gusset_error_report>() == 40);
+versioned! { gusset_error_report: 40 }
 
 impl gusset_error_report {
     const OK: gusset_error_report = gusset_error_report {
@@ -280,9 +277,5 @@ pub unsafe extern "C" fn gusset_context_get_report(
     context: *const gusset_context,
     report: *mut gusset_error_report,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(report, "report")?;
-        out.write(input::reference(context, "context")?.lock()?.report);
-        Ok(())
-    })
+    lend!(context, report, |context| context.lock()?.report)
 }

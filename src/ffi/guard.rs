@@ -1,7 +1,7 @@
 //! What becomes of a panic, and of a context that is in use.
 
 use super::context::gusset_context;
-use super::input;
+use super::input::{self, Versioned};
 use super::status::{Failure, gusset_status};
 use crate::job::Job;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -20,6 +20,19 @@ pub(crate) fn create<T>(
         // First of all: there must be a place for the result.
         let slot = slot?;
         *slot = Box::into_raw(Box::new(body(job)?));
+        Ok(())
+    })
+}
+
+/// Fills a struct of the caller's from a handle; each pointer with its name. The macro of the same name says the names.
+pub(crate) fn lend<'a, H: 'a, T: Versioned>(
+    handle: (*const H, &'static str),
+    out: (*mut T, &'static str),
+    body: impl FnOnce(&'a H) -> Result<T, Failure>,
+) -> gusset_status {
+    guard(ptr::null(), |_| {
+        let out = input::output_struct(out.0, out.1)?;
+        out.write(body(input::reference(handle.0, handle.1)?)?);
         Ok(())
     })
 }

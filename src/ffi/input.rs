@@ -158,6 +158,28 @@ pub(crate) fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
     }
 }
 
+/// An enum of the core whose variants are constants in C; `c_enum` makes its impl.
+pub(crate) trait Choice: Sized {
+    /// The field or parameter that takes them.
+    const NAME: &'static str;
+
+    /// The variant of a constant.
+    fn of(value: u32) -> Option<Self>;
+
+    /// The constant of a variant.
+    fn number(self) -> u32;
+}
+
+/// One of the constants of an enum.
+pub(crate) fn choice<T: Choice>(value: u32) -> Result<T, Failure> {
+    T::of(value).ok_or_else(|| Failure::unknown(T::NAME, value.into()))
+}
+
+/// What is lent of a list: its first element, or NULL if it is empty.
+pub(crate) fn lent<T>(list: &[T]) -> *const T {
+    if list.is_empty() { std::ptr::null() } else { list.as_ptr() }
+}
+
 /// Fills the caller's buffer of `capacity` numbers with `needed` ones, or only tells their number if there is no buffer.
 pub(crate) fn fill<T: bytemuck::Pod>(
     buffer: *mut T,
@@ -184,10 +206,16 @@ pub(crate) fn fill<T: bytemuck::Pod>(
 /// `repr(C)`, its first field is the size, and all bytes zero are a valid value.
 pub(crate) unsafe trait Versioned: Copy {
     /// The size of the first version that was published.
-    const LEAST_SIZE: usize;
+    const MIN_SIZE: usize;
+
+    /// The field of this name, if the struct has one and is read.
+    fn reserved(&self) -> u32 {
+        0
+    }
 }
 
-/// Reads the struct, as long as the caller's version of it is; fields that it lacks are 0. NULL gives all zeros if `optional`.
+/// Reads the struct, as long as the caller's version of it is; fields that it lacks are 0. NULL gives all zeros if `optional`. Bytes
+/// beyond what this version knows must be 0, and so must `reserved`.
 pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'static str) -> Result<T, Failure> {
     // SAFETY: zeros are valid, by the trait.
     let mut value: T = unsafe { MaybeUninit::zeroed().assume_init() };
@@ -202,6 +230,7 @@ pub(crate) fn read<T: Versioned>(pointer: *const T, optional: bool, name: &'stat
     let tail = bytes(pointer.wrapping_byte_add(known).cast(), size - known, 1, name)?;
     match tail.iter().find(|&&byte| byte != 0) {
         Some(&byte) => Err(Failure::unknown("a field that this version does not know", byte.into())),
+        None if value.reserved() != 0 => Err(Failure::unknown("reserved", value.reserved().into())),
         None => Ok(value),
     }
 }
@@ -233,11 +262,12 @@ impl<T: Versioned> Output<T> {
     }
 }
 
-fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
+/// The size that the caller's struct says it has: the distance to the next one, where several lie in an array.
+pub(crate) fn struct_size<T: Versioned>(pointer: *const T, name: &'static str) -> Result<usize, Failure> {
     aligned(pointer, name)?;
     // SAFETY: aligned and not NULL, and every version begins with the size.
     let size = unsafe { pointer.cast::<usize>().read() };
-    if size < T::LEAST_SIZE || size > 4096 {
+    if size < T::MIN_SIZE || size > 4096 {
         let message = format!("{name}: struct_size is {size}, and this version has {}", size_of::<T>());
         return Err(Failure { value: size as f64, ..Failure::new(GUSSET_ERROR_BAD_STRUCT_SIZE, message) });
     }

@@ -3,6 +3,7 @@
 //! | file | what it owns |
 //! |---|---|
 //! | [`status`] | the status codes, and which one each error of the core becomes |
+//! | `glue` | macros that write impls for structs and enums |
 //! | `guard` | panics, and contexts in use, made statuses |
 //! | `input` | raw pointers to slices, buffers, flags and structs |
 //! | [`context`] | threads, progress, cancel, log, message, report |
@@ -24,10 +25,23 @@
 #![allow(rustdoc::broken_intra_doc_links, reason = "the comments are written for C, where brackets index arrays")]
 #![allow(clippy::missing_safety_doc, reason = "each C function documents its pointers in C's terms")]
 
+/// Names that nearly every file of the border uses.
+mod prelude {
+    pub(crate) use super::context::gusset_context;
+    pub(crate) use super::glue::{c_enum, fixed, lend, versioned};
+    pub(crate) use super::guard::{create, guard};
+    pub(crate) use super::input::{self, Choice, choice, fill, flag, lent};
+    pub(crate) use super::status::{Failure, gusset_status};
+    pub(crate) use crate::alloc;
+    pub(crate) use crate::error::Error;
+    pub(crate) use std::ptr;
+}
+
 pub mod context;
 pub mod curve;
+mod glue;
 mod guard;
-mod input;
+pub(crate) mod input;
 pub mod mesh;
 pub mod net;
 /// cbindgen:ignore

@@ -1,10 +1,7 @@
 //! Curves made of curves, as C sees them.
 
-use crate::ffi::context::gusset_context;
 use crate::ffi::curve::{gusset_curve, gusset_place, view};
-use crate::ffi::guard::create;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::outline::ops::{Offset, OffsetOptions};
 
 /// How an offset is fitted.
@@ -39,23 +36,10 @@ pub struct gusset_offset_report {
     pub tight: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_offset_options {
-    const LEAST_SIZE: usize = 32;
-}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_offset_report {
-    const LEAST_SIZE: usize = 32;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_offset_options>() == 32 && size_of::<gusset_offset_report>() == 32)
-);
+versioned! { gusset_offset_options: 32 reserved, gusset_offset_report: 32 }
 
 impl gusset_offset_options {
     fn checked(self) -> Result<OffsetOptions, Failure> {
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
         let degree = if self.degree == 0 { 3 } else { self.degree as usize };
         let max_segments = if self.max_segments == 0 { 1 << 16 } else { self.max_segments };
         Ok(OffsetOptions { degree, tolerance: self.tolerance, max_segments })

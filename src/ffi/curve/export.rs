@@ -1,14 +1,9 @@
 //! Curves as others write them, as C sees them.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
 use crate::ffi::curve::{gusset_curve, view};
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::status::gusset_status;
+use crate::ffi::prelude::*;
 use glam::DVec3;
 use libc::c_char;
-use std::ptr;
 
 /// A curve in another form. Opaque and immutable; it keeps nothing of the curve.
 #[derive(Default)]
@@ -45,11 +40,7 @@ pub struct gusset_curve_form_view {
     pub degree: usize,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_curve_form_view {
-    const LEAST_SIZE: usize = 72;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_curve_form_view>() == 72);
+versioned! { gusset_curve_form_view: 72 }
 
 /// The data of an SVG path, of M, L, Q, C and Z; numbers read back as the same bits, and y is not turned over. form: receives
 /// the result, for gusset_curve_form_destroy, as for all functions of this group; NULL on failure. Errors: NULL_ARGUMENT,
@@ -117,20 +108,15 @@ pub unsafe extern "C" fn gusset_curve_form_get_view(
     form: *const gusset_curve_form,
     parts: *mut gusset_curve_form_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let form = input::reference(form, "form")?;
-        out.write(gusset_curve_form_view {
-            struct_size: size_of::<gusset_curve_form_view>(),
-            text: if form.text.is_empty() { c"".as_ptr() } else { form.text.as_ptr().cast() },
-            text_length: form.text.len().saturating_sub(1),
-            points: form.points.as_ptr().cast(),
-            point_count: form.points.len(),
-            on_curve: form.on_curve.as_ptr(),
-            knots: form.knots.as_ptr(),
-            knot_count: form.knots.len(),
-            degree: form.degree,
-        });
-        Ok(())
+    lend!(form, parts, |form| gusset_curve_form_view {
+        struct_size: size_of::<gusset_curve_form_view>(),
+        text: if form.text.is_empty() { c"".as_ptr() } else { form.text.as_ptr().cast() },
+        text_length: form.text.len().saturating_sub(1),
+        points: form.points.as_ptr().cast(),
+        point_count: form.points.len(),
+        on_curve: form.on_curve.as_ptr(),
+        knots: form.knots.as_ptr(),
+        knot_count: form.knots.len(),
+        degree: form.degree,
     })
 }

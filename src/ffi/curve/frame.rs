@@ -1,16 +1,12 @@
 //! The frame of outlines as C sees it.
 
-use crate::ffi::context::gusset_context;
 use crate::ffi::curve::outline::{Given, gusset_outline, gusset_outlines};
 use crate::ffi::curve::outline_options::gusset_outline_options;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::{self, gusset_indices};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::outline::Options;
 use crate::outline::frame::{Correspondence, Frame, FrameOptions, Measure, NodeGrid, frame, slice};
 use glam::DVec3;
-use std::ptr;
 
 /// The points of the sections by their places: all sections have equally many.
 pub const GUSSET_CORRESPONDENCE_GIVEN: u32 = 0;
@@ -100,31 +96,12 @@ pub struct gusset_section_report {
     pub centre: [f64; 3],
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_frame_options {
-    const LEAST_SIZE: usize = 128;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_frame_view {
-    const LEAST_SIZE: usize = 88;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_frame_options>() == 128
-            && size_of::<gusset_frame_view>() == 88
-            && size_of::<gusset_section_report>() == 40)
-);
+versioned! { gusset_frame_options: 128 reserved, gusset_frame_view: 88 }
+fixed! { gusset_section_report: 40 }
 
 impl gusset_frame_options {
     fn checked<'a>(&self, landmarks: &'a [u32]) -> Result<FrameOptions<'a>, Failure> {
-        let ring = match self.ring {
-            0 => false,
-            1 => true,
-            other => return Err(Failure::unknown("ring", other.into())),
-        };
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
+        let ring = flag(self.ring, "ring")?;
         let columns = self.columns as usize;
         let correspondence = match self.correspondence {
             GUSSET_CORRESPONDENCE_GIVEN => Correspondence::Given,
@@ -186,10 +163,9 @@ pub unsafe extern "C" fn gusset_frame_get_view(
     frame: *const gusset_frame,
     parts: *mut gusset_frame_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let grid = &input::reference(frame, "frame")?.grid;
-        out.write(gusset_frame_view {
+    lend!(frame, parts, |frame| {
+        let grid = &frame.grid;
+        gusset_frame_view {
             struct_size: size_of::<gusset_frame_view>(),
             rows: grid.rows,
             columns: grid.columns,
@@ -200,8 +176,7 @@ pub unsafe extern "C" fn gusset_frame_get_view(
             ambiguous: gusset_indices::lend(&grid.ambiguous),
             max_gap: grid.max_gap,
             min_sine: grid.min_sine,
-        });
-        Ok(())
+        }
     })
 }
 

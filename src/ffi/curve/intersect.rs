@@ -1,17 +1,11 @@
 //! Places found on curves, however many there are, as C sees them.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
 use crate::ffi::curve::{gusset_curve, gusset_place, points, view};
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::gusset_indices;
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::outline::ops::{Approaches, Crossings, Meetings, Samples};
 use crate::outline::{CurveView, Place};
 use glam::DVec3;
-use std::ptr;
 
 /// Crossings, intersections or samples. Opaque and immutable; it keeps nothing of the curves.
 #[derive(Default)]
@@ -51,11 +45,7 @@ pub struct gusset_places_view {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_places_view {
-    const LEAST_SIZE: usize = 80;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_places_view>() == 80);
+versioned! { gusset_places_view: 80 }
 
 /// gusset_curve_sample_create: as many points as amount says, at equal arc lengths.
 pub const GUSSET_SAMPLE_COUNT: u32 = 0;
@@ -207,21 +197,16 @@ pub unsafe extern "C" fn gusset_places_get_view(
     places: *const gusset_places,
     view: *mut gusset_places_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        let found = input::reference(places, "places")?;
-        out.write(gusset_places_view {
-            struct_size: size_of::<gusset_places_view>(),
-            places: found.places.as_ptr(),
-            count: found.places.len(),
-            points: found.points.as_ptr().cast(),
-            others: if found.others.is_empty() { ptr::null() } else { found.others.as_ptr() },
-            overlaps: found.overlaps.as_ptr(),
-            overlap_count: found.overlaps.len() / 4,
-            inside: gusset_indices::lend(&found.inside),
-            undecided: found.undecided.into(),
-            reserved: 0,
-        });
-        Ok(())
+    lend!(places, view, |found| gusset_places_view {
+        struct_size: size_of::<gusset_places_view>(),
+        places: found.places.as_ptr(),
+        count: found.places.len(),
+        points: found.points.as_ptr().cast(),
+        others: lent(&found.others),
+        overlaps: found.overlaps.as_ptr(),
+        overlap_count: found.overlaps.len() / 4,
+        inside: gusset_indices::lend(&found.inside),
+        undecided: found.undecided.into(),
+        reserved: 0,
     })
 }

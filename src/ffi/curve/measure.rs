@@ -1,16 +1,12 @@
 //! What is asked of a curve and answered with as many numbers as were asked for, as C sees it.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
 use crate::ffi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
-use crate::ffi::guard::guard;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::status::gusset_status;
+use crate::ffi::prelude::*;
 use libc::c_void;
 
 /// The nearest point of a curve.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_curve_nearest_point {
     /// Where on the curve.
     pub place: gusset_place,
@@ -35,18 +31,8 @@ pub struct gusset_curve_moment_report {
     pub second: [f64; 3],
 }
 
-// SAFETY: plain numbers without gaps.
-unsafe impl bytemuck::Zeroable for gusset_curve_nearest_point {}
-// SAFETY: as above; any bits will do.
-unsafe impl bytemuck::Pod for gusset_curve_nearest_point {}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_curve_moment_report {
-    const LEAST_SIZE: usize = 56;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_curve_nearest_point>() == 48 && size_of::<gusset_curve_moment_report>() == 56)
-);
+versioned! { gusset_curve_moment_report: 56 }
+fixed! { gusset_curve_nearest_point: 48 }
 
 /// Points and derivatives at many places. places: count of them, at least 0. order: 0 for the points alone, at most 64.
 /// out: receives 3 (order + 1) count numbers: for each place x, y, z of the point, then of the first derivative by t,

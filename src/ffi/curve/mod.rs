@@ -8,24 +8,18 @@ pub mod measure;
 pub mod outline;
 pub mod outline_options;
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::gusset_indices;
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::outline::{Curve, CurveView, Place, Points};
 use glam::DVec3;
 use libc::c_void;
-use std::ptr;
 
 /// A curve of Bézier segments. Opaque and immutable; it owns its control points, and may be used from many threads.
 pub struct gusset_curve(pub(crate) Curve);
 
 /// A place on a curve.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_place {
     /// Counted from 0.
     pub segment: u32,
@@ -54,16 +48,8 @@ pub struct gusset_curve_view {
     pub reserved: u32,
 }
 
-// SAFETY: plain numbers without gaps.
-unsafe impl bytemuck::Zeroable for gusset_place {}
-// SAFETY: as above; any bits will do.
-unsafe impl bytemuck::Pod for gusset_place {}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_curve_view {
-    const LEAST_SIZE: usize = 48;
-}
-const _: () =
-    assert!(size_of::<usize>() != 8 || (size_of::<gusset_place>() == 16 && size_of::<gusset_curve_view>() == 48));
+versioned! { gusset_curve_view: 48 }
+fixed! { gusset_place: 16 }
 // Points are lent as x, y, z.
 const _: () = assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == align_of::<f64>());
 

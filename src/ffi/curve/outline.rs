@@ -1,18 +1,12 @@
 //! Outlines as C sees them: what goes in, and the curves that come out.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
 use crate::ffi::curve::gusset_curve;
 use crate::ffi::curve::outline_options::{gusset_outline_options, method};
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::gusset_indices;
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::outline::{Constraint, Demand, Fit, MAX_POINTS, Outlines, Points, Sections, fit, sections};
 use glam::DVec3;
 use libc::c_void;
-use std::ptr;
 
 /// The curve passes the point in the direction of the tangent, of any length but 0.
 pub const GUSSET_CONSTRAINT_TANGENT: u32 = 0;
@@ -138,30 +132,13 @@ pub struct gusset_sections_view {
     pub statuses: *const u8,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_outlines {
-    const LEAST_SIZE: usize = 72;
+versioned! {
+    gusset_outlines: 72,
+    gusset_outline_view: 96,
+    gusset_outline_report: 64,
+    gusset_sections_view: 40,
 }
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_outline_view {
-    const LEAST_SIZE: usize = 96;
-}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_outline_report {
-    const LEAST_SIZE: usize = 64;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_sections_view {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_outlines>() == 72
-            && size_of::<gusset_outline_view>() == 96
-            && size_of::<gusset_outline_report>() == 64
-            && size_of::<gusset_sections_view>() == 40
-            && size_of::<gusset_constraint>() == 32)
-);
+fixed! { gusset_constraint: 32 }
 
 /// The caller's outlines: the points where they are, the rest copied.
 pub(crate) struct Given<'a> {
@@ -174,11 +151,7 @@ pub(crate) struct Given<'a> {
 impl Given<'_> {
     pub(crate) fn read(outlines: *const gusset_outlines) -> Result<Self, Failure> {
         let given = input::read(outlines, false, "outlines")?;
-        let closed = match given.closed {
-            0 => false,
-            1 => true,
-            other => return Err(Failure::unknown("closed", other.into())),
-        };
+        let closed = flag(given.closed, "closed")?;
         let dimension = given.dimension as usize;
         let size = Points::bytes_needed(given.point_stride, given.point_count, dimension)?;
         let points = input::bytes(given.points, size, 1, "points")?;
@@ -261,10 +234,9 @@ pub unsafe extern "C" fn gusset_outline_get_view(
     outline: *const gusset_outline,
     parts: *mut gusset_outline_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let done = &input::reference(outline, "outline")?.0;
-        out.write(gusset_outline_view {
+    lend!(outline, parts, |outline| {
+        let done = &outline.0;
+        gusset_outline_view {
             struct_size: size_of::<gusset_outline_view>(),
             outline_count: done.len(),
             point_count: done.parameters().len(),
@@ -275,8 +247,7 @@ pub unsafe extern "C" fn gusset_outline_get_view(
             segments: gusset_indices::lend(done.segments()),
             parameters: done.parameters().as_ptr(),
             statuses: done.statuses().as_ptr().cast(),
-        });
-        Ok(())
+        }
     })
 }
 
@@ -289,11 +260,10 @@ pub unsafe extern "C" fn gusset_outline_get_report(
     index: usize,
     report: *mut gusset_outline_report,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(report, "report")?;
-        let done = &input::reference(outline, "outline")?.0;
+    lend!(outline, report, |outline| {
+        let done = &outline.0;
         let report = done.reports().get(index).ok_or_else(|| Failure::no_such("outline", index))?;
-        out.write(gusset_outline_report {
+        gusset_outline_report {
             struct_size: size_of::<gusset_outline_report>(),
             fit: report.status as u32,
             iterations: report.iterations,
@@ -304,8 +274,7 @@ pub unsafe extern "C" fn gusset_outline_get_report(
             last_move: report.last_move,
             not_ok: report.not_ok,
             reserved: 0,
-        });
-        Ok(())
+        }
     })
 }
 
@@ -367,16 +336,14 @@ pub unsafe extern "C" fn gusset_sections_get_view(
     sections: *const gusset_sections,
     parts: *mut gusset_sections_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let found = &input::reference(sections, "sections")?.0;
-        out.write(gusset_sections_view {
+    lend!(sections, parts, |sections| {
+        let found = &sections.0;
+        gusset_sections_view {
             struct_size: size_of::<gusset_sections_view>(),
             count: found.controls.len(),
             controls: found.controls.as_ptr().cast(),
             parameters: found.parameters.as_ptr(),
             statuses: found.statuses.as_ptr().cast(),
-        });
-        Ok(())
+        }
     })
 }

@@ -1,7 +1,6 @@
 //! How outlines are identified, and what is said of them, as C sees it.
 
-use crate::ffi::input::Versioned;
-use crate::ffi::status::Failure;
+use crate::ffi::prelude::*;
 use crate::outline::{Ends, Joint, Lock, Method, Mode, Options, Solver};
 
 /// Quadratic segments, one control point for each point; smooth (G1) everywhere.
@@ -123,7 +122,7 @@ pub struct gusset_outline_options {
     pub method: u32,
     /// GUSSET_LOCK_..., for composite and single curves.
     pub lock: u32,
-    /// GUSSET_JOINT_SHARE_..., for composite curves.
+    /// GUSSET_JOINT_PARAMETER_..., for composite curves.
     pub joint: u32,
     /// GUSSET_SOLVER_...
     pub solver: u32,
@@ -153,11 +152,7 @@ pub struct gusset_outline_options {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_outline_options {
-    const LEAST_SIZE: usize = 104;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_outline_options>() == 104);
+versioned! { gusset_outline_options: 104 reserved }
 
 /// The method of the options.
 pub(crate) fn method(options: &gusset_outline_options) -> Result<Method, Failure> {
@@ -171,30 +166,38 @@ pub(crate) fn method(options: &gusset_outline_options) -> Result<Method, Failure
     }
 }
 
-/// One of the choices, in the order of their numbers.
-fn choice<T: Copy>(value: u32, choices: &[T], name: &'static str) -> Result<T, Failure> {
-    choices.get(value as usize).copied().ok_or_else(|| Failure::unknown(name, value.into()))
+c_enum! {
+    curve: Mode {
+        GUSSET_CURVE_COMPOSITE => Composite,
+        GUSSET_CURVE_SINGLE => Single,
+        GUSSET_CURVE_BLEND_C1 => BlendC1,
+        GUSSET_CURVE_BLEND_C2 => BlendC2,
+        GUSSET_CURVE_CUBIC_C2 => CubicC2,
+    }
+    lock: Lock { GUSSET_LOCK_PARAMETER => Parameter, GUSSET_LOCK_SELF_CONSISTENT => SelfConsistent, GUSSET_LOCK_DATA_GUIDE => DataGuide }
+    joint: Joint { GUSSET_JOINT_PARAMETER_HALF => Half, GUSSET_JOINT_PARAMETER_KNOT => Knot, GUSSET_JOINT_PARAMETER_G2 => G2 }
+    solver: Solver { GUSSET_SOLVER_FAST => Fast, GUSSET_SOLVER_STEP => Step }
+    ends: Ends { GUSSET_ENDS_FREE => Free, GUSSET_ENDS_PERPENDICULAR => Perpendicular }
 }
 
 impl gusset_outline_options {
     pub(crate) fn checked(self) -> Result<Options, Failure> {
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
         let plain = Options::default();
         let or = |value: f64, default: f64| if value == 0.0 { default } else { value };
         let or_count = |value: u32, default: u32| if value == 0 { default } else { value };
-        let modes = [Mode::Composite, Mode::Single, Mode::BlendC1, Mode::BlendC2, Mode::CubicC2];
-        let locks = [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide];
         Ok(Options {
-            mode: choice(self.curve, &modes, "curve")?,
+            mode: choice(self.curve)?,
             method: method(&self)?,
-            lock: choice(self.lock, &locks, "lock")?,
-            joint: choice(self.joint, &[Joint::Half, Joint::Knot, Joint::G2], "joint")?,
-            solver: choice(self.solver, &[Solver::Fast, Solver::Step], "solver")?,
-            ends: choice(self.ends, &[Ends::Free, Ends::Perpendicular], "ends")?,
+            lock: choice(self.lock)?,
+            joint: choice(self.joint)?,
+            solver: choice(self.solver)?,
+            ends: choice(self.ends)?,
             parameter_limit: or(self.parameter_limit, plain.parameter_limit),
-            repeat_tolerance: choice(self.repeats, &[plain.repeat_tolerance, self.repeat_tolerance], "repeats")?,
+            repeat_tolerance: if flag(self.repeats, "repeats")? {
+                self.repeat_tolerance
+            } else {
+                plain.repeat_tolerance
+            },
             corner_angle: or(self.corner_angle, plain.corner_angle),
             tolerance: or(self.tolerance, plain.tolerance),
             max_sweeps: or_count(self.max_sweeps, plain.max_sweeps),

@@ -1,19 +1,13 @@
 //! Assembly of many pieces as C sees it.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::fill::{gusset_fill_options, gusset_hole};
 use crate::ffi::mesh::stitch_options::{GUSSET_ORIENTATION_FIX, GUSSET_ORIENTATION_KEEP, gusset_stitch_options};
 use crate::ffi::mesh::weld::gusset_weld_options;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::mesh::MAX_ELEMENTS;
 use crate::repair::weld;
 use crate::stitch::assemble::{Assembly, Joint, MaxGap, Options, Outcome, Reason, Selector, assemble};
-use std::ptr;
 
 /// Coincident borders are sewn, by default where positions are equal; see gusset_weld_options.
 pub const GUSSET_ASSEMBLY_WELD: u32 = 0;
@@ -195,26 +189,8 @@ pub struct gusset_assembly {
     turned: Vec<u32>,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_assembly_options {
-    const LEAST_SIZE: usize = 96;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_assembly_view {
-    const LEAST_SIZE: usize = 136;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_assembly_options>() == 96
-            && size_of::<gusset_assembly_view>() == 136
-            && size_of::<gusset_joint>() == 104
-            && size_of::<gusset_left_loop>() == 24
-            && size_of::<gusset_loop_pair>() == 16)
-);
-
-fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
-    if value > 1 { Err(Failure::unknown(name, value.into())) } else { Ok(value == 1) }
-}
+versioned! { gusset_assembly_options: 96, gusset_assembly_view: 136 }
+fixed! { gusset_joint: 104, gusset_left_loop: 24, gusset_loop_pair: 16 }
 
 /// The caller's pairs.
 fn pairs(data: *const gusset_loop_pair, count: usize, name: &'static str) -> Result<Vec<[Selector; 2]>, Failure> {
@@ -227,6 +203,21 @@ fn pairs(data: *const gusset_loop_pair, count: usize, name: &'static str) -> Res
         [Selector { piece: p, vertex: v }, Selector { piece: q, vertex: w }]
     };
     Ok(alloc::collect(bytes.chunks_exact(size_of::<gusset_loop_pair>()).map(pair))?)
+}
+
+c_enum! {
+    outcome: Outcome {
+        GUSSET_JOINT_JOINED => Joined,
+        GUSSET_JOINT_ORIENTATION_CONFLICT => OrientationConflict,
+        GUSSET_JOINT_SHARE_VERTEX => ShareVertex,
+        GUSSET_JOINT_NO_STRIP => NoStrip,
+    }
+    reason: Reason {
+        GUSSET_LEFT_FACES_NOTHING => FacesNothing,
+        GUSSET_LEFT_NOT_SIMPLE => NotSimple,
+        GUSSET_LEFT_TOO_SHORT => TooShort,
+        GUSSET_LEFT_NOT_JOINED => NotJoined,
+    }
 }
 
 impl gusset_assembly_options {
@@ -273,12 +264,7 @@ impl gusset_joint {
             face_count: joint.faces.len(),
             intersections: gusset_indices::lend(joint.intersections.as_deref().unwrap_or_default().as_flattened()),
             intersections_known: joint.intersections.is_some().into(),
-            outcome: match joint.outcome {
-                Outcome::Joined => GUSSET_JOINT_JOINED,
-                Outcome::OrientationConflict => GUSSET_JOINT_ORIENTATION_CONFLICT,
-                Outcome::ShareVertex => GUSSET_JOINT_SHARE_VERTEX,
-                Outcome::NoStrip => GUSSET_JOINT_NO_STRIP,
-            },
+            outcome: joint.outcome.number(),
             whole: joint.whole.into(),
             reserved: 0,
         }
@@ -288,19 +274,13 @@ impl gusset_joint {
 impl gusset_assembly {
     fn new(done: Assembly) -> Result<Self, Error> {
         let (vertices, faces) = (gusset_indices::lend, gusset_indices::lend);
-        let reason = |reason| match reason {
-            Reason::FacesNothing => GUSSET_LEFT_FACES_NOTHING,
-            Reason::NotSimple => GUSSET_LEFT_NOT_SIMPLE,
-            Reason::TooShort => GUSSET_LEFT_TOO_SHORT,
-            Reason::NotJoined => GUSSET_LEFT_NOT_JOINED,
-        };
         let map = |map: &crate::stitch::IndexMap| gusset_piece_map {
             vertices: vertices(&map.vertices),
             faces: faces(&map.faces),
         };
         let left = |left: &crate::stitch::assemble::LeftLoop| gusset_left_loop {
             vertices: vertices(&left.vertices),
-            reason: reason(left.reason),
+            reason: left.reason.number(),
             reserved: 0,
         };
         let mut turned = alloc::with_capacity(done.turned.iter().filter(|&&turned| turned).count())?;
@@ -315,10 +295,6 @@ impl gusset_assembly {
             done,
         })
     }
-}
-
-fn lent<T>(list: &[T]) -> *const T {
-    if list.is_empty() { ptr::null() } else { list.as_ptr() }
 }
 
 /// Assembles open pieces into one mesh: coincident borders are sewn, components oriented alike, loops that face each other
@@ -375,11 +351,7 @@ pub unsafe extern "C" fn gusset_assembly_get_mesh(
     assembly: *const gusset_assembly,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        out.write(mesh::lend(&input::reference(assembly, "assembly")?.done.mesh));
-        Ok(())
-    })
+    lend!(assembly, view, |assembly| mesh::lend(&assembly.done.mesh))
 }
 
 /// Lends the account. Errors and validity as for gusset_assembly_get_mesh.
@@ -389,27 +361,22 @@ pub unsafe extern "C" fn gusset_assembly_get_view(
     assembly: *const gusset_assembly,
     parts: *mut gusset_assembly_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let all = input::reference(assembly, "assembly")?;
-        out.write(gusset_assembly_view {
-            struct_size: size_of::<gusset_assembly_view>(),
-            pieces: lent(&all.pieces),
-            piece_count: all.pieces.len(),
-            joints: lent(&all.joints),
-            joint_count: all.joints.len(),
-            left: lent(&all.left),
-            left_count: all.left.len(),
-            holes: lent(&all.holes),
-            hole_count: all.holes.len(),
-            hole_rims: gusset_indices::lend(&all.done.hole_rims),
-            turned: gusset_indices::lend(&all.turned),
-            one_sided: gusset_indices::lend(&all.done.one_sided),
-            welded_vertices: all.done.welded_vertices,
-            sewn_edges: all.done.sewn_edges,
-            loops_left: all.done.loops_left,
-            non_manifold_edges: all.done.non_manifold_edges,
-        });
-        Ok(())
+    lend!(assembly, parts, |all| gusset_assembly_view {
+        struct_size: size_of::<gusset_assembly_view>(),
+        pieces: lent(&all.pieces),
+        piece_count: all.pieces.len(),
+        joints: lent(&all.joints),
+        joint_count: all.joints.len(),
+        left: lent(&all.left),
+        left_count: all.left.len(),
+        holes: lent(&all.holes),
+        hole_count: all.holes.len(),
+        hole_rims: gusset_indices::lend(&all.done.hole_rims),
+        turned: gusset_indices::lend(&all.turned),
+        one_sided: gusset_indices::lend(&all.done.one_sided),
+        welded_vertices: all.done.welded_vertices,
+        sewn_edges: all.done.sewn_edges,
+        loops_left: all.done.loops_left,
+        non_manifold_edges: all.done.non_manifold_edges,
     })
 }

@@ -1,14 +1,9 @@
 //! Boundary loops as C sees them.
 
-use crate::alloc;
 use crate::boundary::{self, Boundary, EdgeFlags, LoopFlags, NonManifold, Survey, boundary_loops};
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::mesh::{Defect, NONE};
-use std::ptr;
 
 /// At an edge with three or more faces each face has a border of its own; loops run along it and are always closed.
 pub const GUSSET_NON_MANIFOLD_CUT: u32 = 0;
@@ -120,34 +115,17 @@ pub struct gusset_defect {
     pub count: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_boundary_options {
-    const LEAST_SIZE: usize = 16;
+versioned! { gusset_boundary_options: 16, gusset_loop_view: 80 }
+fixed! { gusset_defect: 16 }
+
+c_enum! {
+    non_manifold: NonManifold { GUSSET_NON_MANIFOLD_CUT => Cut, GUSSET_NON_MANIFOLD_STOP => Stop }
+    survey: Survey { GUSSET_SURVEY_WHOLE_MESH => WholeMesh, GUSSET_SURVEY_BOUNDARY_ONLY => BoundaryOnly }
 }
-// SAFETY: as above.
-unsafe impl Versioned for gusset_loop_view {
-    const LEAST_SIZE: usize = 80;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_boundary_options>() == 16
-            && size_of::<gusset_loop_view>() == 80
-            && size_of::<gusset_defect>() == 16)
-);
 
 impl gusset_boundary_options {
     fn checked(self) -> Result<boundary::Options, Failure> {
-        let non_manifold = match self.non_manifold {
-            GUSSET_NON_MANIFOLD_CUT => NonManifold::Cut,
-            GUSSET_NON_MANIFOLD_STOP => NonManifold::Stop,
-            other => return Err(Failure::unknown("non_manifold", other.into())),
-        };
-        let survey = match self.survey {
-            GUSSET_SURVEY_WHOLE_MESH => Survey::WholeMesh,
-            GUSSET_SURVEY_BOUNDARY_ONLY => Survey::BoundaryOnly,
-            other => return Err(Failure::unknown("survey", other.into())),
-        };
-        Ok(boundary::Options { non_manifold, survey })
+        Ok(boundary::Options { non_manifold: choice(self.non_manifold)?, survey: choice(self.survey)? })
     }
 }
 
@@ -221,11 +199,10 @@ pub unsafe extern "C" fn gusset_boundary_get_loop(
     index: usize,
     view: *mut gusset_loop_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        let boundary = &input::reference(boundary, "boundary")?.boundary;
+    lend!(boundary, view, |boundary| {
+        let boundary = &boundary.boundary;
         let found = boundary.get(index).ok_or(Failure::no_such("loop", index))?;
-        out.write(gusset_loop_view {
+        gusset_loop_view {
             struct_size: size_of::<gusset_loop_view>(),
             vertices: gusset_indices::lend(found.vertices),
             half_edges: gusset_indices::lend(found.half_edges),
@@ -234,8 +211,7 @@ pub unsafe extern "C" fn gusset_boundary_get_loop(
             length: found.length,
             flags: found.flags.0,
             walk: found.walk,
-        });
-        Ok(())
+        }
     })
 }
 

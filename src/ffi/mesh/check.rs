@@ -1,12 +1,8 @@
 //! The check as C sees it.
 
 use crate::check::{Check, check};
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::ffi::status::gusset_status;
-use std::ptr;
+use crate::ffi::prelude::*;
 
 /// Every edge has exactly two faces.
 pub const GUSSET_MESH_CLOSED: u32 = 1;
@@ -64,11 +60,7 @@ pub struct gusset_check_view {
     pub unused_vertices: gusset_indices,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_check_view {
-    const LEAST_SIZE: usize = 192;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_check_view>() == 192);
+versioned! { gusset_check_view: 192 }
 
 /// Checks a mesh. What it finds is no error.
 ///
@@ -101,11 +93,10 @@ pub unsafe extern "C" fn gusset_check_get_view(
     check: *const gusset_check,
     report: *mut gusset_check_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(report, "report")?;
-        let c = &input::reference(check, "check")?.0;
+    lend!(check, report, |check| {
+        let c = &check.0;
         let bit = |set, bit| if set { bit } else { 0 };
-        out.write(gusset_check_view {
+        gusset_check_view {
             struct_size: size_of::<gusset_check_view>(),
             vertex_count: c.vertices,
             edge_count: c.edges,
@@ -127,7 +118,6 @@ pub unsafe extern "C" fn gusset_check_get_view(
             degenerate_faces: gusset_indices::lend(&c.degenerate_faces),
             zero_area_faces: gusset_indices::lend(&c.zero_area_faces),
             unused_vertices: gusset_indices::lend(&c.unused_vertices),
-        });
-        Ok(())
+        }
     })
 }

@@ -1,20 +1,15 @@
 //! The steps of stitching that can be called by themselves: facing arcs, and the rule for meridians.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::gusset_indices;
-use crate::ffi::mesh::stitch_options::{GUSSET_RUN_CLOSEST, GUSSET_RUN_LONGEST, centres, tolerance};
+use crate::ffi::mesh::stitch_options::tolerance;
+use crate::ffi::prelude::*;
+use crate::ffi::status::GUSSET_ELEMENT_COUNT;
 use crate::ffi::status::gusset_status::{self, GUSSET_ERROR_BUFFER_TOO_SMALL};
-use crate::ffi::status::{Failure, GUSSET_ELEMENT_COUNT};
 use crate::mesh::MAX_ELEMENTS;
-use crate::stitch::facing::{Arc, Facing, Options, Run, facing};
+use crate::stitch::facing::{Arc, Facing, Options, facing};
 use crate::stitch::meridian::index_rule::index_rule;
 use glam::DVec3;
 use libc::c_void;
-use std::ptr;
 
 /// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
 pub struct gusset_facing {
@@ -59,30 +54,12 @@ pub struct gusset_facing_view {
     pub taken: [[u32; 2]; 2],
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_facing_options {
-    const LEAST_SIZE: usize = 24;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_facing_view {
-    const LEAST_SIZE: usize = 168;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_facing_options>() == 32 && size_of::<gusset_facing_view>() == 168)
-);
+versioned! { gusset_facing_options: 24 reserved, gusset_facing_view: 168 }
 
 impl gusset_facing_options {
     fn checked(self) -> Result<Options, Failure> {
-        let run = match self.run {
-            GUSSET_RUN_CLOSEST => Run::Closest,
-            GUSSET_RUN_LONGEST => Run::Longest,
-            other => return Err(Failure::unknown("run", other.into())),
-        };
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
         let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
-        Ok(Options { run, tolerance, centres: centres(self.centres)? })
+        Ok(Options { run: choice(self.run)?, tolerance, centres: choice(self.centres)? })
     }
 }
 
@@ -142,18 +119,13 @@ pub unsafe extern "C" fn gusset_facing_get_view(
     facing: *const gusset_facing,
     view: *mut gusset_facing_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        let gusset_facing { found, runs } = input::reference(facing, "facing")?;
-        out.write(gusset_facing_view {
-            struct_size: size_of::<gusset_facing_view>(),
-            centre: found.planes.centres.map(|c| c.to_array()),
-            normal: found.planes.normals.map(|n| n.to_array()),
-            distances: found.distances.each_ref().map(Vec::as_ptr),
-            runs: runs.each_ref().map(|list| gusset_indices::lend(list)),
-            taken: found.taken.map(|arc| [arc.first as u32, arc.count as u32]),
-        });
-        Ok(())
+    lend!(facing, view, |gusset_facing { found, runs }| gusset_facing_view {
+        struct_size: size_of::<gusset_facing_view>(),
+        centre: found.planes.centres.map(|c| c.to_array()),
+        normal: found.planes.normals.map(|n| n.to_array()),
+        distances: found.distances.each_ref().map(Vec::as_ptr),
+        runs: runs.each_ref().map(|list| gusset_indices::lend(list)),
+        taken: found.taken.map(|arc| [arc.first as u32, arc.count as u32]),
     })
 }
 

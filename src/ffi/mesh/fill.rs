@@ -1,17 +1,11 @@
 //! Hole filling as C sees it.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::stitch::gusset_quality_report;
 use crate::ffi::mesh::stitch_options::{GUSSET_FAIRING_NONE, GUSSET_FAIRING_THIN_PLATE};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::fill::{Fairing, Filled, Hole, HoleStatus, Limits, Options, Refinement, Weight, fill_holes};
 use crate::mesh::MAX_ELEMENTS;
-use std::ptr;
 
 /// The least sum of areas and, for each edge, the rim's included, squared length times 1 - cosine of the angle between its
 /// faces. By area alone if the rim is planar.
@@ -113,48 +107,48 @@ pub struct gusset_fill_view {
     pub rims: gusset_indices,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_fill_options {
-    const LEAST_SIZE: usize = 48;
+versioned! { gusset_fill_options: 48, gusset_fill_view: 40 }
+fixed! { gusset_hole: 56 }
+
+c_enum! {
+    weight: Weight {
+        GUSSET_WEIGHT_AREA_AND_BEND => AreaAndBend,
+        GUSSET_WEIGHT_BEND_THEN_AREA => BendThenArea,
+        GUSSET_WEIGHT_AREA => Area,
+    }
+    fairing: Fairing { GUSSET_FAIRING_NONE => None, GUSSET_FAIRING_THIN_PLATE => ThinPlate }
+    status: HoleStatus {
+        GUSSET_HOLE_FILLED => Filled,
+        GUSSET_HOLE_LONGEST => Longest,
+        GUSSET_HOLE_TOO_LARGE => TooLarge,
+        GUSSET_HOLE_OPEN => Open,
+        GUSSET_HOLE_NON_MANIFOLD => NonManifold,
+        GUSSET_HOLE_NOT_ORIENTED => NotOriented,
+        GUSSET_HOLE_NOT_SIMPLE => NotSimple,
+        GUSSET_HOLE_NOT_FREE => NotFree,
+        GUSSET_HOLE_NO_TRIANGULATION => NoTriangulation,
+    }
 }
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_fill_view {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_fill_options>() == 48
-            && size_of::<gusset_fill_view>() == 40
-            && size_of::<gusset_hole>() == 56)
-);
 
 impl gusset_fill_options {
     pub(crate) fn checked(self) -> Result<Options, Failure> {
-        let weight = match self.weight {
-            GUSSET_WEIGHT_AREA_AND_BEND => Weight::AreaAndBend,
-            GUSSET_WEIGHT_BEND_THEN_AREA => Weight::BendThenArea,
-            GUSSET_WEIGHT_AREA => Weight::Area,
-            other => return Err(Failure::unknown("weight", other.into())),
-        };
         let refinement = match self.refine {
             GUSSET_REFINE_NONE => Refinement::None,
             GUSSET_REFINE_RIM_DENSITY => Refinement::RimDensity(self.max_new_vertices),
             other => return Err(Failure::unknown("refine", other.into())),
         };
-        let fairing = match self.fairing {
-            GUSSET_FAIRING_NONE => Fairing::None,
-            GUSSET_FAIRING_THIN_PLATE => Fairing::ThinPlate,
-            other => return Err(Failure::unknown("fairing", other.into())),
-        };
-        if self.keep_longest > 1 {
-            return Err(Failure::unknown("keep_longest", self.keep_longest.into()));
-        }
         let limits = Limits {
             edges: (self.max_edges != 0).then_some(self.max_edges),
             length: (self.max_length != 0.0).then_some(self.max_length),
             diameter: (self.max_diameter != 0.0).then_some(self.max_diameter),
         };
-        Ok(Options { weight, refinement, fairing, limits, keep_longest: self.keep_longest == 1 })
+        Ok(Options {
+            weight: choice(self.weight)?,
+            refinement,
+            fairing: choice(self.fairing)?,
+            limits,
+            keep_longest: flag(self.keep_longest, "keep_longest")?,
+        })
     }
 }
 
@@ -167,23 +161,9 @@ impl gusset_hole {
             face_count: hole.faces.len(),
             vertex_first: hole.vertices.start as usize,
             vertex_count: hole.vertices.len(),
-            status: status_number(hole.status),
+            status: hole.status.number(),
             reserved: 0,
         }
-    }
-}
-
-fn status_number(status: HoleStatus) -> u32 {
-    match status {
-        HoleStatus::Filled => GUSSET_HOLE_FILLED,
-        HoleStatus::Longest => GUSSET_HOLE_LONGEST,
-        HoleStatus::TooLarge => GUSSET_HOLE_TOO_LARGE,
-        HoleStatus::Open => GUSSET_HOLE_OPEN,
-        HoleStatus::NonManifold => GUSSET_HOLE_NON_MANIFOLD,
-        HoleStatus::NotOriented => GUSSET_HOLE_NOT_ORIENTED,
-        HoleStatus::NotSimple => GUSSET_HOLE_NOT_SIMPLE,
-        HoleStatus::NotFree => GUSSET_HOLE_NOT_FREE,
-        HoleStatus::NoTriangulation => GUSSET_HOLE_NO_TRIANGULATION,
     }
 }
 
@@ -253,27 +233,18 @@ pub unsafe extern "C" fn gusset_fill_destroy(fill: *mut gusset_fill) {
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill_get_mesh(fill: *const gusset_fill, view: *mut gusset_mesh_view) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        out.write(mesh::lend(&input::reference(fill, "fill")?.filled.mesh));
-        Ok(())
-    })
+    lend!(fill, view, |fill| mesh::lend(&fill.filled.mesh))
 }
 
 /// Lends the accounts of the loops. Errors and validity as for gusset_fill_get_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_fill_get_view(fill: *const gusset_fill, parts: *mut gusset_fill_view) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let gusset_fill { filled, holes } = input::reference(fill, "fill")?;
-        out.write(gusset_fill_view {
-            struct_size: size_of::<gusset_fill_view>(),
-            holes: if holes.is_empty() { ptr::null() } else { holes.as_ptr() },
-            hole_count: holes.len(),
-            rims: gusset_indices::lend(&filled.rims),
-        });
-        Ok(())
+    lend!(fill, parts, |gusset_fill { filled, holes }| gusset_fill_view {
+        struct_size: size_of::<gusset_fill_view>(),
+        holes: lent(&holes),
+        hole_count: holes.len(),
+        rims: gusset_indices::lend(&filled.rims),
     })
 }
 
@@ -285,9 +256,5 @@ pub unsafe extern "C" fn gusset_fill_get_quality(
     fill: *const gusset_fill,
     quality: *mut gusset_quality_report,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(quality, "quality")?;
-        out.write(gusset_quality_report::of(&input::reference(fill, "fill")?.filled.quality));
-        Ok(())
-    })
+    lend!(fill, quality, |fill| gusset_quality_report::of(&fill.filled.quality))
 }

@@ -12,15 +12,11 @@ pub mod strip;
 pub mod weld;
 pub mod winged;
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::status::Failure;
+use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_FACE_LAYOUT;
 use crate::job::Job;
 use crate::mesh::{Faces, MAX_ELEMENTS, Mesh, MeshView, PositionBuffer, Positions, Scalar};
 use libc::c_void;
-use std::ptr;
 
 /// Coordinates are 32-bit floats.
 pub const GUSSET_F32: u32 = 1;
@@ -78,11 +74,7 @@ pub struct gusset_mesh_view {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_mesh_view {
-    const LEAST_SIZE: usize = 72;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_mesh_view>() == 72);
+versioned! { gusset_mesh_view: 72 reserved }
 
 /// The caller's mesh number `number`, held to the rules.
 pub(crate) fn mesh<'a>(view: *const gusset_mesh_view, number: u32, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
@@ -98,7 +90,7 @@ pub(crate) fn meshes<'a>(
     if count == 0 {
         return Err(Error::EmptyMesh { what: "faces" }.into());
     }
-    let size = input::read(views, false, "pieces")?.struct_size;
+    let size = input::struct_size(views, "pieces")?;
     input::bytes(views.cast(), count, size, "pieces")?;
     let mut meshes = alloc::with_capacity(count)?;
     for k in 0..count {
@@ -110,16 +102,9 @@ pub(crate) fn meshes<'a>(
 
 fn checked<'a>(view: *const gusset_mesh_view, job: &Job<'_>) -> Result<MeshView<'a>, Failure> {
     let view = input::read(view, false, "mesh")?;
-    let scalar = match view.scalar {
-        GUSSET_F32 => Scalar::F32,
-        GUSSET_F64 => Scalar::F64,
-        other => return Err(Failure::unknown("scalar", other.into())),
-    };
+    let scalar = choice(view.scalar)?;
     if view.index != GUSSET_U32 {
         return Err(Failure::unknown("index", view.index.into()));
-    }
-    if view.reserved != 0 {
-        return Err(Failure::unknown("reserved", view.reserved.into()));
     }
     // Before the layout: the arrays of an empty mesh may well be NULL.
     for (what, count) in [("vertices", view.vertex_count), ("faces", view.face_count)] {
@@ -174,7 +159,7 @@ pub(crate) fn lend(mesh: &Mesh) -> gusset_mesh_view {
 impl gusset_indices {
     /// Lends a slice; NULL for an empty one.
     pub(crate) fn lend(indices: &[u32]) -> Self {
-        let data = if indices.is_empty() { ptr::null() } else { indices.as_ptr() };
+        let data = lent(&indices);
         gusset_indices { data, count: indices.len() }
     }
 }
@@ -193,11 +178,4 @@ pub(crate) fn indices(given: *const gusset_indices, name: &'static str) -> Resul
     Ok(Some(indices))
 }
 
-/// A scalar type of the caller's.
-pub(crate) fn scalar(value: u32) -> Result<Scalar, Failure> {
-    match value {
-        GUSSET_F32 => Ok(Scalar::F32),
-        GUSSET_F64 => Ok(Scalar::F64),
-        other => Err(Failure::unknown("scalar", other.into())),
-    }
-}
+c_enum! { scalar: Scalar { GUSSET_F32 => F32, GUSSET_F64 => F64 } }

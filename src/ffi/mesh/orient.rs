@@ -1,13 +1,8 @@
 //! Orientation as C sees it.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::repair::orient::{Options, Oriented, Outward, orient};
-use std::ptr;
 
 /// Closed components face as most of their faces did.
 pub const GUSSET_OUTWARD_KEEP: u32 = 0;
@@ -57,29 +52,13 @@ pub struct gusset_orient_view {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_orient_options {
-    const LEAST_SIZE: usize = 16;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_orient_view {
-    const LEAST_SIZE: usize = 72;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_orient_options>() == 16 && size_of::<gusset_orient_view>() == 72)
-);
+versioned! { gusset_orient_options: 16 reserved, gusset_orient_view: 72 }
+
+c_enum! { outward: Outward { GUSSET_OUTWARD_KEEP => Keep, GUSSET_OUTWARD_CLOSED => Closed } }
 
 impl gusset_orient_options {
     fn checked(self) -> Result<Options, Failure> {
-        let outward = match self.outward {
-            GUSSET_OUTWARD_KEEP => Outward::Keep,
-            GUSSET_OUTWARD_CLOSED => Outward::Closed,
-            other => return Err(Failure::unknown("outward", other.into())),
-        };
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
-        Ok(Options { outward })
+        Ok(Options { outward: choice(self.outward)? })
     }
 }
 
@@ -127,11 +106,7 @@ pub unsafe extern "C" fn gusset_orient_get_mesh(
     orient: *const gusset_orient,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        out.write(mesh::lend(&input::reference(orient, "orient")?.done.mesh));
-        Ok(())
-    })
+    lend!(orient, view, |orient| mesh::lend(&orient.done.mesh))
 }
 
 /// Lends the flags, lists and counts. Errors and validity as for gusset_orient_get_mesh.
@@ -141,21 +116,16 @@ pub unsafe extern "C" fn gusset_orient_get_view(
     orient: *const gusset_orient,
     parts: *mut gusset_orient_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let gusset_orient { done, one_sided } = input::reference(orient, "orient")?;
-        out.write(gusset_orient_view {
-            struct_size: size_of::<gusset_orient_view>(),
-            // A bool is one byte, 0 or 1.
-            turned: done.turned.as_ptr().cast(),
-            face_count: done.turned.len(),
-            one_sided_faces: gusset_indices::lend(&one_sided[0]),
-            one_sided_half_edges: gusset_indices::lend(&one_sided[1]),
-            turned_faces: done.turned_faces,
-            component_count: done.components,
-            inverted_components: done.inverted_components,
-            reserved: 0,
-        });
-        Ok(())
+    lend!(orient, parts, |gusset_orient { done, one_sided }| gusset_orient_view {
+        struct_size: size_of::<gusset_orient_view>(),
+        // A bool is one byte, 0 or 1.
+        turned: done.turned.as_ptr().cast(),
+        face_count: done.turned.len(),
+        one_sided_faces: gusset_indices::lend(&one_sided[0]),
+        one_sided_half_edges: gusset_indices::lend(&one_sided[1]),
+        turned_faces: done.turned_faces,
+        component_count: done.components,
+        inverted_components: done.inverted_components,
+        reserved: 0,
     })
 }

@@ -1,13 +1,9 @@
 //! Stitching as C sees it.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::stitch_options::gusset_stitch_options;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::ffi::status::gusset_status;
+use crate::ffi::prelude::*;
 use crate::stitch::{Quality, Request, Stitch, stitch};
-use std::ptr;
 
 /// A finished stitch. Opaque and immutable; it keeps nothing of the meshes it was made from.
 pub struct gusset_stitch(Stitch);
@@ -85,17 +81,7 @@ pub struct gusset_quality_report {
     pub orientation_conflicts: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_stitch_view {
-    const LEAST_SIZE: usize = 192;
-}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_quality_report {
-    const LEAST_SIZE: usize = 56;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_stitch_view>() == 216 && size_of::<gusset_quality_report>() == 56)
-);
+versioned! { gusset_stitch_view: 192, gusset_quality_report: 56 }
 
 impl gusset_quality_report {
     pub(crate) fn of(q: &Quality) -> Self {
@@ -176,11 +162,7 @@ pub unsafe extern "C" fn gusset_stitch_get_mesh(
     stitch: *const gusset_stitch,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        out.write(mesh::lend(&input::reference(stitch, "stitch")?.0.mesh));
-        Ok(())
-    })
+    lend!(stitch, view, |stitch| mesh::lend(&stitch.0.mesh))
 }
 
 /// Lends the strip alone: the vertices of the two rims, the new ones, and the faces between them. Errors and validity as for
@@ -191,11 +173,7 @@ pub unsafe extern "C" fn gusset_stitch_get_strip(
     stitch: *const gusset_stitch,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        out.write(mesh::lend(&input::reference(stitch, "stitch")?.0.strip));
-        Ok(())
-    })
+    lend!(stitch, view, |stitch| mesh::lend(&stitch.0.strip))
 }
 
 /// Lends the maps, rims and meridians. Errors and validity as for gusset_stitch_get_mesh.
@@ -205,10 +183,9 @@ pub unsafe extern "C" fn gusset_stitch_get_view(
     stitch: *const gusset_stitch,
     parts: *mut gusset_stitch_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let done = &input::reference(stitch, "stitch")?.0;
-        out.write(gusset_stitch_view {
+    lend!(stitch, parts, |stitch| {
+        let done = &stitch.0;
+        gusset_stitch_view {
             struct_size: size_of::<gusset_stitch_view>(),
             vertex_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.vertices)),
             face_map: done.maps.each_ref().map(|map| gusset_indices::lend(&map.faces)),
@@ -216,7 +193,7 @@ pub unsafe extern "C" fn gusset_stitch_get_view(
             meridians: gusset_indices::lend(done.meridians.as_flattened()),
             matrix: gusset_indices::lend(&done.matrix),
             parents: gusset_indices::lend(done.parents.as_flattened()),
-            weights: if done.weights.is_empty() { ptr::null() } else { done.weights.as_ptr() },
+            weights: lent(&done.weights),
             strip_face_first: done.strip_faces.start as usize,
             strip_face_count: done.strip_faces.len(),
             row_count: done.rows,
@@ -226,8 +203,7 @@ pub unsafe extern "C" fn gusset_stitch_get_view(
             intersections: gusset_indices::lend(done.intersections.as_deref().unwrap_or_default().as_flattened()),
             back_off_count: done.back_offs,
             reserved: 0,
-        });
-        Ok(())
+        }
     })
 }
 
@@ -239,9 +215,5 @@ pub unsafe extern "C" fn gusset_stitch_get_quality(
     stitch: *const gusset_stitch,
     quality: *mut gusset_quality_report,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(quality, "quality")?;
-        out.write(gusset_quality_report::of(&input::reference(stitch, "stitch")?.0.quality));
-        Ok(())
-    })
+    lend!(stitch, quality, |stitch| gusset_quality_report::of(&stitch.0.quality))
 }

@@ -1,7 +1,6 @@
 //! How to stitch, as C says it.
 
-use crate::ffi::input::Versioned;
-use crate::ffi::status::Failure;
+use crate::ffi::prelude::*;
 use crate::stitch::facing::{Arc, Centres, Run};
 use crate::stitch::{Cells, Extent, Fairing, Intersections, Meridians, Options, Orientation, Rows, Search, Start};
 
@@ -147,21 +146,34 @@ pub struct gusset_stitch_options {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_stitch_options {
-    const LEAST_SIZE: usize = 72;
+versioned! { gusset_stitch_options: 72 reserved }
+
+c_enum! {
+    meridians: Meridians {
+        GUSSET_MERIDIANS_MIN_AREA => MinArea,
+        GUSSET_MERIDIANS_INDEX => Index,
+        GUSSET_MERIDIANS_ARC_LENGTH => ArcLength,
+        GUSSET_MERIDIANS_GREEDY => Greedy,
+        GUSSET_MERIDIANS_MIN_DIAGONAL => MinDiagonal,
+        GUSSET_MERIDIANS_SMOOTH => Smooth,
+        GUSSET_MERIDIANS_QUAD => Quad,
+    }
+    search: Search { GUSSET_SEARCH_AUTO => Auto, GUSSET_SEARCH_EXACT => Exact }
+    start: Start { GUSSET_START_AUTO => Auto, GUSSET_START_CLOSEST => Closest }
+    orientation: Orientation { GUSSET_ORIENTATION_FIX => Fix, GUSSET_ORIENTATION_REFUSE => Refuse, GUSSET_ORIENTATION_KEEP => Keep }
+    run: Run { GUSSET_RUN_CLOSEST => Closest, GUSSET_RUN_LONGEST => Longest }
+    centres: Centres { GUSSET_CENTRES_VERTICES => Vertices, GUSSET_CENTRES_LENGTH => Length }
+    cells: Cells { GUSSET_CELLS_TRIANGLES => Triangles, GUSSET_CELLS_QUADS => Quads }
+    fairing: Fairing { GUSSET_FAIRING_NONE => None, GUSSET_FAIRING_THIN_PLATE => ThinPlate }
+    intersections: Intersections {
+        GUSSET_INTERSECTIONS_AUTO => Auto,
+        GUSSET_INTERSECTIONS_IGNORE => Ignore,
+        GUSSET_INTERSECTIONS_REPORT => Report,
+    }
 }
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_stitch_options>() == 96);
 
 impl gusset_stitch_options {
     pub(crate) fn checked(self) -> Result<Options, Failure> {
-        let (meridians, search) = (meridians(self.meridians)?, search(self.search)?);
-        let orientation = match self.orientation {
-            GUSSET_ORIENTATION_FIX => Orientation::Fix,
-            GUSSET_ORIENTATION_REFUSE => Orientation::Refuse,
-            GUSSET_ORIENTATION_KEEP => Orientation::Keep,
-            other => return Err(Failure::unknown("orientation", other.into())),
-        };
         let extent = match self.extent {
             GUSSET_EXTENT_WHOLE_LOOPS => Extent::WholeLoops,
             GUSSET_EXTENT_OPEN_ARCS => Extent::OpenArcs,
@@ -171,89 +183,27 @@ impl gusset_stitch_options {
             ),
             other => return Err(Failure::unknown("extent", other.into())),
         };
-        let run = match self.run {
-            GUSSET_RUN_CLOSEST => Run::Closest,
-            GUSSET_RUN_LONGEST => Run::Longest,
-            other => return Err(Failure::unknown("run", other.into())),
-        };
         let rows = match self.rows {
             GUSSET_ROWS_NONE => Rows::None,
             GUSSET_ROWS_MEAN_EDGE => Rows::MeanEdge,
             GUSSET_ROWS_COUNT => Rows::Count(self.row_count),
             other => return Err(Failure::unknown("rows", other.into())),
         };
-        let cells = match self.cells {
-            GUSSET_CELLS_TRIANGLES => Cells::Triangles,
-            GUSSET_CELLS_QUADS => Cells::Quads,
-            other => return Err(Failure::unknown("cells", other.into())),
-        };
-        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
-        let start = match self.start {
-            GUSSET_START_AUTO => Start::Auto,
-            GUSSET_START_CLOSEST => Start::Closest,
-            other => return Err(Failure::unknown("start", other.into())),
-        };
-        let fairing = match self.fairing {
-            GUSSET_FAIRING_NONE => Fairing::None,
-            GUSSET_FAIRING_THIN_PLATE => Fairing::ThinPlate,
-            other => return Err(Failure::unknown("fairing", other.into())),
-        };
-        let intersections = match self.intersections {
-            GUSSET_INTERSECTIONS_AUTO => Intersections::Auto,
-            GUSSET_INTERSECTIONS_IGNORE => Intersections::Ignore,
-            GUSSET_INTERSECTIONS_REPORT => Intersections::Report,
-            other => return Err(Failure::unknown("intersections", other.into())),
-        };
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
         Ok(Options {
-            meridians,
-            search,
-            start,
-            orientation,
+            meridians: choice(self.meridians)?,
+            search: choice(self.search)?,
+            start: choice(self.start)?,
+            orientation: choice(self.orientation)?,
             twist: self.twist,
             extent,
-            run,
-            tolerance,
-            centres: centres(self.centres)?,
+            run: choice(self.run)?,
+            tolerance: tolerance(self.tolerance_mode, self.tolerance)?,
+            centres: choice(self.centres)?,
             rows,
-            cells,
-            fairing,
-            intersections,
+            cells: choice(self.cells)?,
+            fairing: choice(self.fairing)?,
+            intersections: choice(self.intersections)?,
         })
-    }
-}
-
-/// GUSSET_MERIDIANS_...
-pub(crate) fn meridians(value: u32) -> Result<Meridians, Failure> {
-    Ok(match value {
-        GUSSET_MERIDIANS_MIN_AREA => Meridians::MinArea,
-        GUSSET_MERIDIANS_INDEX => Meridians::Index,
-        GUSSET_MERIDIANS_ARC_LENGTH => Meridians::ArcLength,
-        GUSSET_MERIDIANS_GREEDY => Meridians::Greedy,
-        GUSSET_MERIDIANS_MIN_DIAGONAL => Meridians::MinDiagonal,
-        GUSSET_MERIDIANS_SMOOTH => Meridians::Smooth,
-        GUSSET_MERIDIANS_QUAD => Meridians::Quad,
-        other => return Err(Failure::unknown("meridians", other.into())),
-    })
-}
-
-/// GUSSET_SEARCH_...
-pub(crate) fn search(value: u32) -> Result<Search, Failure> {
-    Ok(match value {
-        GUSSET_SEARCH_AUTO => Search::Auto,
-        GUSSET_SEARCH_EXACT => Search::Exact,
-        other => return Err(Failure::unknown("search", other.into())),
-    })
-}
-
-/// GUSSET_CENTRES_...
-pub(crate) fn centres(value: u32) -> Result<Centres, Failure> {
-    match value {
-        GUSSET_CENTRES_VERTICES => Ok(Centres::Vertices),
-        GUSSET_CENTRES_LENGTH => Ok(Centres::Length),
-        other => Err(Failure::unknown("centres", other.into())),
     }
 }
 

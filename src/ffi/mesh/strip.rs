@@ -1,16 +1,10 @@
 //! A strip between two polylines, as C sees it.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::facing::points;
 use crate::ffi::mesh::gusset_indices;
-use crate::ffi::mesh::stitch_options::{
-    GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN, meridians, search,
-};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::mesh::stitch_options::{GUSSET_START_AUTO, GUSSET_START_CLOSEST, GUSSET_START_GIVEN};
+use crate::ffi::prelude::*;
 use crate::stitch::{Ruled, RuledOptions, Start, ruled};
-use std::ptr;
 
 /// A strip between two polylines. Opaque and immutable; it keeps nothing of the points.
 pub struct gusset_strip(Ruled);
@@ -47,17 +41,7 @@ pub struct gusset_strip_view {
     pub triangles: gusset_indices,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_strip_options {
-    const LEAST_SIZE: usize = 24;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_strip_view {
-    const LEAST_SIZE: usize = 48;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_strip_options>() == 24 && size_of::<gusset_strip_view>() == 48)
-);
+versioned! { gusset_strip_options: 24, gusset_strip_view: 48 }
 
 impl gusset_strip_options {
     fn checked(self) -> Result<(bool, RuledOptions), Failure> {
@@ -67,12 +51,8 @@ impl gusset_strip_options {
             GUSSET_START_GIVEN => None,
             other => return Err(Failure::unknown("start", other.into())),
         };
-        let closed = match self.closed {
-            0 => false,
-            1 => true,
-            other => return Err(Failure::unknown("closed", other.into())),
-        };
-        let (meridians, search) = (meridians(self.meridians)?, search(self.search)?);
+        let closed = flag(self.closed, "closed")?;
+        let (meridians, search) = (choice(self.meridians)?, choice(self.search)?);
         Ok((closed, RuledOptions { meridians, search, start }))
     }
 }
@@ -117,15 +97,13 @@ pub unsafe extern "C" fn gusset_strip_get_view(
     strip: *const gusset_strip,
     parts: *mut gusset_strip_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let done = &input::reference(strip, "strip")?.0;
-        out.write(gusset_strip_view {
+    lend!(strip, parts, |strip| {
+        let done = &strip.0;
+        gusset_strip_view {
             struct_size: size_of::<gusset_strip_view>(),
             start: done.start,
             meridians: gusset_indices::lend(done.meridians.as_flattened()),
             triangles: gusset_indices::lend(done.triangles.as_flattened()),
-        });
-        Ok(())
+        }
     })
 }

@@ -1,13 +1,9 @@
 //! Welding as C sees it.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::stitch_options::tolerance;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::repair::weld::{Options, Vertices, Weld, weld};
-use std::ptr;
 
 /// The ends of free edges are welded: borders that lie on one another are sewn, edge to edge.
 pub const GUSSET_WELD_BOUNDARY: u32 = 0;
@@ -72,36 +68,18 @@ pub struct gusset_weld_view {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_weld_options {
-    const LEAST_SIZE: usize = 32;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_weld_view {
-    const LEAST_SIZE: usize = 88;
-}
-const _: () =
-    assert!(size_of::<usize>() != 8 || (size_of::<gusset_weld_options>() == 32 && size_of::<gusset_weld_view>() == 88));
+versioned! { gusset_weld_options: 32, gusset_weld_view: 88 }
+
+c_enum! { vertices: Vertices { GUSSET_WELD_BOUNDARY => Boundary, GUSSET_WELD_ALL => All } }
 
 impl gusset_weld_options {
     pub(crate) fn checked(self) -> Result<Options, Failure> {
-        let vertices = match self.vertices {
-            GUSSET_WELD_BOUNDARY => Vertices::Boundary,
-            GUSSET_WELD_ALL => Vertices::All,
-            other => return Err(Failure::unknown("vertices", other.into())),
-        };
-        let tolerance = tolerance(self.tolerance_mode, self.tolerance)?;
-        let collapse = match self.collapse {
-            GUSSET_COLLAPSE_NEVER => false,
-            GUSSET_COLLAPSE_ALLOW => true,
-            other => return Err(Failure::unknown("collapse", other.into())),
-        };
-        let remove_unused = match self.unused {
-            GUSSET_UNUSED_KEEP => false,
-            GUSSET_UNUSED_REMOVE => true,
-            other => return Err(Failure::unknown("unused", other.into())),
-        };
-        Ok(Options { vertices, tolerance, collapse, remove_unused })
+        Ok(Options {
+            vertices: choice(self.vertices)?,
+            tolerance: tolerance(self.tolerance_mode, self.tolerance)?,
+            collapse: flag(self.collapse, "collapse")?,
+            remove_unused: flag(self.unused, "unused")?,
+        })
     }
 }
 
@@ -149,21 +127,16 @@ pub unsafe extern "C" fn gusset_weld_destroy(weld: *mut gusset_weld) {
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_weld_get_mesh(weld: *const gusset_weld, view: *mut gusset_mesh_view) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        out.write(mesh::lend(&input::reference(weld, "weld")?.0.mesh));
-        Ok(())
-    })
+    lend!(weld, view, |weld| mesh::lend(&weld.0.mesh))
 }
 
 /// Lends the maps, lists and counts. Errors and validity as for gusset_weld_get_mesh.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_weld_get_view(weld: *const gusset_weld, parts: *mut gusset_weld_view) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let done = &input::reference(weld, "weld")?.0;
-        out.write(gusset_weld_view {
+    lend!(weld, parts, |weld| {
+        let done = &weld.0;
+        gusset_weld_view {
             struct_size: size_of::<gusset_weld_view>(),
             vertex_map: gusset_indices::lend(&done.vertex_map),
             face_map: gusset_indices::lend(&done.face_map),
@@ -173,7 +146,6 @@ pub unsafe extern "C" fn gusset_weld_get_view(weld: *const gusset_weld, parts: *
             sewn_edges: done.sewn_edges,
             dropped_faces: done.dropped_faces,
             reserved: 0,
-        });
-        Ok(())
+        }
     })
 }

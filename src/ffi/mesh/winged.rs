@@ -1,12 +1,8 @@
 //! Winged-edge tables as C sees them.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::winged::{EdgeMarks, FreeLoops, Winding, WingedEdge, WingedEdges, free_loops};
-use std::ptr;
 
 /// Faces are stored counter-clockwise seen from outside, as modern libraries have it; the tables take them backwards.
 pub const GUSSET_FACES_COUNTER_CLOCKWISE: u32 = 0;
@@ -92,19 +88,9 @@ pub struct gusset_winged_view {
     pub loop_offsets: gusset_indices,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_winged_options {
-    const LEAST_SIZE: usize = 16;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_winged_view {
-    const LEAST_SIZE: usize = 120;
-}
-const _: () = assert!(
-    size_of::<gusset_winged_edge>() == size_of::<WingedEdge>()
-        && (size_of::<usize>() != 8
-            || (size_of::<gusset_winged_options>() == 16 && size_of::<gusset_winged_view>() == 120))
-);
+versioned! { gusset_winged_options: 16 reserved, gusset_winged_view: 120 }
+const _: () = assert!(size_of::<gusset_winged_edge>() == size_of::<WingedEdge>());
+c_enum! { winding: Winding { GUSSET_FACES_COUNTER_CLOCKWISE => CounterClockwise, GUSSET_FACES_CLOCKWISE => Clockwise } }
 
 /// Fills the winged-edge tables of a mesh, and runs the paper's algorithm 1 on them.
 ///
@@ -124,15 +110,7 @@ pub unsafe extern "C" fn gusset_winged_create(
     winged: *mut *mut gusset_winged,
 ) -> gusset_status {
     create(context, winged, "winged", |job| {
-        let options = input::read(options, true, "options")?;
-        if options.reserved != 0 {
-            return Err(Failure::unknown("reserved", options.reserved.into()));
-        }
-        let winding = match options.winding {
-            GUSSET_FACES_COUNTER_CLOCKWISE => Winding::CounterClockwise,
-            GUSSET_FACES_CLOCKWISE => Winding::Clockwise,
-            other => return Err(Failure::unknown("winding", other.into())),
-        };
+        let winding = choice(input::read(options, true, "options")?.winding)?;
         let mesh = mesh::mesh(mesh, 0, &job.part(0.0, 0.2))?;
         let tables = WingedEdges::new(&mesh, winding, &job.part(0.2, 1.0))?;
         let loops = free_loops(&tables)?;
@@ -153,21 +131,16 @@ pub unsafe extern "C" fn gusset_winged_get_view(
     winged: *const gusset_winged,
     view: *mut gusset_winged_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        let gusset_winged { tables, loops } = input::reference(winged, "winged")?;
-        out.write(gusset_winged_view {
-            struct_size: size_of::<gusset_winged_view>(),
-            // The core's record has the same fields in the same order.
-            edges: tables.edges().as_ptr().cast(),
-            edge_count: tables.edges().len(),
-            edge_of_half_edge: gusset_indices::lend(tables.edge_of_half_edge()),
-            edge_of_face: gusset_indices::lend(tables.edge_of_face()),
-            edge_of_vertex: gusset_indices::lend(tables.edge_of_vertex()),
-            loop_vertices: gusset_indices::lend(&loops.vertices),
-            loop_edges: gusset_indices::lend(&loops.edges),
-            loop_offsets: gusset_indices::lend(&loops.offsets),
-        });
-        Ok(())
+    lend!(winged, view, |gusset_winged { tables, loops }| gusset_winged_view {
+        struct_size: size_of::<gusset_winged_view>(),
+        // The core's record has the same fields in the same order.
+        edges: tables.edges().as_ptr().cast(),
+        edge_count: tables.edges().len(),
+        edge_of_half_edge: gusset_indices::lend(tables.edge_of_half_edge()),
+        edge_of_face: gusset_indices::lend(tables.edge_of_face()),
+        edge_of_vertex: gusset_indices::lend(tables.edge_of_vertex()),
+        loop_vertices: gusset_indices::lend(&loops.vertices),
+        loop_edges: gusset_indices::lend(&loops.edges),
+        loop_offsets: gusset_indices::lend(&loops.offsets),
     })
 }

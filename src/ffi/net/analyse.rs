@@ -1,15 +1,10 @@
 //! What deformations do to nets, as C sees it.
 
-use crate::alloc;
 use crate::error::Result;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::net::field::{Given, fields, gusset_field};
 use crate::ffi::net::{edit, gusset_net, read};
-use crate::ffi::status::gusset_status;
+use crate::ffi::prelude::*;
 use crate::net::analyse::{Analysis, absorb, analyse, analyse_field};
-use std::ptr;
 
 /// What a deformation does to a net. Immutable; may be read from many threads.
 pub struct gusset_net_analysis {
@@ -65,15 +60,11 @@ pub struct gusset_net_analysis_view {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_analysis_view {
-    const LEAST_SIZE: usize = 112;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_analysis_view>() == 112);
+versioned! { gusset_net_analysis_view: 112 }
 
 /// The start of a list; NULL for an empty one.
 fn start<T>(items: &[T]) -> *const T {
-    if items.is_empty() { ptr::null() } else { items.as_ptr() }
+    lent(&items)
 }
 
 impl From<&gusset_net_analysis> for gusset_net_analysis_view {
@@ -150,11 +141,7 @@ pub unsafe extern "C" fn gusset_net_analysis_get_view(
     analysis: *const gusset_net_analysis,
     parts: *mut gusset_net_analysis_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        out.write(input::reference(analysis, "analysis")?.into());
-        Ok(())
-    })
+    lend!(analysis, parts, |analysis| analysis.into())
 }
 
 /// Destroys an analysis; NULL is allowed.

@@ -1,10 +1,7 @@
 //! Nets whose nodes are arranged anew, as C sees them.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::net::{edit, gusset_net, read};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::net::{Direction, Replication};
 
 /// A direction within a net.
@@ -49,20 +46,9 @@ pub struct gusset_reformat_options {
     pub column_index: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_reformat_options {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_reformat_options>() == 40);
+versioned! { gusset_reformat_options: 40 }
 
-/// A direction of the caller's.
-pub(crate) fn direction(value: gusset_direction) -> Result<Direction, Failure> {
-    match value {
-        GUSSET_DIRECTION_RIGHT => Ok(Direction::Right),
-        GUSSET_DIRECTION_DOWN => Ok(Direction::Down),
-        other => Err(Failure::unknown("direction", other.into())),
-    }
-}
+c_enum! { direction: Direction { GUSSET_DIRECTION_RIGHT => Right, GUSSET_DIRECTION_DOWN => Down } }
 
 /// What the caller wants replicated.
 pub(crate) fn replication(value: gusset_replication, index: u32) -> Result<Replication, Failure> {
@@ -123,7 +109,7 @@ pub unsafe extern "C" fn gusset_net_flip_create(
     flipped: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, flipped, "flipped", |job| {
-        Ok(gusset_net::new(match self::direction(direction)? {
+        Ok(gusset_net::new(match choice(direction)? {
             Direction::Right => read(net)?.flipped_columns(job)?,
             Direction::Down => read(net)?.flipped_rows(job)?,
         }))

@@ -1,13 +1,9 @@
 //! The quotient complex of a net as C sees it.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::net::{gusset_net, read};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::net::complex::{Cells, Complex};
-use std::ptr;
 
 /// Which cells count.
 pub type gusset_net_cells = u32;
@@ -81,11 +77,7 @@ pub struct gusset_net_complex_view {
     pub conflicts: gusset_indices,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_complex_view {
-    const LEAST_SIZE: usize = 216;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_complex_view>() == 216);
+versioned! { gusset_net_complex_view: 216 }
 
 impl gusset_net_complex {
     fn report(&self) -> gusset_net_complex_view {
@@ -151,11 +143,7 @@ pub unsafe extern "C" fn gusset_net_complex_get_view(
     complex: *const gusset_net_complex,
     report: *mut gusset_net_complex_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(report, "report")?;
-        out.write(input::reference(complex, "complex")?.report());
-        Ok(())
-    })
+    lend!(complex, report, |complex| complex.report())
 }
 
 /// Destroys a complex; NULL is allowed.

@@ -1,13 +1,8 @@
 //! Fields of deformation, as C sees them.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::guard;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::net::transform::{axis, gusset_axis, matrix, vector};
+use crate::ffi::net::transform::{gusset_axis, matrix, vector};
 use crate::ffi::net::{edit, gusset_net};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::net::field::*;
 use glam::DVec3;
 use libc::{c_int, c_void};
@@ -94,11 +89,7 @@ pub struct gusset_field {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_field {
-    const LEAST_SIZE: usize = 200;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_field>() == 200);
+versioned! { gusset_field: 200 reserved }
 
 /// Moves consecutive nodes of a net: `count` of them from node `first` on, row after row. x, y, z: their coordinates,
 /// float or double as the net's are, to be changed in place. Return nonzero to stop. It must neither use the net or the
@@ -129,7 +120,7 @@ impl Given {
 /// The fields of the caller's at a time.
 pub(crate) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Result<Vec<Given>, Failure> {
     let mut given = alloc::with_capacity(count)?;
-    let stride = if count == 0 { 0 } else { input::read(fields, false, "fields")?.struct_size };
+    let stride = if count == 0 { 0 } else { input::struct_size(fields, "fields")? };
     for k in 0..count {
         let field = input::read(fields.wrapping_byte_add(k * stride), false, "fields")?;
         let of_item = |failure: Failure| failure.of_item(given.len());
@@ -146,18 +137,17 @@ fn groups<const N: usize>(data: *const f64, count: usize, name: &'static str) ->
     Ok(alloc::collect(bytes.chunks_exact(8 * N).map(group))?)
 }
 
+c_enum! { easing: Easing { GUSSET_EASING_LINEAR => Linear, GUSSET_EASING_SMOOTH => Smooth, GUSSET_EASING_HOLD => Hold } }
+
 impl gusset_field {
     fn checked(&self) -> Result<Box<dyn Field>, Failure> {
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
-        let (v, about) = (&self.values, || axis(self.axis));
+        let (v, about) = (&self.values, || choice(self.axis));
         Ok(match self.kind {
             GUSSET_FIELD_AFFINE => Box::new(matrix(v)?),
             GUSSET_FIELD_TWIST => Box::new(Twist::new(about()?, v[0], v[1])?),
             GUSSET_FIELD_TAPER => Box::new(Taper::new(about()?, v[0], v[1])?),
             GUSSET_FIELD_BEND => Box::new(Bend::new(about()?, v[0], v[1], v[2])?),
-            GUSSET_FIELD_SHEAR => Box::new(Shear::new(about()?, axis(self.other_axis)?, v[0])?),
+            GUSSET_FIELD_SHEAR => Box::new(Shear::new(about()?, choice(self.other_axis)?, v[0])?),
             GUSSET_FIELD_SPHERIFY => Box::new(Spherify::new(vector(v), v[3])?),
             GUSSET_FIELD_CYLINDER_WRAP => Box::new(CylinderWrap::new(about()?, v[0])?),
             GUSSET_FIELD_TORUS_WRAP => Box::new(TorusWrap::new(about()?, v[0], v[1])?),
@@ -182,12 +172,6 @@ impl gusset_field {
     }
 
     fn strength_at(&self, time: f64) -> Result<f64, Failure> {
-        let easing = match self.easing {
-            GUSSET_EASING_LINEAR => Easing::Linear,
-            GUSSET_EASING_SMOOTH => Easing::Smooth,
-            GUSSET_EASING_HOLD => Easing::Hold,
-            other => return Err(Failure::unknown("easing", other.into())),
-        };
         if self.keys.is_null() && self.key_count == 0 {
             return Ok(self.strength);
         }
@@ -195,7 +179,7 @@ impl gusset_field {
         if !time.is_finite() {
             return Err(Error::OptionOutOfRange { option: "time", value: time }.into());
         }
-        Ok(self.strength * Timed::new(&keys, easing)?.strength(time))
+        Ok(self.strength * Timed::new(&keys, choice(self.easing)?)?.strength(time))
     }
 }
 

@@ -1,17 +1,11 @@
 //! Gluing and ungluing, and what has become one, as C sees it.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input;
-use crate::ffi::input::{fill, flag};
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::net::gluing::{gusset_seam, seam};
 use crate::ffi::net::{edit, gusset_net, read};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::net::Classes;
 use crate::net::topology::{Diagonal, Gluing, GluingType, Groups};
-use std::ptr;
 
 /// What a gusset_gluing glues.
 pub type gusset_gluing_kind = u32;

@@ -1,15 +1,9 @@
 //! What is glued to what in a net, as C sees it.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::guard;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::input::{fill, flag};
 use crate::ffi::net::{edit, gusset_net, read};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::net::topology::{Links, Run};
 use crate::net::{Matrix, Seam, Shape, Sides, Topology};
-use std::ptr;
 
 /// Node k of one run of nodes is node k of another: node (row_a + k * row_step_a, column_a + k * column_step_a) and
 /// node (row_b + k * row_step_b, column_b + k * column_step_b), for k from 0 to count - 1.
@@ -83,12 +77,8 @@ pub struct gusset_net_gluing {
     pub reversed: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_gluing {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () =
-    assert!(size_of::<usize>() != 8 || (size_of::<gusset_net_gluing>() == 40 && size_of::<gusset_seam>() == 40));
+versioned! { gusset_net_gluing: 40 }
+fixed! { gusset_seam: 40 }
 
 /// Sides of the caller's.
 pub(crate) fn sides(bits: gusset_sides) -> Result<Sides, Failure> {

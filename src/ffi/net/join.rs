@@ -1,21 +1,12 @@
 //! Joining nets and taking them apart, as C sees it.
 
-use crate::alloc;
-use crate::error::{Element, Error};
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::flag;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::net::arrange::{
-    GUSSET_DIRECTION_DOWN, GUSSET_DIRECTION_RIGHT, GUSSET_REPLICATE_REFUSE, direction, gusset_direction,
-    gusset_replication, replication,
-};
+use crate::error::Element;
+use crate::ffi::net::arrange::{GUSSET_REPLICATE_REFUSE, gusset_direction, gusset_replication, replication};
 use crate::ffi::net::{edit, gusset_net, read};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::net::{
     Bridge, BridgeKind, BridgeMode, BridgeProperties, Direction, JoinOptions, MAX_NODES, Net, concatenate_all,
 };
-use std::ptr;
 
 /// What is done with the cells between two nets that were joined.
 pub type gusset_bridge_mode = u32;
@@ -96,16 +87,7 @@ pub struct gusset_bridge {
     pub mode: gusset_bridge_mode,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_join_options {
-    const LEAST_SIZE: usize = 72;
-}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_bridge {
-    const LEAST_SIZE: usize = 64;
-}
-const _: () =
-    assert!(size_of::<usize>() != 8 || (size_of::<gusset_join_options>() == 72 && size_of::<gusset_bridge>() == 64));
+versioned! { gusset_join_options: 72, gusset_bridge: 64 }
 
 impl From<gusset_bridge_properties> for BridgeProperties {
     fn from(given: gusset_bridge_properties) -> Self {
@@ -114,13 +96,9 @@ impl From<gusset_bridge_properties> for BridgeProperties {
     }
 }
 
-fn mode(value: gusset_bridge_mode) -> Result<BridgeMode, Failure> {
-    match value {
-        GUSSET_BRIDGE_KEEP => Ok(BridgeMode::Keep),
-        GUSSET_BRIDGE_HIDE => Ok(BridgeMode::Hide),
-        GUSSET_BRIDGE_WELD => Ok(BridgeMode::Weld),
-        other => Err(Failure::unknown("mode", other.into())),
-    }
+c_enum! {
+    mode: BridgeMode { GUSSET_BRIDGE_KEEP => Keep, GUSSET_BRIDGE_HIDE => Hide, GUSSET_BRIDGE_WELD => Weld }
+    kind: BridgeKind { GUSSET_BRIDGE_RIBBON => Ribbon, GUSSET_BRIDGE_TUBE => Tube, GUSSET_BRIDGE_THREAD => Thread }
 }
 
 impl gusset_join_options {
@@ -132,8 +110,8 @@ impl gusset_join_options {
     pub(crate) fn checked(self) -> Result<JoinOptions, Failure> {
         let refuse = self.equalise == GUSSET_REPLICATE_REFUSE;
         Ok(JoinOptions {
-            direction: direction(self.direction)?,
-            mode: mode(self.mode)?,
+            direction: choice(self.direction)?,
+            mode: choice(self.mode)?,
             tolerance: self.tolerance,
             equalise: if refuse { None } else { Some(replication(self.equalise, self.equalise_index)?) },
             twist: self.twist,
@@ -149,23 +127,12 @@ impl From<&Bridge> for gusset_bridge {
         gusset_bridge {
             struct_size: size_of::<Self>(),
             properties: gusset_bridge_properties { tension, elasticity, stiffness, user },
-            direction: match bridge.direction {
-                Direction::Right => GUSSET_DIRECTION_RIGHT,
-                Direction::Down => GUSSET_DIRECTION_DOWN,
-            },
+            direction: bridge.direction.number(),
             at: bridge.at,
             start: bridge.start,
             end: bridge.end,
-            kind: match bridge.kind {
-                BridgeKind::Ribbon => GUSSET_BRIDGE_RIBBON,
-                BridgeKind::Tube => GUSSET_BRIDGE_TUBE,
-                BridgeKind::Thread => GUSSET_BRIDGE_THREAD,
-            },
-            mode: match bridge.mode {
-                BridgeMode::Keep => GUSSET_BRIDGE_KEEP,
-                BridgeMode::Hide => GUSSET_BRIDGE_HIDE,
-                BridgeMode::Weld => GUSSET_BRIDGE_WELD,
-            },
+            kind: bridge.kind.number(),
+            mode: bridge.mode.number(),
         }
     }
 }
@@ -280,7 +247,7 @@ pub unsafe extern "C" fn gusset_net_set_bridge(
     properties: *const gusset_bridge_properties,
 ) -> gusset_status {
     guard(context, |_| {
-        let mode = self::mode(mode)?;
+        let mode = choice(mode)?;
         let given = (!properties.is_null()).then(|| input::reference(properties, "properties")).transpose()?;
         let net = edit(net)?;
         net.set_bridge_mode(index, mode, tolerance)?;

@@ -1,11 +1,7 @@
 //! Areas, volumes, moments and planarity of nets, as C sees them.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::guard;
-use crate::ffi::input::fill;
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::net::{gusset_net, read};
-use crate::ffi::status::gusset_status;
+use crate::ffi::prelude::*;
 use crate::net::measure::{Measures, Moments, Planarity, measure, moments, planarity};
 
 /// What gusset_net_measure finds.
@@ -59,24 +55,11 @@ pub struct gusset_net_planarity_report {
     pub above: u64,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_net_measure_report {
-    const LEAST_SIZE: usize = 96;
+versioned! {
+    gusset_net_measure_report: 96,
+    gusset_net_moment_report: 112,
+    gusset_net_planarity_report: 40,
 }
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_net_moment_report {
-    const LEAST_SIZE: usize = 112;
-}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_net_planarity_report {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_net_measure_report>() == 96
-            && size_of::<gusset_net_moment_report>() == 112
-            && size_of::<gusset_net_planarity_report>() == 40)
-);
 
 impl From<Measures> for gusset_net_measure_report {
     fn from(found: Measures) -> Self {

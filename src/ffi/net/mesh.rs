@@ -1,21 +1,13 @@
 //! Nets to meshes and back, and nets of heights, as C sees them.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::flag;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::mesh::scalar;
 use crate::ffi::mesh::{self, gusset_indices, gusset_mesh_view};
 use crate::ffi::net::{gusset_net, read};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::job::Job;
 use crate::mesh::{NONE, Scalar};
 use crate::net::convert::{Diagonal, Heights, MeshOptions, NetMesh, net_of_grid, net_of_heights};
 use crate::net::{Coordinates, Net, Planes, Real, Shape};
 use libc::c_void;
-use std::ptr;
 use std::sync::Arc;
 
 /// What the faces of the mesh of a net are.
@@ -117,35 +109,15 @@ pub struct gusset_net_grid {
     face_of_cell: Vec<u32>,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_net_mesh_options {
-    const LEAST_SIZE: usize = 32;
+versioned! {
+    gusset_net_mesh_options: 32 reserved,
+    gusset_net_mesh_view: 104,
+    gusset_heights: 96,
+    gusset_net_grid_view: 40,
 }
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_mesh_view {
-    const LEAST_SIZE: usize = 104;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_heights {
-    const LEAST_SIZE: usize = 96;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_grid_view {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_net_mesh_options>() == 32
-            && size_of::<gusset_net_mesh_view>() == 104
-            && size_of::<gusset_heights>() == 96
-            && size_of::<gusset_net_grid_view>() == 40)
-);
 
 impl gusset_net_mesh_options {
     fn checked(self) -> Result<MeshOptions, Failure> {
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
         Ok(MeshOptions {
             triangles: match self.faces {
                 GUSSET_NET_QUADS => None,
@@ -195,11 +167,7 @@ pub unsafe extern "C" fn gusset_net_mesh_get_mesh(
     mesh: *const gusset_net_mesh,
     view: *mut gusset_mesh_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(view, "view")?;
-        out.write(self::mesh::lend(&input::reference(mesh, "mesh")?.0.mesh));
-        Ok(())
-    })
+    lend!(mesh, view, |mesh| self::mesh::lend(&mesh.0.mesh))
 }
 
 /// Lends what became what. Errors and validity as for gusset_net_mesh_get_mesh.
@@ -209,12 +177,11 @@ pub unsafe extern "C" fn gusset_net_mesh_get_view(
     mesh: *const gusset_net_mesh,
     maps: *mut gusset_net_mesh_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(maps, "maps")?;
-        let made = &input::reference(mesh, "mesh")?.0;
+    lend!(mesh, maps, |mesh| {
+        let made = &mesh.0;
         let (coordinates, corners) =
             made.texture.as_ref().map_or((&[][..], &[][..]), |texture| (&texture.coordinates, &texture.corners));
-        out.write(gusset_net_mesh_view {
+        gusset_net_mesh_view {
             struct_size: size_of::<gusset_net_mesh_view>(),
             vertex_of_node: gusset_indices::lend(&made.vertex_of_node),
             node_of_vertex: gusset_indices::lend(&made.node_of_vertex),
@@ -223,8 +190,7 @@ pub unsafe extern "C" fn gusset_net_mesh_get_view(
             texture_corners: gusset_indices::lend(corners),
             texture_coordinates: if coordinates.is_empty() { ptr::null() } else { coordinates.as_ptr().cast() },
             texture_count: coordinates.len(),
-        });
-        Ok(())
+        }
     })
 }
 
@@ -276,7 +242,7 @@ pub unsafe extern "C" fn gusset_net_from_heights_create(
 ) -> gusset_status {
     create(context, net, "net", |job| {
         let heights = input::read(heights, false, "heights")?;
-        Ok(gusset_net::new(match scalar(heights.scalar)? {
+        Ok(gusset_net::new(match choice(heights.scalar)? {
             Scalar::F32 => of_heights::<f32>(&heights, job)?,
             Scalar::F64 => of_heights::<f64>(&heights, job)?,
         }))
@@ -330,14 +296,9 @@ pub unsafe extern "C" fn gusset_net_grid_get_view(
     grid: *const gusset_net_grid,
     parts: *mut gusset_net_grid_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let grid = input::reference(grid, "grid")?;
-        out.write(gusset_net_grid_view {
-            struct_size: size_of::<gusset_net_grid_view>(),
-            vertex_of_node: gusset_indices::lend(&grid.vertex_of_node),
-            face_of_cell: gusset_indices::lend(&grid.face_of_cell),
-        });
-        Ok(())
+    lend!(grid, parts, |grid| gusset_net_grid_view {
+        struct_size: size_of::<gusset_net_grid_view>(),
+        vertex_of_node: gusset_indices::lend(&grid.vertex_of_node),
+        face_of_cell: gusset_indices::lend(&grid.face_of_cell),
     })
 }

@@ -17,18 +17,13 @@ pub mod stream;
 pub mod transform;
 pub mod validate;
 
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64, scalar};
+use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64};
 use crate::ffi::net::gluing::{gusset_net_gluing, topology};
+use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::{GUSSET_ERROR_BAD_STRIDE, GUSSET_ERROR_OVERLAP};
-use crate::ffi::status::{Failure, gusset_status};
 use crate::mesh::Scalar;
 use crate::net::{Coordinates, Net, Planes, Real, Shape, each};
 use libc::c_void;
-use std::ptr;
 use std::sync::Arc;
 
 /// A net: H x W nodes in three coordinate matrices, and what is glued to what. Functions that take it as const may run at the same
@@ -63,11 +58,7 @@ pub struct gusset_net_view {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_view {
-    const LEAST_SIZE: usize = 72;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_view>() == 72);
+versioned! { gusset_net_view: 72 reserved }
 
 impl gusset_net {
     /// A handle of a net that owns its memory, or of the host's.
@@ -228,7 +219,7 @@ pub unsafe extern "C" fn gusset_net_create(
 ) -> gusset_status {
     create(context, net, "net", |_| {
         let (arrays, shape) = read_arrays(arrays)?;
-        let coordinates = match scalar(arrays.scalar)? {
+        let coordinates = match choice(arrays.scalar)? {
             Scalar::F32 => Coordinates::F32(copied(shape, &arrays)?),
             Scalar::F64 => Coordinates::F64(copied(shape, &arrays)?),
         };
@@ -252,7 +243,7 @@ pub unsafe extern "C" fn gusset_net_borrow_create(
 ) -> gusset_status {
     create(context, net, "net", |_| {
         let (arrays, shape) = read_arrays(arrays)?;
-        let coordinates = match scalar(arrays.scalar)? {
+        let coordinates = match choice(arrays.scalar)? {
             Scalar::F32 => Coordinates::F32(borrowed(shape, &arrays)?),
             Scalar::F64 => Coordinates::F64(borrowed(shape, &arrays)?),
         };
@@ -262,9 +253,6 @@ pub unsafe extern "C" fn gusset_net_borrow_create(
 
 fn read_arrays(arrays: *const gusset_net_view) -> Result<(gusset_net_view, Shape), Failure> {
     let arrays = input::read(arrays, false, "arrays")?;
-    if arrays.reserved != 0 {
-        return Err(Failure::unknown("reserved", arrays.reserved.into()));
-    }
     Ok((arrays, Shape::new(arrays.rows, arrays.columns)?))
 }
 
@@ -291,9 +279,7 @@ pub unsafe extern "C" fn gusset_net_convert_create(
     scalar: u32,
     converted: *mut *mut gusset_net,
 ) -> gusset_status {
-    create(context, converted, "converted", |_| {
-        Ok(gusset_net::new(read(net)?.converted(crate::ffi::mesh::scalar(scalar)?)?))
-    })
+    create(context, converted, "converted", |_| Ok(gusset_net::new(read(net)?.converted(choice(scalar)?)?)))
 }
 
 /// Destroys a net; NULL is allowed.
@@ -381,7 +367,7 @@ pub unsafe extern "C" fn gusset_net_read(
         if let Some(k) = (0..2).find(|&k| given[k] != needed[k]) {
             return Err(Error::SidesDiffer { a: needed[k] as u32, b: given[k] as u32 }.into());
         }
-        match scalar(arrays.scalar)? {
+        match choice(arrays.scalar)? {
             Scalar::F32 => write::<f32>(net, &arrays),
             Scalar::F64 => write::<f64>(net, &arrays),
         }

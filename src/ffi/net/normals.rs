@@ -1,11 +1,8 @@
 //! Normals of nets, as C sees them.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::guard;
-use crate::ffi::input;
 use crate::ffi::net::{gusset_net, read};
+use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::{GUSSET_ERROR_BUFFER_TOO_SMALL, GUSSET_ERROR_OVERLAP};
-use crate::ffi::status::{Failure, gusset_status};
 use crate::mesh::Scalar;
 use crate::net::normals::normals_into;
 use crate::net::{Coordinates, Net, Planes, Real, each};

@@ -1,12 +1,7 @@
 //! Whole nets of standard shapes as C sees them.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::create;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::mesh::scalar;
 use crate::ffi::net::gusset_net;
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::net::closure::{BoxKind, Cuboid};
 use crate::net::primitive::{Primitive, Request};
 
@@ -89,21 +84,15 @@ pub struct gusset_net_primitive {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_primitive {
-    const LEAST_SIZE: usize = 120;
+versioned! { gusset_net_primitive: 120 reserved }
+
+c_enum! {
+    box_kind: BoxKind { GUSSET_NET_BOX_SLIT => Slit, GUSSET_NET_BOX_CROSS => Cross, GUSSET_NET_BOX_CONCENTRIC => Concentric }
 }
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_net_primitive>() == 120);
 
 impl gusset_net_primitive {
     fn cuboid(&self) -> Result<Cuboid, Failure> {
-        let kind = match self.box_kind {
-            GUSSET_NET_BOX_SLIT => BoxKind::Slit,
-            GUSSET_NET_BOX_CROSS => BoxKind::Cross,
-            GUSSET_NET_BOX_CONCENTRIC => BoxKind::Concentric,
-            other => return Err(Failure::unknown("box_kind", other.into())),
-        };
-        Ok(Cuboid { kind, cells: self.cells })
+        Ok(Cuboid { kind: choice(self.box_kind)?, cells: self.cells })
     }
 
     fn profile(&self) -> Result<Vec<[f64; 2]>, Failure> {
@@ -152,11 +141,8 @@ pub unsafe extern "C" fn gusset_net_primitive_create(
 ) -> gusset_status {
     create(context, net, "net", |job| {
         let given = input::read(primitive, false, "primitive")?;
-        if given.reserved != 0 {
-            return Err(Failure::unknown("reserved", given.reserved.into()));
-        }
         let profile = given.profile()?;
-        let (primitive, scalar) = (given.primitive(&profile)?, scalar(given.scalar)?);
+        let (primitive, scalar) = (given.primitive(&profile)?, choice(given.scalar)?);
         let request = Request { primitive, rows: given.rows, columns: given.columns, scalar };
         Ok(gusset_net::new(request.net(job)?))
     })

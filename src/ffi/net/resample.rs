@@ -1,11 +1,8 @@
 //! Nets of other sizes, as C sees them.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input;
 use crate::ffi::net::{gusset_net, read};
+use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
-use crate::ffi::status::{Failure, gusset_status};
 use crate::net::resample::{Interpolation, decimate, pyramid, resample};
 
 /// How positions between nodes are found.
@@ -18,12 +15,8 @@ pub const GUSSET_INTERPOLATION_BILINEAR: gusset_interpolation = 1;
 /// No pyramid has more levels.
 pub const GUSSET_PYRAMID_LEVELS: usize = 32;
 
-fn interpolation(value: gusset_interpolation) -> Result<Interpolation, Failure> {
-    match value {
-        GUSSET_INTERPOLATION_BICUBIC => Ok(Interpolation::Bicubic),
-        GUSSET_INTERPOLATION_BILINEAR => Ok(Interpolation::Bilinear),
-        other => Err(Failure::unknown("interpolation", other.into())),
-    }
+c_enum! {
+    interpolation: Interpolation { GUSSET_INTERPOLATION_BICUBIC => Bicubic, GUSSET_INTERPOLATION_BILINEAR => Bilinear }
 }
 
 /// Makes a net of `rows` x `columns` nodes that are spread evenly over the rows and columns of another; first and last
@@ -44,7 +37,7 @@ pub unsafe extern "C" fn gusset_net_resample_create(
     resampled: *mut *mut gusset_net,
 ) -> gusset_status {
     create(context, resampled, "resampled", |job| {
-        let interpolation = self::interpolation(interpolation)?;
+        let interpolation = choice(interpolation)?;
         Ok(gusset_net::new(resample(read(net)?, rows, columns, interpolation, job)?))
     })
 }
@@ -112,7 +105,7 @@ pub unsafe extern "C" fn gusset_net_pyramid_create(
     guard(context, |job| {
         let count = count?;
         let slots = input::handles(levels, capacity, "levels")?;
-        let made = pyramid(read(net)?, self::interpolation(interpolation)?, job)?;
+        let made = pyramid(read(net)?, choice(interpolation)?, job)?;
         *count = made.len();
         if capacity < made.len() {
             return Err(Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, "levels is too small"));

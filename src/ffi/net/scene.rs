@@ -1,16 +1,11 @@
 //! Scenes as C sees them.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::input::{fill, flag};
-use crate::ffi::net::arrange::{direction, gusset_direction};
+use crate::ffi::net::arrange::gusset_direction;
 use crate::ffi::net::join::gusset_join_options;
 use crate::ffi::net::{gusset_net, read};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::net::scene::{Content, Instance, Scene};
 use glam::{DAffine3, DVec3};
-use std::ptr;
 
 /// What an entry of a scene is.
 pub type gusset_scene_kind = u32;
@@ -83,20 +78,8 @@ pub struct gusset_scene_instance {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_scene_entry_report {
-    const LEAST_SIZE: usize = 120;
-}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_scene_report {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_scene_entry_report>() == 120
-            && size_of::<gusset_scene_report>() == 40
-            && size_of::<gusset_scene_instance>() == 112)
-);
+versioned! { gusset_scene_entry_report: 120, gusset_scene_report: 40 }
+fixed! { gusset_scene_instance: 112 }
 
 impl From<DAffine3> for gusset_transform {
     fn from(map: DAffine3) -> Self {
@@ -418,7 +401,5 @@ pub unsafe extern "C" fn gusset_scene_unflatten_create(
     direction: gusset_direction,
     scene: *mut *mut gusset_scene,
 ) -> gusset_status {
-    create(context, scene, "scene", |job| {
-        Ok(gusset_scene(Scene::of_flat(read(net)?, self::direction(direction)?, job)?))
-    })
+    create(context, scene, "scene", |job| Ok(gusset_scene(Scene::of_flat(read(net)?, choice(direction)?, job)?)))
 }

@@ -1,17 +1,12 @@
 //! Nets as bytes, as C sees them.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::flag;
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64};
 use crate::ffi::net::{gusset_net, read};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::mesh::Scalar;
 use crate::net::MAX_NODES;
 use crate::net::stream::{Mode, StreamDecoder, StreamInfo, StreamOptions, decode, encode};
 use libc::c_void;
-use std::ptr;
 
 /// How a stream stores coordinates.
 pub type gusset_stream_mode = u32;
@@ -76,23 +71,10 @@ pub struct gusset_stream(Vec<u8>);
 /// A stream that is decoded while it arrives. Opaque; used by one thread at a time.
 pub struct gusset_stream_decoder(StreamDecoder);
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_stream_options {
-    const LEAST_SIZE: usize = 32;
-}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_stream_report {
-    const LEAST_SIZE: usize = 104;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8 || (size_of::<gusset_stream_options>() == 32 && size_of::<gusset_stream_report>() == 104)
-);
+versioned! { gusset_stream_options: 32 reserved, gusset_stream_report: 104 }
 
 impl gusset_stream_options {
     fn checked(self) -> Result<StreamOptions, Failure> {
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
         let mode = match (self.mode, self.bits) {
             (GUSSET_STREAM_QUANTISED, 0) => Mode::Quantised { bits: 14 },
             (GUSSET_STREAM_QUANTISED, bits) => Mode::Quantised { bits },

@@ -1,10 +1,7 @@
 //! Spatial operations on nets, as C sees them.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::guard;
-use crate::ffi::input;
 use crate::ffi::net::{edit, gusset_net};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::net::transform::{Affine, Axis, Sense, transform};
 use glam::DVec3;
 
@@ -47,7 +44,7 @@ pub struct gusset_operation {
     pub values: [f64; 12],
 }
 
-const _: () = assert!(size_of::<gusset_operation>() == 104);
+fixed! { gusset_operation: 104 }
 
 /// Three of the caller's numbers.
 pub(crate) fn vector(values: &[f64]) -> DVec3 {
@@ -59,15 +56,7 @@ pub(crate) fn matrix(values: &[f64]) -> Result<Affine, Failure> {
     Ok(Affine::new([0, 1, 2].map(|row| std::array::from_fn(|column| values[4 * row + column])))?)
 }
 
-/// An axis of the caller's.
-pub(crate) fn axis(value: gusset_axis) -> Result<Axis, Failure> {
-    match value {
-        GUSSET_AXIS_X => Ok(Axis::X),
-        GUSSET_AXIS_Y => Ok(Axis::Y),
-        GUSSET_AXIS_Z => Ok(Axis::Z),
-        other => Err(Failure::unknown("axis", other.into())),
-    }
-}
+c_enum! { axis: Axis { GUSSET_AXIS_X => X, GUSSET_AXIS_Y => Y, GUSSET_AXIS_Z => Z } }
 
 impl gusset_operation {
     fn affine(&self) -> Result<Affine, Failure> {
@@ -80,7 +69,7 @@ impl gusset_operation {
             GUSSET_OPERATION_ROTATE => Affine::rotation(vector(v), v[3], vector(&v[4..]), Sense::RightHanded)?,
             GUSSET_OPERATION_ROTATE_AS_PRINTED => Affine::rotation(vector(v), v[3], vector(&v[4..]), Sense::AsPrinted)?,
             GUSSET_OPERATION_SCALE => Affine::scaling(v[0])?,
-            GUSSET_OPERATION_COMPRESS => Affine::compression(axis(self.axis)?, v[0])?,
+            GUSSET_OPERATION_COMPRESS => Affine::compression(choice(self.axis)?, v[0])?,
             GUSSET_OPERATION_STRETCH => Affine::stretching(vector(v))?,
             GUSSET_OPERATION_MATRIX => matrix(v)?,
             other => return Err(Failure::unknown("kind", other.into())),

@@ -1,13 +1,8 @@
 //! Whether what is glued lies together, and what lies together, as C sees it.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::net::{edit, gusset_net, read};
-use crate::ffi::status::gusset_status;
+use crate::ffi::prelude::*;
 use crate::net::{Finding, FindingKind, detect_gluing};
-use std::ptr;
 
 /// What is found.
 pub type gusset_net_finding_kind = u32;
@@ -54,23 +49,23 @@ pub struct gusset_net_validation_view {
     pub violation_count: usize,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_net_validation_view {
-    const LEAST_SIZE: usize = 4 * size_of::<usize>();
+versioned! { gusset_net_validation_view: 32 }
+fixed! { gusset_net_finding: 24 }
+
+c_enum! {
+    kind: FindingKind {
+        GUSSET_NET_FINDING_LINK_APART => LinkApart,
+        GUSSET_NET_FINDING_SEAM_APART => SeamApart,
+        GUSSET_NET_FINDING_LOOP => Loop,
+        GUSSET_NET_FINDING_ZERO_LENGTH => ZeroLength,
+        GUSSET_NET_FINDING_FEW_NODES => FewNodes,
+    }
 }
-const _: () = assert!(size_of::<gusset_net_finding>() == 24);
 
 impl From<&Finding> for gusset_net_finding {
     fn from(finding: &Finding) -> Self {
-        let kind = match finding.kind {
-            FindingKind::LinkApart => GUSSET_NET_FINDING_LINK_APART,
-            FindingKind::SeamApart => GUSSET_NET_FINDING_SEAM_APART,
-            FindingKind::Loop => GUSSET_NET_FINDING_LOOP,
-            FindingKind::ZeroLength => GUSSET_NET_FINDING_ZERO_LENGTH,
-            FindingKind::FewNodes => GUSSET_NET_FINDING_FEW_NODES,
-        };
-        let Finding { element, nodes, distance, .. } = *finding;
-        gusset_net_finding { kind, element, nodes, distance }
+        let Finding { kind, element, nodes, distance } = *finding;
+        gusset_net_finding { kind: kind.number(), element, nodes, distance }
     }
 }
 
@@ -100,16 +95,14 @@ pub unsafe extern "C" fn gusset_net_validation_get_view(
     validation: *const gusset_net_validation,
     report: *mut gusset_net_validation_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(report, "report")?;
-        let findings = &input::reference(validation, "validation")?.0;
-        out.write(gusset_net_validation_view {
+    lend!(validation, report, |validation| {
+        let findings = &validation.0;
+        gusset_net_validation_view {
             struct_size: size_of::<gusset_net_validation_view>(),
-            findings: if findings.is_empty() { ptr::null() } else { findings.as_ptr() },
+            findings: lent(&findings),
             count: findings.len(),
             violation_count: findings.partition_point(|finding| finding.kind < GUSSET_NET_FINDING_LOOP),
-        });
-        Ok(())
+        }
     })
 }
 

@@ -1,7 +1,7 @@
 //! What the tables look like to a host: the structs and constants of gusset_plugin.h.
 
 use super::outputs::gusset_outputs;
-use crate::ffi::input::Versioned;
+use crate::ffi::glue::versioned;
 use libc::{c_char, c_void};
 
 /// The version of this header's tables, for gusset_plugin_entry.
@@ -83,11 +83,13 @@ pub struct gusset_plugin_mesh {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_plugin_mesh {
-    const LEAST_SIZE: usize = 72;
+versioned! {
+    gusset_plugin_mesh: 72 reserved,
+    gusset_plugin_curves: 64 reserved,
+    gusset_input: 24 reserved,
+    gusset_host: 40 reserved,
+    gusset_failure: 48,
 }
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_plugin_mesh>() == 72);
 
 /// The polylines of an input or of an output. Curve c has the points offsets[c] to offsets[c + 1] - 1 and, if it is closed,
 /// an edge from the last to the first.
@@ -114,12 +116,6 @@ pub struct gusset_plugin_curves {
     pub reserved: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_plugin_curves {
-    const LEAST_SIZE: usize = 64;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_plugin_curves>() == 64);
-
 /// One input of a filter.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -133,12 +129,6 @@ pub struct gusset_input {
     /// 0.
     pub reserved: u32,
 }
-
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_input {
-    const LEAST_SIZE: usize = 24;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_input>() == 24);
 
 /// How a host follows and steers a run. Callbacks come from the thread that called run, must not call into the plugin for the
 /// same outputs, and must not throw.
@@ -160,12 +150,6 @@ pub struct gusset_host {
     /// 0.
     pub reserved: u32,
 }
-
-// SAFETY: repr(C), size first, pointers, optional function pointers, and plain numbers.
-unsafe impl Versioned for gusset_host {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_host>() == 40);
 
 /// One choice of a parameter. Texts are UTF-8, static.
 #[repr(C)]
@@ -298,12 +282,6 @@ pub struct gusset_failure {
     /// Its value where it has one.
     pub value: f64,
 }
-
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_failure {
-    const LEAST_SIZE: usize = 48;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_failure>() == 48);
 
 /// What the plugin is and can do. Texts are UTF-8, static; so is the struct. Its functions may be called from many threads at
 /// once.

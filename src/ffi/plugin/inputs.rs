@@ -48,7 +48,7 @@ pub(super) fn inputs<'a>(
     if count == 0 {
         return Ok(Vec::new());
     }
-    let size = input::read(given, false, "inputs")?.struct_size;
+    let size = input::struct_size(given, "inputs")?;
     input::bytes(given.cast(), count as usize, size, "inputs")?;
     let mut all = alloc::with_capacity(count as usize)?;
     for k in 0..count {
@@ -61,9 +61,6 @@ pub(super) fn inputs<'a>(
 
 fn read<'a>(filter: &Filter, given: *const gusset_input, place: u32, job: &Job<'_>) -> Result<Given<'a>, Fault> {
     let given = input::read(given, false, "inputs")?;
-    if given.reserved != 0 {
-        return Err(Failure::unknown("reserved", given.reserved.into()).into());
-    }
     let kind = match given.kind {
         GUSSET_KIND_MESH => InputKind::Mesh,
         GUSSET_KIND_CURVES => InputKind::Curves,
@@ -101,9 +98,6 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
         GUSSET_PLUGIN_F64 => Scalar::F64,
         other => return Err(Failure::unknown("scalar", other.into())),
     };
-    if view.reserved != 0 {
-        return Err(Failure::unknown("reserved", view.reserved.into()));
-    }
     for (what, count) in [("points", view.point_count), ("curves", view.curve_count)] {
         if count as u64 > MAX_ELEMENTS {
             return Err(Error::TooLarge { what, count: count as u64, limit: MAX_ELEMENTS }.into());
@@ -161,10 +155,7 @@ pub(super) struct Host {
 impl Host {
     pub(super) fn new(host: *const gusset_host) -> Result<Self, Failure> {
         let host = input::read(host, true, "host")?;
-        match host.reserved {
-            0 => Ok(Host { host, done: Cell::new(0.0), stopped: Cell::new(false) }),
-            other => Err(Failure::unknown("reserved", other.into())),
-        }
+        Ok(Host { host, done: Cell::new(0.0), stopped: Cell::new(false) })
     }
 
     pub(super) fn job(&self) -> Job<'_> {

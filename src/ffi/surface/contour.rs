@@ -1,11 +1,6 @@
 //! Sections, contours and isophotes of a surface, as C sees them.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::flag;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, read};
 use crate::surface::contour::{Between, NearestAngle, Planes};
 
@@ -60,25 +55,11 @@ pub struct gusset_nearest_angle_report {
     pub bound: f64,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_contour_options {
-    const LEAST_SIZE: usize = 32;
-}
-// SAFETY: as above.
-unsafe impl Versioned for gusset_nearest_angle_report {
-    const LEAST_SIZE: usize = 112;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_contour_options>() == 32 && size_of::<gusset_nearest_angle_report>() == 112)
-);
+versioned! { gusset_contour_options: 32 reserved, gusset_nearest_angle_report: 112 }
 
 /// The caller's options: what is between crossings, and whether normals are unsigned.
 fn options(given: *const gusset_contour_options) -> Result<(Between, bool), Failure> {
     let options = input::read(given, true, "options")?;
-    if options.reserved != 0 {
-        return Err(Failure::unknown("reserved", options.reserved.into()));
-    }
     let between = match options.between {
         GUSSET_POINT_SPACING_AUTO => Between::Auto,
         GUSSET_POINT_SPACING_CHORD => Between::Chord(options.chord),

@@ -1,14 +1,10 @@
 //! Curves as surfaces: through points, along a surface, and near to each other in space, as C sees them.
 
-use crate::ffi::context::gusset_context;
 use crate::ffi::curve::intersect::gusset_places;
 use crate::ffi::curve::{gusset_curve, points, view};
-use crate::ffi::guard::create;
-use crate::ffi::input;
-use crate::ffi::input::flag;
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::ffi::surface::line_intersection::{gusset_line, lines};
-use crate::ffi::surface::sheet::{gusset_scheme, gusset_sheet, scheme};
+use crate::ffi::surface::sheet::{gusset_scheme, gusset_sheet};
 use crate::surface::curve_through;
 
 /// gusset_sheet_curve_create: u stays and v runs: along rows.
@@ -35,7 +31,7 @@ pub unsafe extern "C" fn gusset_curve_through_create(
     curve: *mut *mut gusset_curve,
 ) -> gusset_status {
     create(context, curve, "curve", |_| {
-        let (scheme, closed) = (self::scheme(scheme)?, flag(closed, "closed")?);
+        let (scheme, closed) = (choice(scheme)?, flag(closed, "closed")?);
         Ok(gusset_curve(curve_through(&points(nodes, count, 3)?, closed, scheme)?))
     })
 }

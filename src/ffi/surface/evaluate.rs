@@ -1,12 +1,8 @@
 //! Points, normals and curvatures of a surface at places, as C sees them.
 
-use crate::alloc;
-use crate::error::{Element, Error};
-use crate::ffi::context::gusset_context;
+use crate::error::Element;
 use crate::ffi::curve::times;
-use crate::ffi::guard::guard;
-use crate::ffi::input;
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::surface::{Local, NormalKind, Place};
 
@@ -19,7 +15,7 @@ pub const GUSSET_NORMAL_LIMIT: u32 = 2;
 
 /// What there is to know of a point of a surface. Derivatives are by the parameters within the cell.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_point {
     /// The point.
     pub point: [f64; 3],
@@ -52,11 +48,9 @@ pub struct gusset_surface_point {
     pub is_curved: u32,
 }
 
-// SAFETY: plain numbers without gaps.
-unsafe impl bytemuck::Zeroable for gusset_surface_point {}
-// SAFETY: as above; any bits will do.
-unsafe impl bytemuck::Pod for gusset_surface_point {}
-const _: () = assert!(size_of::<gusset_surface_point>() == 264);
+fixed! { gusset_surface_point: 264 }
+
+c_enum! { normal_kind: NormalKind { GUSSET_NORMAL_NONE => None, GUSSET_NORMAL_REGULAR => Regular, GUSSET_NORMAL_LIMIT => Limit } }
 
 impl From<Local> for gusset_surface_point {
     fn from(local: Local) -> Self {
@@ -70,11 +64,7 @@ impl From<Local> for gusset_surface_point {
             vv: jet.vv.into(),
             normal: normal.direction.into(),
             spread: normal.spread,
-            normal_kind: match normal.kind {
-                NormalKind::None => GUSSET_NORMAL_NONE,
-                NormalKind::Regular => GUSSET_NORMAL_REGULAR,
-                NormalKind::Limit => GUSSET_NORMAL_LIMIT,
-            },
+            normal_kind: normal.kind.number(),
             ..bytemuck::Zeroable::zeroed()
         };
         if let Some(curvatures) = curvatures {

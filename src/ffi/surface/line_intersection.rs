@@ -1,19 +1,14 @@
 //! Where lines and curves meet a surface, as C sees it.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
 use crate::ffi::curve::{gusset_curve, gusset_place, view};
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::surface::line_intersection::{CurveHit, Hit, Line, Lines, Which};
 use glam::DVec3;
-use std::ptr;
 
 /// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_line {
     /// x, y, z of the point where t is 0; finite.
     pub origin: [f64; 3],
@@ -47,7 +42,7 @@ pub const GUSSET_HIT_INSIDE: gusset_hit_kind = 3;
 
 /// A point that a line or a curve and a surface have in common.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_hit {
     /// Where on the line; of a curve the number of the segment and the parameter on it, added.
     pub t: f64,
@@ -91,23 +86,8 @@ pub struct gusset_surface_hits_view {
     pub on_curve: *const gusset_place,
 }
 
-// SAFETY: plain numbers without gaps.
-unsafe impl bytemuck::Zeroable for gusset_surface_hit {}
-// SAFETY: as above; any bits will do.
-unsafe impl bytemuck::Pod for gusset_surface_hit {}
-// SAFETY: plain numbers without gaps.
-unsafe impl bytemuck::Zeroable for gusset_line {}
-// SAFETY: as above; any bits will do.
-unsafe impl bytemuck::Pod for gusset_line {}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_surface_hits_view {
-    const LEAST_SIZE: usize = 48;
-}
-const _: () = assert!(
-    size_of::<gusset_line>() == 64
-        && size_of::<gusset_surface_hit>() == 112
-        && (size_of::<usize>() != 8 || size_of::<gusset_surface_hits_view>() == 48)
-);
+versioned! { gusset_surface_hits_view: 48 }
+fixed! { gusset_line: 64, gusset_surface_hit: 112 }
 
 /// What a hit is called in C, by how often it counts.
 fn kind(multiplicity: u32) -> gusset_hit_kind {
@@ -166,14 +146,7 @@ pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>
     Ok(alloc::collect(lines)?)
 }
 
-fn which(which: gusset_hit_selection) -> Result<Which, Failure> {
-    match which {
-        GUSSET_HITS_ALL => Ok(Which::All),
-        GUSSET_HITS_FIRST => Ok(Which::First),
-        GUSSET_HITS_ANY => Ok(Which::Any),
-        other => Err(Failure::unknown("which", other.into())),
-    }
-}
+c_enum! { which: Which { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST => First, GUSSET_HITS_ANY => Any } }
 
 /// Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
 ///
@@ -194,7 +167,7 @@ pub unsafe extern "C" fn gusset_surface_line_hits_create(
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
-        let (surface, which) = (read(surface)?, self::which(which)?);
+        let (surface, which) = (read(surface)?, choice(which)?);
         gusset_surface_hits::of_lines(surface.lines(&self::lines(lines, count)?, which, job)?)
     })
 }
@@ -244,7 +217,7 @@ pub unsafe extern "C" fn gusset_surface_curve_hits_create(
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
         let (surface, curve) = (read(surface)?, view(curve, "curve")?);
-        gusset_surface_hits::of_curve(&surface.curve(&curve, self::which(which)?, job)?)
+        gusset_surface_hits::of_curve(&surface.curve(&curve, choice(which)?, job)?)
     })
 }
 
@@ -267,7 +240,7 @@ pub unsafe extern "C" fn gusset_surface_hits_get_view(
             hit_count: found.hits.len(),
             ends: found.ends.as_ptr(),
             hits: found.hits.as_ptr(),
-            on_curve: if found.on_curve.is_empty() { ptr::null() } else { found.on_curve.as_ptr() },
+            on_curve: lent(&found.on_curve),
         });
         Ok(())
     })

@@ -13,17 +13,11 @@ pub mod sheet_mesh;
 pub mod sheet_report;
 pub mod surface_intersection;
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::flag;
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::gusset_indices;
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::ffi::surface::sheet::gusset_sheet;
 use crate::surface::{Paths, Place, Sheet, Surface};
 use glam::DVec3;
-use std::ptr;
 
 /// A smooth surface of one or more sheets with an index, which answers. Opaque and immutable: all functions may use it from any thread, and
 /// many at the same time, each with a context of its own; it is destroyed when none uses it any more. It keeps what it needs of its sheets.
@@ -31,7 +25,7 @@ pub struct gusset_surface(pub(crate) Surface<'static>);
 
 /// A place on a surface.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_place {
     /// The sheet, counted from 0 as they were given.
     pub sheet: u32,
@@ -104,24 +98,8 @@ pub struct gusset_surface_paths_view {
     pub unresolved_count: usize,
 }
 
-// SAFETY: plain numbers without gaps.
-unsafe impl bytemuck::Zeroable for gusset_surface_place {}
-// SAFETY: as above; any bits will do.
-unsafe impl bytemuck::Pod for gusset_surface_place {}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_surface_options {
-    const LEAST_SIZE: usize = 16;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_surface_paths_view {
-    const LEAST_SIZE: usize = 104;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_surface_place>() == 32
-            && size_of::<gusset_surface_options>() == 24
-            && size_of::<gusset_surface_paths_view>() == 104)
-);
+versioned! { gusset_surface_options: 16 reserved, gusset_surface_paths_view: 104 }
+fixed! { gusset_surface_place: 32 }
 
 impl From<Place> for gusset_surface_place {
     fn from(place: Place) -> Self {
@@ -185,9 +163,6 @@ pub unsafe extern "C" fn gusset_surface_create(
         let given = self::sheets(sheets, count)?;
         let tolerance = if options.tolerance == 0.0 { None } else { Some(options.tolerance) };
         let with_cones = flag(options.cones, "cones")?;
-        if options.reserved != 0 {
-            return Err(Failure::unknown("reserved", options.reserved.into()));
-        }
         let split = if with_cones { 0.8 } else { 1.0 };
         let made = Surface::new(given, tolerance, &job.part(0.0, split))?;
         if with_cones {
@@ -226,7 +201,7 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
             points: paths.points.as_ptr().cast(),
             normals: paths.normals.as_ptr().cast(),
             places: paths.places.as_ptr(),
-            others: if paths.others.is_empty() { ptr::null() } else { paths.others.as_ptr() },
+            others: lent(&paths.others),
             unresolved: paths.unresolved.as_ptr(),
             unresolved_count: paths.unresolved.len(),
         });

@@ -1,17 +1,10 @@
 //! Nearest points of surfaces, places where the distance is locally least, regions of cells, as C sees them.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::flag;
-use crate::ffi::input::{self, Versioned};
+use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
-use crate::ffi::status::{Failure, gusset_status};
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
 use crate::surface::{Closest, Minima, Region};
 use glam::DVec3;
-use std::ptr;
 
 /// gusset_surface_nearest_point: there is a point; else nothing is within the limit, all numbers are 0 and the distance is infinite.
 pub const GUSSET_NEAREST_FOUND: u32 = 1;
@@ -23,7 +16,7 @@ pub const GUSSET_NEAREST_AMBIGUOUS: u32 = 4;
 
 /// A point of a surface that was found for a query.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct gusset_surface_nearest_point {
     /// Where it is on the surface.
     pub place: gusset_surface_place,
@@ -124,30 +117,12 @@ pub struct gusset_surface_region_view {
     pub sheet_count: usize,
 }
 
-// SAFETY: plain numbers without gaps.
-unsafe impl bytemuck::Zeroable for gusset_surface_nearest_point {}
-// SAFETY: as above; any bits will do.
-unsafe impl bytemuck::Pod for gusset_surface_nearest_point {}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_nearest_options {
-    const LEAST_SIZE: usize = 32;
+versioned! {
+    gusset_nearest_options: 32 reserved,
+    gusset_surface_points_view: 40,
+    gusset_surface_region_view: 56,
 }
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_surface_points_view {
-    const LEAST_SIZE: usize = 40;
-}
-// SAFETY: as above.
-unsafe impl Versioned for gusset_surface_region_view {
-    const LEAST_SIZE: usize = 56;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_surface_nearest_point>() == 104
-            && size_of::<gusset_nearest_options>() == 32
-            && size_of::<gusset_surface_points_view>() == 40
-            && size_of::<gusset_surface_cell>() == 16
-            && size_of::<gusset_surface_region_view>() == 56)
-);
+fixed! { gusset_surface_nearest_point: 104, gusset_surface_cell: 16 }
 
 impl From<Option<Closest>> for gusset_surface_nearest_point {
     fn from(closest: Option<Closest>) -> Self {
@@ -173,9 +148,6 @@ impl From<Option<Closest>> for gusset_surface_nearest_point {
 impl gusset_nearest_options {
     /// The limit, or infinity.
     fn limit(&self) -> Result<f64, Failure> {
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
         Ok(if flag(self.limited, "limited")? { self.limit } else { f64::INFINITY })
     }
 }

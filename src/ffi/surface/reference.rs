@@ -1,13 +1,8 @@
 //! The paper's search as C sees it: diameters of cells, cell regions, the logical scale, the normal by two sections. It is the
 //! documented reference; to ask questions, use the index of a surface.
 
-use crate::alloc;
-use crate::error::{Element, Error};
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::guard;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::input::{fill, flag};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::error::Element;
+use crate::ffi::prelude::*;
 use crate::ffi::surface::evaluate::surface_places;
 use crate::ffi::surface::gusset_surface_place;
 use crate::ffi::surface::sheet::gusset_sheet;
@@ -104,24 +99,7 @@ pub struct gusset_mask_report {
     pub diameter: f64,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_reference_task {
-    const LEAST_SIZE: usize = 104;
-}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_reference_report {
-    const LEAST_SIZE: usize = 56;
-}
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_mask_report {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_reference_task>() == 104
-            && size_of::<gusset_reference_report>() == 56
-            && size_of::<gusset_mask_report>() == 40)
-);
+versioned! { gusset_reference_task: 104, gusset_reference_report: 56, gusset_mask_report: 40 }
 
 fn read<'a>(sheet: *const gusset_sheet) -> Result<&'a Sheet<'static>, Failure> {
     Ok(&input::reference(sheet, "sheet")?.0)

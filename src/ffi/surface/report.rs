@@ -1,10 +1,7 @@
 //! What surfaces and their sheets are, as C sees them.
 
-use crate::ffi::guard::guard;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, read};
-use std::ptr;
 
 /// What a surface is.
 #[repr(C)]
@@ -52,18 +49,7 @@ pub struct gusset_surface_sheet_report {
     pub closed_v: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_surface_report {
-    const LEAST_SIZE: usize = 96;
-}
-// SAFETY: as above.
-unsafe impl Versioned for gusset_surface_sheet_report {
-    const LEAST_SIZE: usize = 48;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_surface_report>() == 104 && size_of::<gusset_surface_sheet_report>() == 48)
-);
+versioned! { gusset_surface_report: 96, gusset_surface_sheet_report: 48 }
 
 /// What a surface is. facts: struct_size set by the caller; all else is overwritten. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
 /// BAD_STRUCT_SIZE. O(sheets). From any thread.

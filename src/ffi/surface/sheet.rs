@@ -1,14 +1,7 @@
 //! Pieces of smooth surfaces, as C sees them.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::create;
-use crate::ffi::input::flag;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::mesh::scalar;
+use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
-use crate::ffi::status::{Failure, gusset_status};
 use crate::mesh::Scalar;
 use crate::surface::{Grid, Nodes, Scheme, Sheet};
 use libc::c_void;
@@ -50,11 +43,7 @@ pub struct gusset_nodes {
     pub closed_v: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_nodes {
-    const LEAST_SIZE: usize = 64;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_nodes>() == 64);
+versioned! { gusset_nodes: 64 }
 
 /// How the caller's nodes lie, in bytes.
 struct Layout {
@@ -89,7 +78,7 @@ impl Layout {
 
 /// A copy of the caller's numbers, packed.
 pub(crate) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
-    let kind = scalar(nodes.scalar)?;
+    let kind = choice(nodes.scalar)?;
     let size = match kind {
         Scalar::F32 => 4,
         Scalar::F64 => 8,
@@ -117,7 +106,10 @@ pub(crate) fn copied_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failu
 /// The caller's numbers themselves.
 fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
     let layout = Layout::of(nodes, 8)?;
-    if scalar(nodes.scalar)? != Scalar::F64 || !layout.row.is_multiple_of(8) || !layout.column.is_multiple_of(8) {
+    if choice::<Scalar>(nodes.scalar)? != Scalar::F64
+        || !layout.row.is_multiple_of(8)
+        || !layout.column.is_multiple_of(8)
+    {
         let message = "nodes in the caller's memory are f64, and whole numbers apart";
         return Err(Failure { value: layout.column as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
     }
@@ -125,17 +117,10 @@ fn borrowed_nodes(nodes: &gusset_nodes) -> Result<Nodes<'static>, Failure> {
     Ok(Nodes::strided(numbers, nodes.rows, nodes.columns, layout.row / 8, layout.column / 8)?)
 }
 
-/// The scheme that a number stands for.
-pub(crate) fn scheme(scheme: gusset_scheme) -> Result<Scheme, Failure> {
-    match scheme {
-        GUSSET_SCHEME_SIX_TAP => Ok(Scheme::SixTap),
-        GUSSET_SCHEME_FOUR_POINT => Ok(Scheme::FourPoint),
-        other => Err(Failure::unknown("scheme", other.into())),
-    }
-}
+c_enum! { scheme: Scheme { GUSSET_SCHEME_SIX_TAP => SixTap, GUSSET_SCHEME_FOUR_POINT => FourPoint } }
 
 fn grid(nodes: Nodes<'static>, options: &gusset_nodes) -> Result<gusset_sheet, Failure> {
-    let scheme = scheme(options.scheme)?;
+    let scheme = choice(options.scheme)?;
     let closed = [flag(options.closed_u, "closed_u")?, flag(options.closed_v, "closed_v")?];
     Ok(gusset_sheet(Sheet::Grid(Grid::new(nodes, closed, scheme)?)))
 }

@@ -1,14 +1,8 @@
 //! Sheets from tangents, patches, splines, curves and frames, as C sees them.
 
-use crate::alloc;
-use crate::error::Error;
-use crate::ffi::context::gusset_context;
 use crate::ffi::curve::frame::gusset_frame;
 use crate::ffi::curve::{gusset_curve, points, times};
-use crate::ffi::guard::create;
-use crate::ffi::input::flag;
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::ffi::surface::sheet::{copied_nodes, gusset_nodes, gusset_sheet};
 use crate::outline::CurveView;
 use crate::surface::construct::{CurveNet, FrameSurface, Spline, SplineAxis, Tangents, Twists};
@@ -104,24 +98,7 @@ pub struct gusset_curve_net {
     pub closed_v: u32,
 }
 
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_tangents {
-    const LEAST_SIZE: usize = 40;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_spline {
-    const LEAST_SIZE: usize = 80;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_curve_net {
-    const LEAST_SIZE: usize = 56;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_tangents>() == 40
-            && size_of::<gusset_spline>() == 80
-            && size_of::<gusset_curve_net>() == 56)
-);
+versioned! { gusset_tangents: 40 reserved, gusset_spline: 80, gusset_curve_net: 56 }
 
 /// The caller's numbers, at any alignment.
 fn numbers(data: *const f64, count: usize, name: &'static str) -> Result<Vec<f64>, Failure> {
@@ -176,11 +153,8 @@ struct Given(Vec<glam::DVec3>);
 
 impl gusset_tangents {
     fn twists(&self, count: usize) -> Result<Given, Failure> {
-        match (self.reserved, self.twist) {
-            (0, GUSSET_TWISTS_GIVEN) => Ok(Given(points(self.twists, count, 3)?)),
-            (0, _) => Ok(Given(Vec::new())),
-            (other, _) => Err(Failure::unknown("reserved", other.into())),
-        }
+        let given = self.twist == GUSSET_TWISTS_GIVEN;
+        Ok(Given(if given { points(self.twists, count, 3)? } else { Vec::new() }))
     }
 }
 

@@ -1,18 +1,12 @@
 //! Meshes of sheets, as C sees them.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::flag;
-use crate::ffi::input::{self, Versioned};
 use crate::ffi::mesh::{self, gusset_mesh_view};
-use crate::ffi::status::{Failure, gusset_status};
+use crate::ffi::prelude::*;
 use crate::ffi::surface::gusset_surface_place;
 use crate::ffi::surface::sheet::gusset_sheet;
 use crate::mesh::Mesh;
 use crate::surface::SurfaceMeshOptions;
 use glam::DVec3;
-use std::ptr;
 
 /// The mesh of a sheet. Opaque and immutable; it keeps nothing of the sheet.
 pub struct gusset_sheet_mesh {
@@ -56,24 +50,10 @@ pub struct gusset_sheet_mesh_view {
     pub deviation: f64,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_sheet_mesh_options {
-    const LEAST_SIZE: usize = 32;
-}
-// SAFETY: repr(C), size first, pointers and plain numbers.
-unsafe impl Versioned for gusset_sheet_mesh_view {
-    const LEAST_SIZE: usize = 40;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_sheet_mesh_options>() == 32 && size_of::<gusset_sheet_mesh_view>() == 40)
-);
+versioned! { gusset_sheet_mesh_options: 32 reserved, gusset_sheet_mesh_view: 40 }
 
 impl gusset_sheet_mesh_options {
     fn checked(self) -> Result<SurfaceMeshOptions, Failure> {
-        if self.reserved != 0 {
-            return Err(Failure::unknown("reserved", self.reserved.into()));
-        }
         Ok(SurfaceMeshOptions {
             tolerance: if self.tolerance == 0.0 { f64::INFINITY } else { self.tolerance },
             least: [self.least_u.max(1), self.least_v.max(1)],

@@ -1,13 +1,9 @@
 //! What sheets are, and how far they are from what they stand for, as C sees them.
 
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::guard;
-use crate::ffi::input::{self, Versioned};
+use crate::ffi::prelude::*;
 use crate::ffi::status::gusset_status::GUSSET_ERROR_BUFFER_TOO_SMALL;
-use crate::ffi::status::{Failure, gusset_status};
 use crate::ffi::surface::sheet::gusset_sheet;
 use crate::surface::Sheet;
-use std::ptr;
 
 /// What a sheet is.
 #[repr(C)]
@@ -37,11 +33,7 @@ pub struct gusset_sheet_report {
     pub pole_v1: u32,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_sheet_report {
-    const LEAST_SIZE: usize = 56;
-}
-const _: () = assert!(size_of::<usize>() != 8 || size_of::<gusset_sheet_report>() == 56);
+versioned! { gusset_sheet_report: 56 }
 
 /// Tells what a sheet is.
 ///

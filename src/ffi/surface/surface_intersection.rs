@@ -1,13 +1,8 @@
 //! Where two surfaces meet, as C sees it.
 
-use crate::alloc;
-use crate::ffi::context::gusset_context;
-use crate::ffi::guard::{create, guard};
-use crate::ffi::input::{self, Versioned};
-use crate::ffi::status::gusset_status;
+use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_paths, read};
 use crate::surface::surface_intersection::{CellPair, Options};
-use std::ptr;
 
 /// How intersections are wanted.
 #[repr(C)]
@@ -57,20 +52,8 @@ pub struct gusset_cell_pairs_view {
     pub count: usize,
 }
 
-// SAFETY: repr(C), size first, plain numbers.
-unsafe impl Versioned for gusset_intersection_options {
-    const LEAST_SIZE: usize = 24;
-}
-// SAFETY: repr(C), size first, a pointer and a number.
-unsafe impl Versioned for gusset_cell_pairs_view {
-    const LEAST_SIZE: usize = 24;
-}
-const _: () = assert!(
-    size_of::<usize>() != 8
-        || (size_of::<gusset_intersection_options>() == 24
-            && size_of::<gusset_cell_pair>() == 24
-            && size_of::<gusset_cell_pairs_view>() == 24)
-);
+versioned! { gusset_intersection_options: 24, gusset_cell_pairs_view: 24 }
+fixed! { gusset_cell_pair: 24 }
 
 impl From<gusset_intersection_options> for Options {
     fn from(options: gusset_intersection_options) -> Self {
