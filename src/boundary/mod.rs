@@ -16,14 +16,16 @@
 //! * **Faces that disagree in orientation** do not stop a walk; the loop takes the direction of most of its faces and marks
 //!   the edges where it runs against theirs.
 //!
-//! Files: `loops` has the types and the entry point, `walk` goes from free edge to free edge, `split` makes simple loops, and
+//! Files: `options` and `loops` have the types and the entry point, `walk` goes from free edge to free edge, `split` makes simple loops, and
 //! `fast` finds ordinary boundaries without looking at every edge.
 
 mod fast;
 mod loops;
+mod options;
 mod split;
 mod walk;
 
 pub(crate) use split::split_simple;
 
-pub use loops::{Boundary, EdgeFlags, Loop, LoopFlags, NonManifold, Options, Survey, boundary_loops};
+pub use loops::{Boundary, EdgeFlags, Loop, LoopFlags, boundary_loops};
+pub use options::{NonManifold, Options, Survey};

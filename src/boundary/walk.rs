@@ -4,7 +4,7 @@
 //! one successor and one predecessor, so the walk is a permutation of the free edges and visits
 //! each once. O(faces of the fans).
 
-use super::loops::NonManifold;
+use super::options::NonManifold;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;

@@ -11,6 +11,7 @@
 
 mod components;
 pub(crate) mod concat;
+mod defect;
 mod owned;
 mod pairing;
 mod topology;
@@ -18,9 +19,10 @@ mod view;
 
 pub(crate) use components::vertex_components;
 pub use concat::{Piece, concatenate};
+pub use defect::Defect;
 pub use owned::{Mesh, PositionBuffer};
+pub use topology::Topology;
 pub(crate) use topology::{Across, half_edges};
-pub use topology::{Defect, Topology};
 pub(crate) use view::Visitor;
 pub use view::{Faces, MAX_ELEMENTS, MeshView, Positions, Scalar};
 

@@ -9,7 +9,7 @@
 //! Each thread counts and distributes a part of the faces. All counts together tell it its places in every bucket: half-edges
 //! are in order there, whatever the number of threads. Pairs are then made in ranges of vertices.
 
-use super::topology::{Defect, FREE, SINGULAR};
+use super::defect::Defect;
 use super::view::{Faces, MeshView, Visitor};
 use crate::alloc;
 use crate::error::Result;
@@ -17,6 +17,11 @@ use crate::job::Job;
 use crate::par;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+
+/// The edge has this one face only.
+pub(super) const FREE: u32 = u32::MAX;
+/// The edge has three or more faces.
+pub(super) const SINGULAR: u32 = u32::MAX - 1;
 
 /// Faces, or vertices, that one thread takes between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 20;

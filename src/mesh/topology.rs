@@ -1,49 +1,15 @@
 //! Which half-edges share an edge.
 
-use super::pairing::{Pairs, pairs};
+use super::defect::Defect;
+use super::pairing::{FREE, Pairs, SINGULAR, pairs};
 use super::view::MeshView;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use crate::par;
 
-/// Something wrong or unusual about a mesh's connectivity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Defect {
-    /// A face that repeats a vertex. If fewer than three distinct consecutive corners remain, the face has no border and
-    /// its neighbours are taken to touch each other.
-    DegenerateFace {
-        /// The face.
-        face: u32,
-        /// The repeated vertex.
-        vertex: u32,
-    },
-    /// An edge whose two faces run it in the same direction: one of them is wrongly oriented.
-    OrientationConflict {
-        /// The two half-edges, the smaller number first.
-        half_edges: [u32; 2],
-    },
-    /// An edge with three or more faces.
-    NonManifoldEdge {
-        /// The first of its half-edges.
-        half_edge: u32,
-        /// How many half-edges it has.
-        faces: u32,
-    },
-    /// A vertex where the surface touches itself: its faces form more than one fan.
-    BowTie {
-        /// The vertex.
-        vertex: u32,
-    },
-}
-
 /// The pairing of half-edges.
 pub struct Topology(Pairs);
-
-/// The edge has this one face only.
-pub(super) const FREE: u32 = u32::MAX;
-/// The edge has three or more faces.
-pub(super) const SINGULAR: u32 = u32::MAX - 1;
 
 /// Half-edges that one thread looks at at a time.
 const CHUNK: usize = 1 << 18;

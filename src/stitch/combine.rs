@@ -3,6 +3,7 @@
 //! Vertices: those of A, then those of B, then the new ones. Faces: those of A, then those of B, then the strip. Positions keep
 //! their bits.
 
+use super::request::IndexMap;
 use super::strip::Strip;
 use crate::alloc;
 use crate::error::{Error, Result};
@@ -10,15 +11,6 @@ use crate::job::Job;
 use crate::mesh::{MAX_ELEMENTS, Mesh, MeshView, concat};
 use crate::sort::sort;
 use std::ops::Range;
-
-/// Old indices to new ones.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct IndexMap {
-    /// Per old vertex, the new one.
-    pub vertices: Vec<u32>,
-    /// Per old face, the new one.
-    pub faces: Vec<u32>,
-}
 
 /// Appends a piece; the faces that `turn` names are turned over, each from its own first corner.
 pub(super) fn append_piece(

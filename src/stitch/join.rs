@@ -1,12 +1,12 @@
 //! The stages of stitching in order, from two loops to one mesh.
 
-use super::combine::{IndexMap, append_piece, append_strip, strip_alone};
+use super::combine::{append_piece, append_strip, strip_alone};
 use super::extent::arcs;
 use super::facing::{self, check_tolerance};
 use super::fair_and_check::fair_and_check;
 use super::pairing::{nearest_pair, usable_rims};
 use super::quality::Quality;
-use super::request::{Options, Orientation, Request, Stitch};
+use super::request::{IndexMap, Options, Orientation, Request, Stitch};
 use super::rim::{Bridges, FreeEdges, Rim, shared_vertex};
 use super::sense::{arcs_run_the_same_way, rims_disagree};
 use super::strip::Strip;

@@ -48,11 +48,10 @@ pub(crate) use combine::part_alone;
 pub(crate) use grid::FaceList;
 pub(crate) use rim::FreeEdges;
 
-pub use combine::IndexMap;
 pub use extent::Extent;
 pub use join::stitch;
 pub use meridian::{Meridians, Search};
 pub use quality::Quality;
-pub use request::{Cells, Fairing, Intersections, Options, Orientation, Request, Rows, Stitch};
+pub use request::{Cells, Fairing, IndexMap, Intersections, Options, Orientation, Request, Rows, Stitch};
 pub use ruled::{Ruled, RuledOptions, ruled};
 pub use start::Start;

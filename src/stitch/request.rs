@@ -1,6 +1,5 @@
 //! Request, options and result of a stitch.
 
-use super::combine::IndexMap;
 use super::extent::Extent;
 use super::facing::{Centres, Run};
 use super::meridian::{Meridians, Pair, Search};
@@ -116,6 +115,15 @@ pub struct Request<'a> {
     pub b: Option<&'a MeshView<'a>>,
     /// The second loop.
     pub loop_b: Option<&'a [u32]>,
+}
+
+/// Old indices to new ones.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct IndexMap {
+    /// Per old vertex, the new one.
+    pub vertices: Vec<u32>,
+    /// Per old face, the new one.
+    pub faces: Vec<u32>,
 }
 
 /// The result of stitching.

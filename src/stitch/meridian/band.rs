@@ -1,7 +1,7 @@
 //! The part of the lattice that is searched: for each row i the columns j from `low[i]` to
 //! `high[i]`, both non-decreasing.
 
-use super::Pair;
+use super::rims::Pair;
 use crate::alloc;
 use crate::error::Result;
 use std::ops::{Range, RangeInclusive};

@@ -6,7 +6,7 @@
 //! many small bends cost less than one sharp one. A triangle without area counts as
 //! perpendicular to its neighbours.
 
-use super::{Pair, RimPair};
+use super::rims::{Pair, RimPair};
 use glam::DVec3;
 
 /// The strip's bends between two polylines.

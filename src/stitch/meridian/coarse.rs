@@ -7,7 +7,7 @@
 //! level.
 
 use super::band::Band;
-use super::{Pair, RimPair};
+use super::rims::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;

@@ -1,6 +1,6 @@
 //! Meridians without a search, in O(N + M): by arc length, and greedily.
 
-use super::{Pair, RimPair};
+use super::rims::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;

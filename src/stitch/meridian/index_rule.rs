@@ -9,7 +9,7 @@
 //!
 //! An open polyline of N vertices has N - 1 segments, a closed one N.
 
-use super::Pair;
+use super::rims::Pair;
 use crate::alloc;
 use crate::error::Result;
 

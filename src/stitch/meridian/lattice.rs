@@ -8,7 +8,7 @@
 
 use super::band::Band;
 use super::metric::{Line, Metric, StepCosts};
-use super::{Pair, RimPair};
+use super::rims::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;

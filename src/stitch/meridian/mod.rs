@@ -8,6 +8,7 @@
 //! | file | subject |
 //! |---|---|
 //! | [`index_rule`](mod@index_rule) | the paper's rule, by index alone |
+//! | `rims` | the two polylines, and the lattice nodes that no path may pass |
 //! | `greedy` | by arc length, and greedily |
 //! | `metric`, `bend` | costs: area, lengths; bends |
 //! | `lattice` | the cheapest path, where the cost of a step depends on that step alone |
@@ -21,22 +22,20 @@ mod greedy;
 pub mod index_rule;
 mod lattice;
 mod metric;
+mod rims;
 mod states;
 #[cfg(test)]
 mod tests;
 
-use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use band::Band;
 use bend::{Bends, tie_break};
-use glam::DVec3;
 use index_rule::index_meridians;
 use metric::Metric;
+pub use rims::Pair;
+pub(crate) use rims::{RimPair, forbidden_nodes};
 use states::{Cost, cheapest, is_simple};
-
-/// One meridian: the places on rim A and on rim B.
-pub type Pair = [u32; 2];
 
 /// How meridians are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -75,30 +74,6 @@ pub enum Search {
 
 /// Lattices of more nodes than this are searched coarse to fine.
 const MAX_EXACT_NODES: usize = 1 << 21;
-
-/// Where meridians run: two polylines of N + 1 and M + 1 points; of closed ones the last point is the first again.
-pub(crate) struct RimPair<'a> {
-    pub(crate) a: &'a [DVec3],
-    pub(crate) b: &'a [DVec3],
-    pub(crate) closed: bool,
-    /// Nodes that no path may pass, in ascending order.
-    pub(crate) forbidden: &'a [Pair],
-    /// For each edge of A and of B, the unit normal of the old face along it, on the side on which the strip's triangles
-    /// run A_i A_i-1 B_j.
-    pub(crate) sides: Option<[&'a [DVec3]; 2]>,
-}
-
-impl RimPair<'_> {
-    fn forbidden_in_row(&self, i: usize) -> &[Pair] {
-        let from = self.forbidden.partition_point(|&[row, _]| (row as usize) < i);
-        let count = self.forbidden[from..].partition_point(|&[row, _]| row as usize == i);
-        &self.forbidden[from..from + count]
-    }
-
-    fn is_forbidden(&self, node: Pair) -> bool {
-        !self.forbidden.is_empty() && self.forbidden.binary_search(&node).is_ok()
-    }
-}
 
 /// Meridians, and what they cost in the measure of their choice.
 pub(crate) struct MeridianChoice {
@@ -185,21 +160,4 @@ fn search_lattice(
         return coarse::coarse_to_fine(rails, find, job);
     }
     find(rails, &Band::full(n, m)?, job)
-}
-
-/// Lattice nodes in ascending order, the ends of closed rims named twice: `nodes` with i < N and j < M.
-pub(crate) fn forbidden_nodes(nodes: impl Iterator<Item = Pair>, n: u32, m: u32, closed: bool) -> Result<Vec<Pair>> {
-    let mut all = Vec::new();
-    for [i, j] in nodes {
-        alloc::push(&mut all, [i, j])?;
-        if closed {
-            for (again, node) in [(i == 0, [n, j]), (j == 0, [i, m]), (i == 0 && j == 0, [n, m])] {
-                if again {
-                    alloc::push(&mut all, node)?;
-                }
-            }
-        }
-    }
-    all.sort_unstable();
-    Ok(all)
 }

@@ -17,7 +17,7 @@
 use super::band::Band;
 use super::bend::{Bends, Normals};
 use super::metric::{Line, Metric, StepCosts};
-use super::{Pair, RimPair};
+use super::rims::{Pair, RimPair};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;

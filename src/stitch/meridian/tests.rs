@@ -3,6 +3,7 @@
 use super::index_rule::index_meridians;
 use super::metric::strip_area;
 use super::*;
+use glam::DVec3;
 use proptest::prelude::*;
 
 /// The edges that a path uses, those of a closed polyline's end being those of its start.

@@ -23,21 +23,14 @@ const LAYERS: [&[&str]; 10] = [
 ];
 
 /// Folders that still have circles: this list only gets shorter.
-const KNOWN: [&str; 20] = [
-    "boundary",
+const KNOWN: [&str; 13] = [
     "ffi",
     "ffi/net",
     "ffi/openmfx",
     "ffi/plugin",
     "filters",
-    "geom/bernstein",
-    "mesh",
-    "net/measure",
-    "net/resample",
     "outline",
     "outline/frame",
-    "stitch",
-    "stitch/meridian",
     "surface",
     "surface/contour",
     "surface/index",

@@ -180,7 +180,8 @@ impl Module {
                 k = end;
                 continue;
             }
-            let after_dot = k > 0 && is_mark(tokens.get(k - 1), '.');
+            let no_use = k > 0
+                && (is_mark(tokens.get(k - 1), '.') || ident(tokens.get(k - 1)).is_some_and(|word| word == "mod"));
             let mut path = vec![name];
             while is_mark(tokens.get(k + 1), ':') && is_mark(tokens.get(k + 2), ':') {
                 let Some(next) = ident(tokens.get(k + 3)) else { break };
@@ -191,7 +192,7 @@ impl Module {
             if path.len() > 1 {
                 self.names.insert(path[0].clone());
                 self.paths.insert(path);
-            } else if !after_dot {
+            } else if !no_use {
                 self.names.extend(path);
             }
         }

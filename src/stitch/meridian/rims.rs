@@ -1,0 +1,49 @@
+//! The two rims that meridians join, as polylines, and the nodes of their lattice that no path may pass.
+
+use crate::alloc;
+use crate::error::Result;
+use glam::DVec3;
+
+/// One meridian: the places on rim A and on rim B.
+pub type Pair = [u32; 2];
+
+/// Where meridians run: two polylines of N + 1 and M + 1 points; of closed ones the last point is the first again.
+pub(crate) struct RimPair<'a> {
+    pub(crate) a: &'a [DVec3],
+    pub(crate) b: &'a [DVec3],
+    pub(crate) closed: bool,
+    /// Nodes that no path may pass, in ascending order.
+    pub(crate) forbidden: &'a [Pair],
+    /// For each edge of A and of B, the unit normal of the old face along it, on the side on which the strip's triangles
+    /// run A_i A_i-1 B_j.
+    pub(crate) sides: Option<[&'a [DVec3]; 2]>,
+}
+
+impl RimPair<'_> {
+    pub(super) fn forbidden_in_row(&self, i: usize) -> &[Pair] {
+        let from = self.forbidden.partition_point(|&[row, _]| (row as usize) < i);
+        let count = self.forbidden[from..].partition_point(|&[row, _]| row as usize == i);
+        &self.forbidden[from..from + count]
+    }
+
+    pub(super) fn is_forbidden(&self, node: Pair) -> bool {
+        !self.forbidden.is_empty() && self.forbidden.binary_search(&node).is_ok()
+    }
+}
+
+/// Lattice nodes in ascending order, the ends of closed rims named twice: `nodes` with i < N and j < M.
+pub(crate) fn forbidden_nodes(nodes: impl Iterator<Item = Pair>, n: u32, m: u32, closed: bool) -> Result<Vec<Pair>> {
+    let mut all = Vec::new();
+    for [i, j] in nodes {
+        alloc::push(&mut all, [i, j])?;
+        if closed {
+            for (again, node) in [(i == 0, [n, j]), (j == 0, [i, m]), (i == 0 && j == 0, [n, m])] {
+                if again {
+                    alloc::push(&mut all, node)?;
+                }
+            }
+        }
+    }
+    all.sort_unstable();
+    Ok(all)
+}
