@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""What doxygen prints of the C++ headers: `reference_cpp.py FILE` is its filter for them.
+"""The C++ headers as doxygen reads them: `reference_cpp.py FILE` is its filter.
 
-The wrapper is thin, and what it wraps is documented in C. So a member without a comment is said to be the part of the C interface
-that it calls or is named after, or what the standard library asks of ranges; whatever is neither needs a comment in the header, which
-doxygen demands. Classes get an example: the first part of a guide's program that uses them, or the first program that does.
+The wrapper is thin, and the C interface is documented. A member without a comment therefore refers to the C function that it calls or
+the field that it is named after, or is one that the standard library requires of ranges; any other needs a comment in the header. Classes get an example: the first part of a guide's program that uses them, or the first program that does.
 """
 
 import functools
@@ -16,22 +15,21 @@ import reference
 CONSTANT = re.compile(r"(\w+) = (GUSSET_\w+)(,?)")
 SEVERAL = re.compile(r"(\s*)([\w:]+(?:<[\w:<>, ]+>)?) ((?:\w+(?: = [\w.:]+|\{\})?, )+\w+(?: = [\w.:]+|\{\})?);$")
 CLASS = re.compile(r"\s*(?:class|struct) (\w+)(?: final)?(?: : [^;]*)?(?: \{|$)")
-NO_DECLARATION = re.compile(r"\s*(?://|#|\}|\)|public:|private:|namespace|extern|template|static_assert|friend struct|friend class|"
-                            r"struct Destroy|$)")
+NO_DECLARATION = re.compile(r"\s*(?://|#|\}|\)|public:|private:|namespace|extern|template|static_assert|friend struct|friend class|$)")
 ENDS = re.compile(r".*[;{}:>]\s*(?://.*)?$|\s*//|^$|#")
 USUAL = {
-    r"\bvalue_type\b": "What the range holds.",
+    r"\bvalue_type\b": "The type of the elements.",
     r"\b(?:class|struct|using) (?:const_)?iterator\b": "A place in the range.",
-    r"\b(?:iterator_category|difference_type|pointer|reference)\b =": "What the standard library asks of iterators.",
+    r"\b(?:iterator_category|difference_type|pointer|reference)\b =": "As the standard library requires of iterators.",
     r"\b(?:begin|end)\(\)": "The ends of the range.",
-    r"\bsize\(\)": "How many there are.",
-    r"\bempty\(\)": "Whether there are none.",
-    r"\boperator(?:\+\+|--|->|\*|==|!=|-|\+=?|\[\])": "As the standard library has it.",
+    r"\bsize\(\)": "The number of elements.",
+    r"\bempty\(\)": "True if the range has no elements.",
+    r"\boperator(?:\+\+|--|->|\*|==|!=|-|\+=?|\[\])": "As in the standard library.",
     r"\biterator\(": "A place in the range.",
     r"\bexplicit \w+\(gusset_\w+ \*owned\)": "Takes over a handle of the C interface.",
-    r"\bget\(\)": "What the C interface takes; still owned by this.",
+    r"\bget\(\)": "The argument of the C interface, still owned by this.",
     r"\bdata\(\)": "The first element.",
-    r"\boperator=\(|\w+\((?:const )?\w+ &&?(?: ?other)?\)|~\w+\(\)": "As the class says of copies.",
+    r"\boperator=\(|\w+\((?:const )?\w+ &&?(?: ?other)?\)|~\w+\(\)": "The class describes its copies.",
 }
 
 
@@ -80,7 +78,7 @@ def declaration(lines, at):
 
 
 def said_of(lines, at, owner):
-    """What to say of a declaration without a comment, or None."""
+    """The text for a declaration without a comment, or None."""
     line = lines[at]
     for pattern, text in USUAL.items():
         if re.search(pattern, line if "operator" in line else line.split("{")[0]):
@@ -120,7 +118,7 @@ def filtered(path):
             line = CONSTANT.sub(r"\1 = \2\3 ///< See ::\2.\n", line)
         several = SEVERAL.match(line)
         if several and out and out[-1].lstrip().startswith("///"):
-            # What is said of the first of them is said of all.
+            # The comment of the first is that of all.
             space, kind, names = several.groups()
             line = f"\n{out[-1]}\n".join(f"{space}{kind} {name};" for name in names.split(", "))
         out.append(line)

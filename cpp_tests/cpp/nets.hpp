@@ -10,7 +10,7 @@
 
 using gusset::Net;
 using gusset::Point3;
-using gusset::Shape;
+using gusset::Primitive;
 
 inline const double pi = 3.14159265358979323846;
 
@@ -70,28 +70,28 @@ inline Net sheet(std::size_t rows, std::size_t columns, const gusset::Gluing &gl
             points.push_back({static_cast<double>(j), static_cast<double>(i), 0.0});
         }
     }
-    return Net::of_points(rows, columns, points, gluing);
+    return Net::from_points(rows, columns, points, gluing);
 }
 
 struct Named {
     std::string name;
-    Shape shape;
+    Primitive shape;
     long euler;
 };
 /// Every closed orientable shape.
 inline std::vector<Named> closed_shapes() {
     using gusset::BoxKind;
-    return {{"sphere", Shape::sphere(1.5).with(17, 33), 2},
-            {"sphere of one pole", Shape::one_pole_sphere(1.5).with(17, 21), 2},
-            {"cylinder", Shape::cylinder(1.0, 3.0).with(9, 25), 2},
-            {"prism", Shape::prism(5, 1.0, 2.0).with(6, 6), 2},
-            {"cone", Shape::cone(1.0, 2.0).with(7, 25), 2},
-            {"pyramid", Shape::pyramid(4, 1.0, 2.0).with(5, 5), 2},
-            {"lathe", Shape::lathe({{0.0, -1.0}, {1.0, -0.8}, {0.5, 0.0}, {0.9, 0.6}, {0.0, 1.0}}).with(0, 17), 2},
-            {"ring", Shape::lathe({{1.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 0.0}}).with(0, 17), 0},
-            {"torus", Shape::torus(2.0, 0.5).with(17, 33), 0},
-            {"box with slits", Shape::box({1.0, 2.0, 3.0}, {3, 4, 5}), 2},
-            {"box unwrapped crosswise", Shape::box({1.0, 2.0, 3.0}, {3, 4, 5}, BoxKind::cross), 2},
-            {"box of rings", Shape::box({1.0, 2.0, 3.0}, {4, 4, 4}, BoxKind::concentric), 2},
-            {"pillow", Shape::pillow(2.0, 1.0, 0.5).with(9, 17), 2}};
+    return {{"sphere", Primitive::sphere(1.5).with(17, 33), 2},
+            {"sphere of one pole", Primitive::one_pole_sphere(1.5).with(17, 21), 2},
+            {"cylinder", Primitive::cylinder(1.0, 3.0).with(9, 25), 2},
+            {"prism", Primitive::prism(5, 1.0, 2.0).with(6, 6), 2},
+            {"cone", Primitive::cone(1.0, 2.0).with(7, 25), 2},
+            {"pyramid", Primitive::pyramid(4, 1.0, 2.0).with(5, 5), 2},
+            {"lathe", Primitive::lathe({{0.0, -1.0}, {1.0, -0.8}, {0.5, 0.0}, {0.9, 0.6}, {0.0, 1.0}}).with(0, 17), 2},
+            {"ring", Primitive::lathe({{1.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 0.0}}).with(0, 17), 0},
+            {"torus", Primitive::torus(2.0, 0.5).with(17, 33), 0},
+            {"box with slits", Primitive::box({1.0, 2.0, 3.0}, {3, 4, 5}), 2},
+            {"box unwrapped crosswise", Primitive::box({1.0, 2.0, 3.0}, {3, 4, 5}, BoxKind::cross), 2},
+            {"box of rings", Primitive::box({1.0, 2.0, 3.0}, {4, 4, 4}, BoxKind::concentric), 2},
+            {"pillow", Primitive::pillow(2.0, 1.0, 0.5).with(9, 17), 2}};
 }

@@ -178,7 +178,7 @@ int octant(Point p) { return (p[0] > 0) + 2 * (p[1] > 0) + 4 * (p[2] > 0); }
 /// is one for CGAL, with the loops that the account says.
 Verdict check_account(const gusset::Assembly &done, const std::vector<Soup> &pieces, bool intersections = true) {
     const gusset::MeshView mesh = done.mesh();
-    const gusset_assembly_view parts = done.parts();
+    const gusset_assembly_view parts = done.view();
     std::vector<int> faces(mesh.face_count()), vertices(mesh.vertex_count());
     REQUIRE(done.pieces().size() == pieces.size());
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -244,7 +244,7 @@ TEST_CASE("cuts are those that CGAL finds") {
             for (uint32_t rows : {0u, 1u, 4u}) {
                 gusset::StitchOptions options;
                 options.meridians = static_cast<gusset::Meridians>(rule);
-                options.rows = gusset::Rows::exactly(rows);
+                options.rows = gusset::StripRows::exactly(rows);
                 options.intersections = gusset::Intersections::report;
                 CAPTURE(rule);
                 CAPTURE(rows);
@@ -271,9 +271,9 @@ TEST_CASE("a torus in sectors, apart, some inside out: closed, and as the first 
                 pieces.push_back(set >> k & 1 ? turned(sectors[k]) : sectors[k]);
             }
             gusset::AssemblyOptions options;
-            options.strips.rows = rows ? gusset::Rows::mean_edge() : gusset::Rows::none();
+            options.strips.rows = rows ? gusset::StripRows::mean_edge() : gusset::StripRows::none();
             options.strips.meridians = rows ? gusset::Meridians::quad : gusset::Meridians::min_area;
-            options.strips.cells = rows ? gusset::Cells::quads : gusset::Cells::triangles;
+            options.strips.cells = rows ? gusset::StripCells::quads : gusset::StripCells::triangles;
             options.strips.fairing = rows ? gusset::Fairing::thin_plate : gusset::Fairing::none;
             const gusset::Assembly done(views(pieces), options);
             const Verdict verdict = check_account(done, pieces);
@@ -303,7 +303,7 @@ TEST_CASE("octants: sewn where they touch, joined and filled where they do not")
         CHECK(verdict.self_intersections == 0);
         CHECK(verdict.bounds_a_volume);
         CHECK(done.joints().empty() == (gap == 0.0));
-        CHECK((done.parts().welded_vertices > 0) == (gap == 0.0));
+        CHECK((done.view().welded_vertices > 0) == (gap == 0.0));
         // Without filling the holes stay: the ends, and where gaps meet.
         options.fill.reset();
         CHECK(!check_account(gusset::Assembly(views(pieces), options), pieces).closed);
@@ -427,7 +427,7 @@ TEST_CASE("bunny: head and body") {
         CHECK(found->first.joints()[0].intersections.count == 0);
     }
     options.strips.meridians = gusset::Meridians::quad;
-    options.strips.rows = gusset::Rows::mean_edge();
+    options.strips.rows = gusset::StripRows::mean_edge();
     options.strips.fairing = gusset::Fairing::thin_plate;
     options.fill = gusset::FillOptions();
     if (const auto found = assembled({pair + "body.off", pair + "head.off"}, options)) {
@@ -473,7 +473,7 @@ TEST_CASE("cuts of real strips are those that CGAL finds") {
         for (auto rule : {gusset::Meridians::min_area, gusset::Meridians::index, gusset::Meridians::quad}) {
             gusset::StitchOptions options;
             options.meridians = rule;
-            options.rows = gusset::Rows::exactly(rule == gusset::Meridians::min_area ? 0 : 3);
+            options.rows = gusset::StripRows::exactly(rule == gusset::Meridians::min_area ? 0 : 3);
             options.intersections = gusset::Intersections::report;
             const std::size_t straight = check_cuts(gusset::stitch(a.view(), b.view(), options));
             options.fairing = gusset::Fairing::thin_plate;

@@ -18,14 +18,14 @@ gusset::Curve circle(double radius, double x) {
                                      {x - radius, k}, {x - radius, 0},  {x - radius, -k}, {x - k, -radius}, {x, -radius},
                                      {x + k, -radius}, {x + radius, -k}, {x + radius, 0}};
     const std::array<uint32_t, 5> ends{0, 3, 6, 9, 12};
-    return gusset::Curve::from(points, ends, true);
+    return gusset::Curve::from_points(points, ends, true);
 }
 
 /// y = x^2 from 0 to 1.
 gusset::Curve parabola() {
     const std::array<Point2, 3> points{{{0, 0}, {0.5, 0}, {1, 1}}};
     const std::array<uint32_t, 2> ends{0, 2};
-    return gusset::Curve::from(points, ends, false);
+    return gusset::Curve::from_points(points, ends, false);
 }
 } // namespace
 
@@ -65,19 +65,19 @@ TEST_CASE("questions") {
 
 TEST_CASE("places found") {
     const gusset::Curve one = circle(1, 0), two = circle(1, 1);
-    const gusset::Places meetings = one.intersections(two);
+    const gusset::Places meetings = one.intersect(two);
     REQUIRE(meetings.size() == 2);
     CHECK(std::abs(meetings.points()[0][0] - 0.5) < 1e-14);
     CHECK(meetings.others().size() == 2);
     CHECK(meetings.overlaps().empty());
     CHECK_FALSE(meetings.undecided());
     CHECK(one.self_intersections().size() == 0);
-    CHECK(one.cross_line({0, 0.6}, {1, 0}).size() == 2);
-    CHECK(one.cross_plane({0, 0, 0}, {1, 0, 0}).size() == 2);
-    CHECK(one.cross_plane({0, 0, 0}, {0, 0, 1}).inside().size() == 4);
-    CHECK(one.sample(gusset::Sample::count, 7).size() == 7);
-    CHECK(one.sample(gusset::Sample::step, 1).size() == 7);
-    CHECK(one.sample(gusset::Sample::chord, 0.1).points().size() == 8);
+    CHECK(one.intersect_line({0, 0.6}, {1, 0}).size() == 2);
+    CHECK(one.intersect_plane({0, 0, 0}, {1, 0, 0}).size() == 2);
+    CHECK(one.intersect_plane({0, 0, 0}, {0, 0, 1}).inside().size() == 4);
+    CHECK(one.sample(gusset::SampleRule::count, 7).size() == 7);
+    CHECK(one.sample(gusset::SampleRule::step, 1).size() == 7);
+    CHECK(one.sample(gusset::SampleRule::chord, 0.1).points().size() == 8);
 }
 
 TEST_CASE("curves made of curves") {
@@ -89,10 +89,10 @@ TEST_CASE("curves made of curves") {
     CHECK(curve.elevated_by(2).points().size() == 21);
     CHECK(curve.elevated_by(0).points().size() == 13);
     CHECK(curve.elevated_to(4).ends()[1] == 4);
-    const gusset::Reduced reduced = curve.elevated_to(5).reduced(3, 1e-9);
+    const gusset::ReducedCurve reduced = curve.elevated_to(5).reduced(3, 1e-9);
     CHECK(reduced.curve.points().size() == 13);
     CHECK(reduced.deviations[0] < 1e-14);
-    const gusset::Offset offset = curve.offset(-0.5, 1e-7, 2);
+    const gusset::OffsetCurve offset = curve.offset(-0.5, 1e-7, 2);
     CHECK(offset.report.deviation <= 1e-7);
     CHECK(offset.report.reached == 1);
     CHECK(offset.curve.is_closed());
@@ -104,7 +104,7 @@ TEST_CASE("other forms") {
     CHECK(parabola().svg().text() == "M 0 0 Q 0.5 0 1 1");
     const std::array<Point2, 9> points{{{0.5, 0}, {1, 0}, {1, 0.5}, {1, 1}, {0.5, 1}, {0, 1}, {0, 0.5}, {0, 0}, {0.5, 0}}};
     const std::array<uint32_t, 5> ends{0, 2, 4, 6, 8};
-    const gusset::Curve round = gusset::Curve::from(points, ends, true);
+    const gusset::Curve round = gusset::Curve::from_points(points, ends, true);
     const gusset::CurveForm contour = round.contour();
     CHECK(contour.points().size() == 4);
     CHECK(contour.on_curve()[0] == 0);
@@ -112,4 +112,8 @@ TEST_CASE("other forms") {
     CHECK(spline.degree() == 2);
     CHECK(spline.knots().size() == spline.points().size() + 3);
     CHECK(circle(1, 0).spline().degree() == 3);
+    // A form lends nothing for the arrays that it does not have.
+    CHECK(spline.on_curve().data() == nullptr);
+    CHECK(spline.text().data() == nullptr);
+    CHECK(contour.knots().data() == nullptr);
 }

@@ -12,7 +12,7 @@
 namespace {
 const gusset::FillOptions fair = [] {
     gusset::FillOptions options;
-    options.refine = gusset::Refine::rim_density;
+    options.refine = gusset::FillRefinement::rim_density;
     options.fairing = gusset::Fairing::thin_plate;
     return options;
 }();

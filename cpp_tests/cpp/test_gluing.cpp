@@ -8,7 +8,7 @@
 #include <thread>
 
 namespace {
-using gusset::Complex;
+using gusset::NetComplex;
 using gusset::Gluing;
 using gusset::GluingType;
 using gusset::LocalGluing;
@@ -18,14 +18,14 @@ using gusset::Sides;
 TEST_CASE("gluing and ungluing") {
     Net net = sheet(6, 7);
     CHECK(net.sides() == Sides::sheet);
-    CHECK(gusset::Groups(net).empty());
+    CHECK(gusset::NetGroups(net).empty());
     net.glue(LocalGluing::horizontal(0));
     CHECK(!net.sides());
     CHECK(net.classify_node(0) == GluingType::horizontal);
     CHECK(net.classify_node(20) == std::nullopt);
     net.glue(LocalGluing::star(16, gusset::Links::east | gusset::Links::south));
     CHECK(net.classify_node(16) == GluingType::east_south);
-    const gusset::Groups groups(net);
+    const gusset::NetGroups groups(net);
     REQUIRE(groups.size() == 2);
     CHECK(std::vector<uint32_t>(groups[1].begin(), groups[1].end()) == std::vector<uint32_t>{16, 17, 23});
     CHECK_THROWS_AS(groups[2], std::out_of_range);
@@ -48,8 +48,8 @@ TEST_CASE("gluing and ungluing") {
     // What is counted is what is found one by one.
     for (const auto &[name, shape, euler] : closed_shapes()) {
         CAPTURE(name);
-        const Net closed = Net::of_shape(shape);
-        const gusset::Histogram histogram = closed.histogram();
+        const Net closed = Net::from_primitive(shape);
+        const gusset::GluingHistogram histogram = closed.histogram();
         std::array<uint64_t, 18> nodes{}, cells{};
         uint64_t quads = 0;
         for (uint32_t node = 0; node < closed.node_count(); node += 7) {
@@ -64,19 +64,19 @@ TEST_CASE("gluing and ungluing") {
             found ? ++cells[static_cast<std::size_t>(*found)] : ++quads;
         }
         CHECK(cells == histogram.cells);
-        CHECK(quads + cells[0] + cells[1] >= Complex(closed).report().quad_count);
+        CHECK(quads + cells[0] + cells[1] >= NetComplex(closed).view().quad_count);
     }
 }
 
 TEST_CASE("gluing as the coordinates tell") {
-    const Net sphere = Net::of_shape(Shape::sphere(1.0).with(9, 17));
+    const Net sphere = Net::from_primitive(Primitive::sphere(1.0).with(9, 17));
     Net bare = sphere;
     bare.set_gluing(Sides::sheet);
-    CHECK(Complex(bare).boundary_count() == 1);
-    CHECK(gusset::Validation(bare).warnings().size() >= 32);
+    CHECK(NetComplex(bare).boundary_count() == 1);
+    CHECK(gusset::NetValidation(bare).warnings().size() >= 32);
     bare.derive();
     CHECK(bare.classes() == sphere.classes());
-    CHECK(Complex(bare).euler() == 2);
+    CHECK(NetComplex(bare).euler() == 2);
     bare.saturate();
     CHECK(bare.classes() == sphere.classes());
 
@@ -90,12 +90,12 @@ TEST_CASE("gluing as the coordinates tell") {
     Gluing matrix;
     matrix.matrix = sided.matrix();
     CHECK(sheet(5, 7, matrix).sides() == Sides::rows_closed);
-    const gusset::Validation apart(sided);
+    const gusset::NetValidation apart(sided);
     CHECK(!apart.is_valid());
     REQUIRE(apart.violations().size() == 5);
-    CHECK(apart.violations()[0] == gusset::FindingKind::link_apart);
+    CHECK(apart.violations()[0] == gusset::NetFindingKind::link_apart);
     CHECK(apart.violations()[0].distance == 6.0);
-    CHECK(gusset::Validation(sided, 6.0).is_valid());
+    CHECK(gusset::NetValidation(sided, 6.0).is_valid());
     CHECK(apart.findings().size() == apart.violations().size() + apart.warnings().size());
 }
 
@@ -121,30 +121,30 @@ TEST_CASE("errors carry status and element") {
     CHECK(refusal([&] { net.classify_node(16); }).status == GUSSET_ERROR_NO_SUCH_ELEMENT);
     CHECK(refusal([&] { net.bridge(0); }).status == GUSSET_ERROR_NO_SUCH_ELEMENT);
     CHECK(refusal([&] { net.split(0); }).status == GUSSET_ERROR_NO_SUCH_ELEMENT);
-    CHECK(refusal([&] { Net::of_shape(Shape::sphere(-1.0)); }).status == GUSSET_ERROR_OUT_OF_RANGE);
+    CHECK(refusal([&] { Net::from_primitive(Primitive::sphere(-1.0)); }).status == GUSSET_ERROR_OUT_OF_RANGE);
     CHECK_THROWS_AS(net.at(4, 0), std::out_of_range);
-    CHECK_THROWS_AS(Net::of_points(2, 3, std::vector<Point3>(5)), std::invalid_argument);
+    CHECK_THROWS_AS(Net::from_points(2, 3, std::vector<Point3>(5)), std::invalid_argument);
     CHECK_THROWS_AS(net.coordinates<float>(), std::invalid_argument);
     Net gone = std::move(net);
     CHECK(refusal([&] { net.rows(); }).status == GUSSET_ERROR_NULL_ARGUMENT);
-    CHECK(refusal([&] { Complex complex(net); }).status == GUSSET_ERROR_NULL_ARGUMENT);
+    CHECK(refusal([&] { NetComplex complex(net); }).status == GUSSET_ERROR_NULL_ARGUMENT);
 
     gusset::Context context;
     context.set_progress([](double, const char *) -> bool { throw std::runtime_error("enough"); });
-    CHECK_THROWS_WITH(Net::of_shape(Shape::sphere(1.0).with(600, 600), context), "enough");
+    CHECK_THROWS_WITH(Net::from_primitive(Primitive::sphere(1.0).with(600, 600), context), "enough");
     context.set_progress(nullptr);
     context.cancel();
-    CHECK(refusal([&] { Complex(gone, gusset::NetCells::all, context); }).status == GUSSET_ERROR_CANCELLED);
+    CHECK(refusal([&] { NetComplex(gone, gusset::NetCells::all, context); }).status == GUSSET_ERROR_CANCELLED);
 }
 
 TEST_CASE("copies share and part") {
-    const Net first = Net::of_shape(Shape::torus(2.0, 0.5));
+    const Net first = Net::from_primitive(Primitive::torus(2.0, 0.5));
     Net second = first;
     CHECK(first.coordinates<double>().x.data() == second.coordinates<double>().x.data());
     second.edit<double>().x(3, 4) += 1.0;
     CHECK(first.coordinates<double>().x.data() != second.coordinates<double>().x.data());
     CHECK(second.at(3, 4)[0] == first.at(3, 4)[0] + 1.0);
-    CHECK(identical(first, Net::of_shape(Shape::torus(2.0, 0.5))));
+    CHECK(identical(first, Net::from_primitive(Primitive::torus(2.0, 0.5))));
     second.set_gluing(Sides::sheet);
     CHECK(first.sides() == Sides::torus);
     second = first;
@@ -167,11 +167,11 @@ TEST_CASE("copies share and part") {
     for (std::size_t k = 0; k < wide.size(); ++k) {
         wide[k] = static_cast<float>(k);
     }
-    const Net strided = Net::of_matrices(3, 4, wide.data(), wide.data() + 1, wide.data() + 2, {}, 10);
+    const Net strided = Net::from_matrices(3, 4, wide.data(), wide.data() + 1, wide.data() + 2, {}, 10);
     CHECK(strided.at(2, 3) == Point3{23.0, 24.0, 25.0});
     CHECK(!strided.is_double());
     std::vector<double> out(3 * 3 * 5, -1.0);
-    const gusset::Coordinates<double> to{{out.data(), 3, 4, 5}, {out.data() + 15, 3, 4, 5}, {out.data() + 30, 3, 4, 5}};
+    const gusset::NetCoordinates<double> to{{out.data(), 3, 4, 5}, {out.data() + 15, 3, 4, 5}, {out.data() + 30, 3, 4, 5}};
     strided.read(to);
     CHECK(to.z(2, 3) == 25.0);
     CHECK(out[4] == -1.0);
@@ -182,7 +182,7 @@ TEST_CASE("copies share and part") {
     };
     CHECK(strided.points<Vertex>()[7].position[1] == 14.0f);
     const std::vector<Vertex> vertices = strided.points<Vertex>();
-    CHECK(identical(Net::of_points(3, 4, vertices), strided));
+    CHECK(identical(Net::from_points(3, 4, vertices), strided));
 
     // Const functions in many threads.
     std::vector<std::thread> threads;
@@ -207,7 +207,7 @@ TEST_CASE("nets glued by chance") {
             points.push_back({double(pick(1000)), double(pick(1000)), double(pick(1000))});
         }
         const std::array<Sides, 4> sides{Sides::sheet, Sides::tube, Sides::two_poles, Sides::torus};
-        Net net = Net::of_points(rows, columns, points, sides[pick(4)]);
+        Net net = Net::from_points(rows, columns, points, sides[pick(4)]);
         for (uint32_t k = pick(6); k-- > 0;) {
             const uint32_t type = pick(18);
             const uint32_t element = pick(type < 13 ? rows * columns : (rows - 1) * (columns - 1));
@@ -215,17 +215,17 @@ TEST_CASE("nets glued by chance") {
             REQUIRE((refused.status == GUSSET_OK || refused.status == GUSSET_ERROR_CROSSING_CELL));
         }
         net.snap();
-        REQUIRE(gusset::Validation(net).is_valid());
+        REQUIRE(gusset::NetValidation(net).is_valid());
 
         // The mesh has the faces and wires of the complex.
-        const Complex complex(net);
+        const NetComplex complex(net);
         const gusset::NetMesh mesh(net);
         uint64_t quads = 0;
         for (std::size_t f = 0; f < mesh.mesh().face_count(); ++f) {
             quads += mesh.mesh().face(f).size() == 4 ? 1 : 0;
         }
-        REQUIRE(quads == complex.report().quad_count);
-        REQUIRE(mesh.mesh().face_count() - quads == complex.report().triangle_count);
+        REQUIRE(quads == complex.view().quad_count);
+        REQUIRE(mesh.mesh().face_count() - quads == complex.view().triangle_count);
         REQUIRE(mesh.wires().size() == complex.wires().size());
 
         // There and back again.
@@ -242,8 +242,8 @@ TEST_CASE("nets glued by chance") {
         REQUIRE(saturated.classes() == net.classes());
         gusset::JoinOptions options;
         options.direction = pick(2) == 0 ? gusset::Direction::right : gusset::Direction::down;
-        options.equalise = static_cast<gusset::Replicate>(pick(3));
-        const Net torus = Net::of_shape(Shape::torus(2.0, 0.5).with(4 + pick(3), 4 + pick(3)));
+        options.equalise = static_cast<gusset::Replication>(pick(3));
+        const Net torus = Net::from_primitive(Primitive::torus(2.0, 0.5).with(4 + pick(3), 4 + pick(3)));
         const auto [first, second] = gusset::concatenate(net, torus, options).split(0);
         REQUIRE(identical(first, net));
         REQUIRE(identical(second, torus));

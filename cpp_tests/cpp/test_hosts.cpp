@@ -97,7 +97,7 @@ void agree(const Soup &a, const Soup &b, const gusset::StitchOptions &options, s
     const Verdict verdict = judge(by_cgal.mesh(), false);
     CHECK(verdict.is_mesh);
     CHECK(verdict.boundary.size() == boundaries);
-    const auto report = gusset::Check(by_cgal.mesh()).report();
+    const auto report = gusset::Check(by_cgal.mesh()).view();
     CHECK(report.component_count == verdict.components);
     CHECK(report.euler == verdict.euler);
 }
@@ -132,21 +132,21 @@ TEST_CASE("positions are read where CGAL keeps them, removed elements are not th
 }
 
 TEST_CASE("arcs and loops, rows, triangles and quads: both hosts take every face and agree") {
-    for (auto cells : {gusset::Cells::triangles, gusset::Cells::quads}) {
+    for (auto cells : {gusset::StripCells::triangles, gusset::StripCells::quads}) {
         for (auto rule : {gusset::Meridians::min_area, gusset::Meridians::index}) {
             for (uint32_t rows : {0u, 1u, 4u, 10u}) {
                 gusset::StitchOptions options;
                 options.cells = cells;
                 options.meridians = rule;
-                options.rows = gusset::Rows::exactly(rows);
+                options.rows = gusset::StripRows::exactly(rows);
                 for (auto [n, m] : {std::pair{3u, 3u}, {2u, 9u}, {9u, 2u}, {50u, 37u}, {21u, 50u}}) {
                     CAPTURE(n);
                     CAPTURE(m);
                     CAPTURE(rows);
-                    options.extent = gusset::Extent::open_arcs;
+                    options.extent = gusset::StitchExtent::open_arcs;
                     agree(sheet(n, 0.0), sheet(m, 2.5), options, 1);
                     if (n >= 3 && m >= 3) {
-                        options.extent = gusset::Extent::whole_loops;
+                        options.extent = gusset::StitchExtent::whole_loops;
                         agree(tube(n, 0.0), tube(m, 1.5), options, 2);
                     }
                 }
@@ -169,12 +169,12 @@ TEST_CASE("arcs of every length from 1 to 50: both hosts take every face") {
             CAPTURE(n);
             CAPTURE(m);
             gusset::StitchOptions options;
-            options.extent = gusset::Extent::arcs;
+            options.extent = gusset::StitchExtent::arcs;
             // The upper side of A runs from right to left, the lower side of B from left to right.
             options.arc_a = {place(rim_a, 3 * width - 1 - (width - n) / 2), n};
             options.arc_b = {place(rim_b, (width - m) / 2), m};
-            options.rows = gusset::Rows::exactly((7 * n + m) % 11);
-            options.cells = (n + m) % 2 == 0 ? gusset::Cells::quads : gusset::Cells::triangles;
+            options.rows = gusset::StripRows::exactly((7 * n + m) % 11);
+            options.cells = (n + m) % 2 == 0 ? gusset::StripCells::quads : gusset::StripCells::triangles;
             options.meridians = n % 2 == 0 ? gusset::Meridians::min_area : gusset::Meridians::index;
             const gusset::Stitch stitch = gusset::stitch(a.view(), b.view(), options);
             HostMesh openmesh;
@@ -202,7 +202,7 @@ TEST_CASE("the strip goes into the hosts' own meshes, new vertices too") {
         both.add_face(face);
     }
     gusset::StitchOptions options;
-    options.rows = gusset::Rows::exactly(2);
+    options.rows = gusset::StripRows::exactly(2);
     CgalMesh cgal = cgal_mesh(both);
     CHECK(gusset::cgal::append_strip(cgal, gusset::stitch_within(gusset::cgal::Input<Kernel::Point_3>(cgal).view(), options)).empty());
     CHECK(CGAL::is_valid_polygon_mesh(cgal));

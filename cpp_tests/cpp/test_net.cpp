@@ -26,7 +26,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-using gusset::Complex;
+using gusset::NetComplex;
 using gusset::NetFaces;
 using gusset::NetMesh;
 using gusset::NetMeshOptions;
@@ -63,8 +63,8 @@ long euler_of(const gusset::MeshView &mesh) {
 TEST_CASE("closed shapes are closed meshes, outwards") {
     for (const auto &[name, shape, euler] : closed_shapes()) {
         CAPTURE(name);
-        const Net net = Net::of_shape(shape);
-        const Complex complex(net);
+        const Net net = Net::from_primitive(shape);
+        const NetComplex complex(net);
         CHECK(complex.is_closed());
         CHECK(complex.is_manifold());
         CHECK(complex.is_oriented());
@@ -72,7 +72,7 @@ TEST_CASE("closed shapes are closed meshes, outwards") {
         CHECK(complex.euler() == euler);
         CHECK(complex.genus() == (2 - euler) / 2);
         CHECK(complex.boundary_count() == 0);
-        CHECK(gusset::Validation(net).is_valid());
+        CHECK(gusset::NetValidation(net).is_valid());
 
         const double volume = net.measure().volume;
         CHECK(volume > 0.0);
@@ -103,18 +103,18 @@ TEST_CASE("closed shapes are closed meshes, outwards") {
 }
 
 TEST_CASE("what solids measure") {
-    const gusset_net_moment_report box = Net::of_shape(Shape::box({1.0, 2.0, 3.0}, {2, 2, 2})).moments();
+    const gusset_net_moment_report box = Net::from_primitive(Primitive::box({1.0, 2.0, 3.0}, {2, 2, 2})).moments();
     CHECK(box.volume == doctest::Approx(6.0).epsilon(1e-13));
     CHECK(box.inertia[0] == doctest::Approx(6.0 * (4.0 + 9.0) / 12).epsilon(1e-12));
     CHECK(box.inertia[4] == doctest::Approx(6.0 * (1.0 + 9.0) / 12).epsilon(1e-12));
     CHECK(box.inertia[8] == doctest::Approx(6.0 * (1.0 + 4.0) / 12).epsilon(1e-12));
     CHECK(std::abs(box.inertia[1]) < 1e-13);
     CHECK(length({box.centroid[0], box.centroid[1], box.centroid[2]}) < 1e-14);
-    const gusset_net_measure_report measures = Net::of_shape(Shape::box({1.0, 2.0, 3.0}, {2, 2, 2})).measure();
+    const gusset_net_measure_report measures = Net::from_primitive(Primitive::box({1.0, 2.0, 3.0}, {2, 2, 2})).measure();
     CHECK(measures.area == doctest::Approx(22.0).epsilon(1e-13));
     CHECK(measures.low[2] == -1.5);
     CHECK(measures.high[1] == 1.0);
-    const Net fine = Net::of_shape(Shape::sphere(1.0).with(257, 513));
+    const Net fine = Net::from_primitive(Primitive::sphere(1.0).with(257, 513));
     CHECK(fine.measure().volume == doctest::Approx(4 * pi / 3).epsilon(2e-4));
     CHECK(fine.measure().area == doctest::Approx(4 * pi).epsilon(2e-4));
 }
@@ -122,17 +122,17 @@ TEST_CASE("what solids measure") {
 TEST_CASE("surfaces with one side") {
     struct Case {
         const char *name;
-        Shape shape;
+        Primitive shape;
         long euler;
         bool closed;
     };
     for (const auto &[name, shape, euler, closed] :
-         {Case{"moebius", Shape::moebius(2.0, 1.0).with(5, 33), 0, false},
-          Case{"klein", Shape::klein(2.0, 0.5).with(17, 33), 0, true},
-          Case{"projective plane", Shape::projective_plane(1.0).with(17, 17), 1, true}}) {
+         {Case{"moebius", Primitive::moebius(2.0, 1.0).with(5, 33), 0, false},
+          Case{"klein", Primitive::klein(2.0, 0.5).with(17, 33), 0, true},
+          Case{"projective plane", Primitive::projective_plane(1.0).with(17, 17), 1, true}}) {
         CAPTURE(name);
-        const Net net = Net::of_shape(shape);
-        const Complex complex(net);
+        const Net net = Net::from_primitive(shape);
+        const NetComplex complex(net);
         CHECK(complex.euler() == euler);
         CHECK(complex.is_closed() == closed);
         CHECK(complex.is_manifold());
@@ -155,9 +155,9 @@ TEST_CASE("surfaces with one side") {
 }
 
 TEST_CASE("the normals of a sphere are its radii") {
-    const Shape shape = Shape::sphere(2.0).with(33, 65);
-    const Net net = Net::of_shape(shape.with(gusset::Scalar::f32));
-    const Net exact = Net::of_shape(shape);
+    const Primitive shape = Primitive::sphere(2.0).with(33, 65);
+    const Net net = Net::from_primitive(shape.with(gusset::Scalar::f32));
+    const Net exact = Net::from_primitive(shape);
     const auto normals = net.normals<float>();
     CHECK(normals.without == 0);
     double worst = 0.0;
@@ -172,7 +172,7 @@ TEST_CASE("the normals of a sphere are its radii") {
 }
 
 TEST_CASE("the normals of a torus, beside CGAL's") {
-    const Net net = Net::of_shape(Shape::torus(2.0, 0.7).with(49, 97));
+    const Net net = Net::from_primitive(Primitive::torus(2.0, 0.7).with(49, 97));
     const auto normals = net.normals<double>();
     const NetMesh mesh(net);
     const auto soup = mesh.mesh();
@@ -200,7 +200,7 @@ TEST_CASE("the normals of a torus, beside CGAL's") {
 TEST_CASE("texture coordinates do not run back at seams") {
     for (const auto &[name, shape, euler] : closed_shapes()) {
         CAPTURE(name);
-        const Net net = Net::of_shape(shape);
+        const Net net = Net::from_primitive(shape);
         for (NetFaces faces : {NetFaces::quads, NetFaces::triangles_shorter}) {
             NetMeshOptions options = with_faces(faces);
             options.texture = true;
@@ -233,8 +233,8 @@ TEST_CASE("texture coordinates do not run back at seams") {
 }
 
 TEST_CASE("meshes of nets in the rest of the library") {
-    Net low = Net::of_shape(Shape::tube(1.0, 1.0).with(5, 25));
-    Net high = Net::of_shape(Shape::tube(0.8, 1.0).with(5, 31));
+    Net low = Net::from_primitive(Primitive::tube(1.0, 1.0).with(5, 25));
+    Net high = Net::from_primitive(Primitive::tube(0.8, 1.0).with(5, 31));
     high.transform(gusset::Operation::translate({0.1, 0.0, 1.4}));
     const NetMesh a(low), b(high);
     CHECK(gusset::Boundary(a.mesh()).size() == 2);
@@ -255,7 +255,7 @@ TEST_CASE("meshes of nets in the rest of the library") {
     // Left apart, a mesh is sewn by gusset::Weld to what the net makes of it itself.
     NetMeshOptions apart;
     apart.weld = false;
-    const Net torus = Net::of_shape(Shape::torus(2.0, 0.5).with(9, 17));
+    const Net torus = Net::from_primitive(Primitive::torus(2.0, 0.5).with(9, 17));
     const NetMesh loose(torus, apart), whole(torus);
     CHECK(loose.mesh().vertex_count() == 9 * 17);
     CHECK(gusset::Boundary(loose.mesh()).size() == 1);
@@ -264,12 +264,12 @@ TEST_CASE("meshes of nets in the rest of the library") {
     CHECK(judge(sewn.mesh()).euler == judge(whole.mesh()).euler);
 
     // And back to nets.
-    for (const Net &net : {torus, low, Net::of_shape(Shape::sphere(1.0).with(7, 9)), sheet(3, 4)}) {
+    for (const Net &net : {torus, low, Net::from_primitive(Primitive::sphere(1.0).with(7, 9)), sheet(3, 4)}) {
         const NetMesh mesh(net);
-        const gusset::Grid grid(mesh.mesh());
+        const gusset::NetGrid grid(mesh.mesh());
         const Net found = grid.net();
         CHECK(found.node_count() == net.node_count());
-        CHECK(Complex(found).euler() == Complex(net).euler());
+        CHECK(NetComplex(found).euler() == NetComplex(net).euler());
         CHECK(found.measure().area == doctest::Approx(net.measure().area).epsilon(1e-12));
         bool same = true;
         for (std::size_t k = 0; k < found.node_count(); ++k) {
@@ -278,7 +278,7 @@ TEST_CASE("meshes of nets in the rest of the library") {
         CHECK(same);
         CHECK(grid.face_of_cell().size() == (found.rows() - 1) * (found.columns() - 1));
     }
-    const Refusal no_grid = refusal([&] { gusset::Grid(NetMesh(torus, with_faces(NetFaces::triangles_fixed)).mesh()); });
+    const Refusal no_grid = refusal([&] { gusset::NetGrid(NetMesh(torus, with_faces(NetFaces::triangles_fixed)).mesh()); });
     CHECK(no_grid.status == GUSSET_ERROR_NO_GRID);
     CHECK(no_grid.element == GUSSET_ELEMENT_FACE);
 }
@@ -291,7 +291,7 @@ TEST_CASE("missing nodes, and corners filled") {
     options.spacing = {0.5, -2.0};
     options.origin = {10.0, 20.0, 30.0};
     options.no_data = -9999.0;
-    const Net net = Net::of_heights(5, 6, heights.data(), options);
+    const Net net = Net::from_heights(5, 6, heights.data(), options);
     CHECK(net.at(4, 5) == Point3{12.5, 12.0, 31.0});
     CHECK(std::isnan(net.at(2, 3)[2]));
     const NetMesh mesh(net);
@@ -304,8 +304,8 @@ TEST_CASE("missing nodes, and corners filled") {
     // From above counter-clockwise, though rows run against y.
     const gusset_net_measure_report measures = net.measure();
     CHECK(measures.area_vector[2] == doctest::Approx(15.0));
-    CHECK(Complex(net, gusset::NetCells::present).report().quad_count == 15);
-    CHECK(Complex(net).report().quad_count == 20);
+    CHECK(NetComplex(net, gusset::NetCells::present).view().quad_count == 15);
+    CHECK(NetComplex(net).view().quad_count == 20);
     Net cleared = sheet(3, 3);
     cleared.clear_no_data(2.0);
     CHECK(NetMesh(cleared).mesh().face_count() == 1);
@@ -329,7 +329,7 @@ TEST_SUITE("real meshes") {
         REQUIRE(heights.size() == 61 * 87);
         gusset::HeightOptions options;
         options.spacing = {10.0, -10.0};
-        const Net net = Net::of_heights(87, 61, heights.data(), options);
+        const Net net = Net::from_heights(87, 61, heights.data(), options);
         const gusset_net_measure_report measures = net.measure();
         CHECK(measures.low[2] == *std::min_element(heights.begin(), heights.end()));
         CHECK(measures.high[2] == *std::max_element(heights.begin(), heights.end()));
@@ -341,10 +341,10 @@ TEST_SUITE("real meshes") {
         CHECK(verdict.boundary == std::vector<std::size_t>{2 * (60 + 86)});
         CHECK(verdict.self_intersections == 0);
         CHECK(PMP::area(surface_of(mesh.mesh())) == doctest::Approx(measures.area).epsilon(5e-3));
-        const Net found = gusset::Grid(NetMesh(net).mesh()).net();
+        const Net found = gusset::NetGrid(NetMesh(net).mesh()).net();
         CHECK(found.node_count() == net.node_count());
         CHECK(found.measure().area == doctest::Approx(measures.area).epsilon(1e-12));
-        const gusset::Decimated small = net.decimated(10.0);
+        const gusset::DecimatedNet small = net.decimated(10.0);
         CHECK(small.net.node_count() < net.node_count());
         CHECK(small.deviation <= 10.0);
         CHECK(small.net.at(1, 1) == net.at(small.rows[1], small.columns[1]));

@@ -8,7 +8,7 @@
 
 namespace {
 using gusset::Net;
-using gusset::Shape;
+using gusset::Primitive;
 
 bool same_bits(const Net &a, const Net &b) {
     const auto left = a.coordinates<float>(), right = b.coordinates<float>();
@@ -25,7 +25,7 @@ bool same_bits(const Net &a, const Net &b) {
 } // namespace
 
 TEST_CASE("streams come back") {
-    const Net torus = Net::of_shape(Shape::torus(2, 0.5).with(65, 129).with(gusset::Scalar::f32));
+    const Net torus = Net::from_primitive(Primitive::torus(2, 0.5).with(65, 129).with(gusset::Scalar::f32));
     for (const auto mode : {gusset::StreamMode::lossless, gusset::StreamMode::raw}) {
         gusset::StreamOptions options;
         options.mode = mode;
@@ -34,7 +34,7 @@ TEST_CASE("streams come back") {
         CHECK(gusset::inspect(stream.bytes()).columns == 129);
     }
     const gusset::Stream small(torus);
-    const gusset::StreamInfo info = gusset::inspect(small.bytes());
+    const gusset::StreamReport info = gusset::inspect(small.bytes());
     CHECK(info.bits == 14);
     // Less than 14 bits for each of three coordinates, by far.
     CHECK(small.bytes().size() < 65 * 129 * 3);
@@ -50,12 +50,12 @@ TEST_CASE("streams come back") {
 }
 
 TEST_CASE("streams that arrive in pieces, and damaged ones") {
-    const Net ball = Net::of_shape(Shape::sphere(1).with(200, 101).with(gusset::Scalar::f32));
+    const Net ball = Net::from_primitive(Primitive::sphere(1).with(200, 101).with(gusset::Scalar::f32));
     gusset::StreamOptions options;
     options.rows_per_block = 50;
     const gusset::Stream stream(ball, options);
     const gusset::Bytes bytes = stream.bytes();
-    gusset::Decoder decoder;
+    gusset::StreamDecoder decoder;
     std::size_t rows = 0;
     for (std::size_t at = 0; at < bytes.size(); at += 100) {
         const std::size_t now = decoder.push({bytes.data() + at, std::min<std::size_t>(100, bytes.size() - at)});
@@ -77,6 +77,6 @@ TEST_CASE("streams that arrive in pieces, and damaged ones") {
         CHECK(error.status() == GUSSET_ERROR_BAD_STREAM);
         CHECK(error.report().element == GUSSET_ELEMENT_BYTE);
     }
-    gusset::Decoder careful(1000);
+    gusset::StreamDecoder careful(1000);
     CHECK_THROWS_AS(careful.push(bytes), gusset::Error);
 }

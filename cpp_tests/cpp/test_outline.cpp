@@ -38,8 +38,8 @@ TEST_CASE("curves of all kinds pass their points, in the plane and in space") {
     const std::vector<Space> points = coil(25);
     for (auto curve : {gusset::CurveKind::composite, gusset::CurveKind::blend_c1, gusset::CurveKind::blend_c2,
                        gusset::CurveKind::cubic_c2}) {
-        for (auto method : {gusset::Method::bisector, gusset::Method::median, gusset::Method::normal,
-                            gusset::Method::symmedian, gusset::Method::alpha}) {
+        for (auto method : {gusset::SectionMethod::bisector, gusset::SectionMethod::median, gusset::SectionMethod::normal,
+                            gusset::SectionMethod::symmedian, gusset::SectionMethod::alpha}) {
             for (bool closed : {false, true}) {
                 gusset::OutlineOptions options;
                 options.curve = curve;
@@ -121,7 +121,7 @@ TEST_CASE("the frame of a ball: nodes, curves, new sections and their measures")
     cubic.curve = gusset::CurveKind::cubic_c2;
     const gusset::Frame frame(gusset::Outlines(points, true).offsets(offsets),
                               gusset::Correspondence::angle(16, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}), cubic, cubic);
-    const gusset_frame_view parts = frame.parts();
+    const gusset_frame_view parts = frame.view();
     REQUIRE(parts.rows == 9);
     REQUIRE(parts.columns == 16);
     CHECK(parts.max_gap < 1e-15);

@@ -132,7 +132,7 @@ Sewn stitched_by_cgal(const Soup &soup) {
 
 Sewn sewn_by_us(const Soup &soup) {
     const gusset::Weld weld(soup.view());
-    const auto report = gusset::Check(weld.mesh()).report();
+    const auto report = gusset::Check(weld.mesh()).view();
     CHECK(report.non_manifold_edges.count == 0);
     CHECK(report.bow_ties.count == 0);
     return {report.vertex_count - report.unused_vertices.count, report.boundary_edges.count, report.component_count};
@@ -298,7 +298,7 @@ TEST_CASE("CGAL's own cases of stitching") {
     CHECK(!careful.left_edges().empty());
     gusset::WeldOptions all;
     all.vertices = gusset::WeldVertices::all;
-    CHECK(gusset::Check(gusset::Weld(twice.view(), all).mesh()).report().non_manifold_edges.count == 1);
+    CHECK(gusset::Check(gusset::Weld(twice.view(), all).mesh()).view().non_manifold_edges.count == 1);
 }
 
 TEST_CASE("every oriented mesh: borders are sewn as CGAL's stitch_borders does") {
@@ -346,7 +346,7 @@ TEST_CASE("every mesh in single faces, turned by chance, comes back") {
         }
         CHECK(check.is_oriented());
         CHECK(weld.left_edges().empty());
-        const auto now = check.report(), then = gusset::Check(whole.mesh()).report();
+        const auto now = check.view(), then = gusset::Check(whole.mesh()).view();
         CHECK(now.boundary_edges.count == then.boundary_edges.count);
         CHECK(now.edge_count == then.edge_count);
         CHECK(now.component_count == then.component_count);

@@ -15,12 +15,12 @@ using gusset::Field;
 using gusset::JoinOptions;
 using gusset::NetMesh;
 using gusset::Operation;
-using gusset::Replicate;
+using gusset::Replication;
 using gusset::Scene;
 using gusset::Transform;
 
-Net torus() { return Net::of_shape(Shape::torus(2.0, 0.5).with(9, 17)); }
-Net plane() { return Net::of_shape(Shape::plane(2.0, 1.0).with(5, 9)); }
+Net torus() { return Net::from_primitive(Primitive::torus(2.0, 0.5).with(9, 17)); }
+Net plane() { return Net::from_primitive(Primitive::plane(2.0, 1.0).with(5, 9)); }
 
 Point3 image(const Transform &map, const Point3 &p) {
     const double *m = map.rows;
@@ -98,7 +98,7 @@ TEST_CASE("fields of deformation") {
     const Net net = torus();
     const auto test = [&](const Field &field, auto &&map) {
         CHECK(deviation(deformed(net, field), net, map) < 1e-13);
-        CHECK(identical(deformed(net, field.in_part(0.0)), net));
+        CHECK(identical(deformed(net, field.with_strength(0.0)), net));
     };
     const Transform map{{1, 2, 0, 3, 0, 1, 0, 1, 0.5, 0, 1, 0}};
     test(Field::affine(map), [&](Point3 p) { return image(map, p); });
@@ -147,12 +147,12 @@ TEST_CASE("fields of deformation") {
 
     // Half the strength, at half the time.
     const Field twist = Field::twist(Axis::z, 1.0);
-    const Field animated = twist.keyed({{0.0, 0.0}, {2.0, 1.0}});
-    CHECK(distance(deformed(net, animated, 1.0), deformed(net, twist.in_part(0.5))) < 1e-14);
-    CHECK(distance(deformed(net, animated.in_part(0.5), 9.0), deformed(net, twist.in_part(0.5))) < 1e-14);
-    CHECK(identical(deformed(net, twist.keyed({{0.0, 0.0}, {2.0, 1.0}}, gusset::Easing::hold), 1.0), net));
-    CHECK(distance(deformed(net, twist.keyed({{0.0, 0.0}, {2.0, 1.0}}, gusset::Easing::smooth), 1.0),
-                   deformed(net, twist.in_part(0.5))) < 1e-14);
+    const Field animated = twist.with_keys({{0.0, 0.0}, {2.0, 1.0}});
+    CHECK(distance(deformed(net, animated, 1.0), deformed(net, twist.with_strength(0.5))) < 1e-14);
+    CHECK(distance(deformed(net, animated.with_strength(0.5), 9.0), deformed(net, twist.with_strength(0.5))) < 1e-14);
+    CHECK(identical(deformed(net, twist.with_keys({{0.0, 0.0}, {2.0, 1.0}}, gusset::Easing::hold), 1.0), net));
+    CHECK(distance(deformed(net, twist.with_keys({{0.0, 0.0}, {2.0, 1.0}}, gusset::Easing::smooth), 1.0),
+                   deformed(net, twist.with_strength(0.5))) < 1e-14);
     const std::vector<Field> both{Field::shear(Axis::x, Axis::z, 0.3), twist};
     Net one = net, listed = net;
     one.deform(both);
@@ -166,7 +166,7 @@ TEST_CASE("fields of deformation") {
 TEST_CASE("what a deformation does") {
     const Net net = torus();
     const std::vector<Field> fields{Field::shear(Axis::x, Axis::z, 0.4), Field::affine({{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0}})};
-    const gusset::Analysis analysis(net, fields);
+    const gusset::NetAnalysis analysis(net, fields);
     CHECK(analysis.is_soft());
     CHECK(analysis.determinants().size() == 8 * 16);
     for (double determinant : analysis.determinants()) {
@@ -175,7 +175,7 @@ TEST_CASE("what a deformation does") {
     Net after = net;
     after.deform(fields);
     CHECK(after.measure().volume == doctest::Approx(8 * net.measure().volume).epsilon(1e-12));
-    const gusset::Analysis doubled(net, moved(net, Operation::scale(2.0)));
+    const gusset::NetAnalysis doubled(net, moved(net, Operation::scale(2.0)));
     CHECK(doubled.determinants().empty());
     CHECK(doubled.links()[0] == doctest::Approx(2.0));
     CHECK(doubled.cells()[0] == doctest::Approx(4.0));
@@ -186,21 +186,21 @@ TEST_CASE("what a deformation does") {
         std::for_each(x.begin(), x.end(), [](double &v) { v = std::min(v, 0.25); });
         return true;
     });
-    const gusset::Analysis pressed(plane(), hard);
+    const gusset::NetAnalysis pressed(plane(), hard);
     CHECK(!pressed.is_soft());
     REQUIRE(pressed.contracted().size() == 15);
     CHECK(pressed.torn().empty());
     CHECK(pressed.star(0) == gusset::GluingType::horizontal);
     CHECK_THROWS_AS(pressed.star(15), std::out_of_range);
     hard.absorb(pressed.contracted());
-    CHECK(gusset::Validation(hard).is_valid());
+    CHECK(gusset::NetValidation(hard).is_valid());
     CHECK(hard.snap() == 0);
-    CHECK(gusset::Complex(hard).report().quad_count == 4 * 5);
+    CHECK(gusset::NetComplex(hard).view().quad_count == 4 * 5);
     CHECK(hard.measure().area == doctest::Approx(1.25));
 
     Net torn = net;
     torn.edit<double>().z(0, 3) += 0.1;
-    CHECK(!gusset::Analysis(net, torn).torn().empty());
+    CHECK(!gusset::NetAnalysis(net, torn).torn().empty());
 }
 
 TEST_CASE("a function of the caller's") {
@@ -222,7 +222,7 @@ TEST_CASE("a function of the caller's") {
         }
         return true;
     });
-    CHECK(gusset::Validation(net).is_valid());
+    CHECK(gusset::NetValidation(net).is_valid());
 
     const gusset::Context context;
     const auto throws = [](std::size_t, auto, auto, auto) -> bool { throw std::runtime_error("no more"); };
@@ -234,16 +234,16 @@ TEST_CASE("a function of the caller's") {
     CHECK_THROWS_AS(net.deform_rows<float>([](std::size_t, auto, auto, auto) { return true; }), std::invalid_argument);
     CHECK_THROWS_AS(net.deform_rows<double>(nullptr), std::bad_function_call);
 
-    Net sphere = Net::of_shape(Shape::sphere(1.0).with(33, 65));
+    Net sphere = Net::from_primitive(Primitive::sphere(1.0).with(33, 65));
     sphere.displace(0.5);
-    CHECK(distance(sphere, Net::of_shape(Shape::sphere(1.5).with(33, 65))) < 1e-9);
+    CHECK(distance(sphere, Net::from_primitive(Primitive::sphere(1.5).with(33, 65))) < 1e-9);
 }
 
 TEST_CASE("enlarged, turned, and made smaller") {
-    std::vector<Net> nets{plane(), torus(), Net::of_shape(Shape::sphere(1.0).with(6, 9)),
-                          Net::of_shape(Shape::moebius(2.0, 1.0).with(4, 11))};
+    std::vector<Net> nets{plane(), torus(), Net::from_primitive(Primitive::sphere(1.0).with(6, 9)),
+                          Net::from_primitive(Primitive::moebius(2.0, 1.0).with(4, 11))};
     for (const auto &[name, shape, euler] : closed_shapes()) {
-        nets.push_back(Net::of_shape(shape));
+        nets.push_back(Net::from_primitive(shape));
     }
     for (const Net &net : nets) {
         CHECK(identical(net.transposed().transposed(), net));
@@ -259,7 +259,7 @@ TEST_CASE("enlarged, turned, and made smaller") {
         CHECK(net.part(1, 3, 2, 2).at(0, 1) == net.at(1, 3));
     }
     for (const Net &net : {plane(), torus()}) {
-        for (Replicate which : {Replicate::uniform, Replicate::first, Replicate::last, Replicate::at, Replicate::at_poles}) {
+        for (Replication which : {Replication::uniform, Replication::first, Replication::last, Replication::at, Replication::at_poles}) {
             gusset::ReformatOptions options;
             options.rows = net.rows() + 4;
             options.columns = net.columns() + 3;
@@ -268,20 +268,20 @@ TEST_CASE("enlarged, turned, and made smaller") {
             const Net larger = net.reformatted(options);
             CHECK(larger.rows() == options.rows);
             CHECK(larger.columns() == options.columns);
-            CHECK(gusset::Complex(larger).euler() == gusset::Complex(net).euler());
+            CHECK(gusset::NetComplex(larger).euler() == gusset::NetComplex(net).euler());
             CHECK(larger.measure().area == doctest::Approx(net.measure().area).epsilon(1e-12));
             CHECK(identical(larger.compacted(), net));
         }
     }
     const Net fine = plane().resampled(9, 17, gusset::Interpolation::bilinear);
-    CHECK(distance(fine, Net::of_shape(Shape::plane(2.0, 1.0).with(9, 17))) < 1e-15);
+    CHECK(distance(fine, Net::from_primitive(Primitive::plane(2.0, 1.0).with(9, 17))) < 1e-15);
     CHECK(plane().resampled(9, 17).measure().area == doctest::Approx(2.0));
-    const gusset::Decimated corners = plane().decimated(1e-9);
+    const gusset::DecimatedNet corners = plane().decimated(1e-9);
     CHECK(corners.rows == std::vector<uint32_t>{0, 4});
     CHECK(corners.columns == std::vector<uint32_t>{0, 8});
     CHECK(corners.deviation <= 1e-9);
     CHECK(corners.net.measure().area == doctest::Approx(2.0));
-    const auto levels = Net::of_shape(Shape::torus(2.0, 0.5).with(17, 33)).pyramid();
+    const auto levels = Net::from_primitive(Primitive::torus(2.0, 0.5).with(17, 33)).pyramid();
     REQUIRE(levels.size() > 2);
     for (std::size_t k = 1; k < levels.size(); ++k) {
         // Closed rows and columns keep five nodes.
@@ -292,24 +292,24 @@ TEST_CASE("enlarged, turned, and made smaller") {
         CHECK(level.at(1, 1) == fine_level.at(row_step, column_step));
     }
 
-    const gusset::Planarity flat = torus().planarity(1e-9);
+    const gusset::NetPlanarity flat = torus().planarity(1e-9);
     CHECK(flat.summary.worst < 1e-12);
     CHECK(flat.summary.above == 0);
     CHECK(flat.cells.size() == 8 * 16);
     const std::vector<double> saddle{0, 0, 0, 0, 1, 2, 0, 2, 4};
-    const gusset::Planarity bent = Net::of_heights(3, 3, saddle.data()).planarity(1e-9);
+    const gusset::NetPlanarity bent = Net::from_heights(3, 3, saddle.data()).planarity(1e-9);
     CHECK(bent.summary.above == 4);
     CHECK(*std::max_element(bent.cells.begin(), bent.cells.end()) == bent.summary.worst);
     CHECK(bent.cells[bent.summary.worst_cell] == bent.summary.worst);
 }
 
 TEST_CASE("what was joined comes apart again, bit for bit") {
-    const Net sphere = Net::of_shape(Shape::sphere(1.0).with(9, 17)), tube = Net::of_shape(Shape::tube(1.0, 2.0).with(5, 13));
-    const Net box = Net::of_shape(Shape::box({1, 2, 3}, {3, 4, 5}));
-    const std::vector<Net> nets{plane(), torus(), sphere, tube, box, Net::of_shape(Shape::klein(2.0, 0.5).with(9, 11))};
+    const Net sphere = Net::from_primitive(Primitive::sphere(1.0).with(9, 17)), tube = Net::from_primitive(Primitive::tube(1.0, 2.0).with(5, 13));
+    const Net box = Net::from_primitive(Primitive::box({1, 2, 3}, {3, 4, 5}));
+    const std::vector<Net> nets{plane(), torus(), sphere, tube, box, Net::from_primitive(Primitive::klein(2.0, 0.5).with(9, 11))};
     for (Direction direction : {Direction::right, Direction::down}) {
         for (BridgeMode mode : {BridgeMode::keep, BridgeMode::hide}) {
-            for (Replicate equalise : {Replicate::uniform, Replicate::first, Replicate::last, Replicate::at_poles}) {
+            for (Replication equalise : {Replication::uniform, Replication::first, Replication::last, Replication::at_poles}) {
                 for (const Net &first : nets) {
                     for (const Net &second : nets) {
                         JoinOptions options;
@@ -339,7 +339,7 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
     down.mode = BridgeMode::hide;
     const Net three = gusset::concatenate(std::vector<Net>{torus(), sphere, tube}, down);
     CHECK(three.bridge_count() == 2);
-    CHECK(gusset::Complex(three, gusset::NetCells::present).report().component_count == 3);
+    CHECK(gusset::NetComplex(three, gusset::NetCells::present).view().component_count == 3);
     CHECK(judge(NetMesh(three).mesh(), false).components == 3);
     CHECK(three.measure().area == doctest::Approx(torus().measure().area + sphere.measure().area + tube.measure().area));
     const std::vector<const Net *> twice{&sphere, &sphere};
@@ -347,7 +347,7 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
     CHECK(gusset::concatenate(twice).columns() == 2 * sphere.columns());
 
     // Two halves of a tube, welded: one tube, and a mesh like any other.
-    const Net lower = Net::of_shape(Shape::tube(1.0, 2.0).with(5, 13));
+    const Net lower = Net::from_primitive(Primitive::tube(1.0, 2.0).with(5, 13));
     const Net upper = moved(lower, Operation::translate({0, 0, 2}));
     down.mode = BridgeMode::weld;
     down.tolerance = 1e-12;
@@ -355,7 +355,7 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
     const Net &first = lower_ends_high ? lower : upper, &second = lower_ends_high ? upper : lower;
     Net whole = gusset::concatenate(first, second, down);
     CHECK(whole.bridge(0).kind == gusset::BridgeKind::tube);
-    CHECK(gusset::Complex(whole).boundary_count() == 2);
+    CHECK(gusset::NetComplex(whole).boundary_count() == 2);
     const Verdict verdict = judge(NetMesh(whole).mesh());
     CHECK(verdict.is_mesh);
     CHECK(verdict.components == 1);
@@ -372,7 +372,7 @@ TEST_CASE("what was joined comes apart again, bit for bit") {
     CHECK(apart.status == GUSSET_ERROR_SIDES_DIFFER);
     CHECK(apart.element == GUSSET_ELEMENT_SIDE_PLACE);
     CHECK(refusal([&] { gusset::concatenate(std::vector<Net>{}); }).status == GUSSET_ERROR_EMPTY_SCENE);
-    const Net single = Net::of_shape(Shape::sphere(1.0).with(gusset::Scalar::f32));
+    const Net single = Net::from_primitive(Primitive::sphere(1.0).with(gusset::Scalar::f32));
     CHECK(refusal([&] { gusset::concatenate(single, sphere); }).status == GUSSET_ERROR_MIXED_SCALARS);
 }
 
@@ -391,13 +391,13 @@ TEST_CASE("scenes") {
 
     CHECK(scene.children(pair) == std::vector<uint32_t>{ring, flat});
     CHECK(scene.children(all) == std::vector<uint32_t>{pair, pair});
-    const gusset::Entry entry = scene.entry(pair);
-    CHECK(entry.kind == gusset::EntryKind::group);
+    const gusset::SceneEntry entry = scene.entry(pair);
+    CHECK(entry.kind == gusset::SceneEntryKind::group);
     CHECK(entry.child_count == 2);
     CHECK(entry.visible);
     CHECK(entry.transform.rows[3] == 1.0);
-    CHECK(scene.entry(ring).kind == gusset::EntryKind::net);
-    const gusset_scene_report counts = scene.count();
+    CHECK(scene.entry(ring).kind == gusset::SceneEntryKind::net);
+    const gusset_scene_report counts = scene.report();
     CHECK(counts.instances == 7);
     CHECK(counts.net_instances == 4);
     CHECK(counts.nets == 2);
@@ -406,7 +406,7 @@ TEST_CASE("scenes") {
 
     const auto instances = scene.instances();
     REQUIRE(instances.size() == 7);
-    for (const gusset::Instance &instance : instances) {
+    for (const gusset::SceneInstance &instance : instances) {
         Transform world = scene.entry(instance.entry).transform;
         for (uint32_t up = instance.parent; up != UINT32_MAX; up = instances[up].parent) {
             world = product(scene.entry(instances[up].entry).transform, world);
@@ -417,8 +417,8 @@ TEST_CASE("scenes") {
 
     const auto placed = [&] {
         std::vector<Net> nets;
-        for (const gusset::Instance &instance : scene.instances()) {
-            if (instance.visible && scene.entry(instance.entry).kind == gusset::EntryKind::net) {
+        for (const gusset::SceneInstance &instance : scene.instances()) {
+            if (instance.visible && scene.entry(instance.entry).kind == gusset::SceneEntryKind::net) {
                 nets.push_back(moved(scene.net(instance.entry), Operation::matrix(instance.world)));
             }
         }
@@ -430,7 +430,7 @@ TEST_CASE("scenes") {
         CHECK(wanted.size() == (hidden ? 2 : 4));
         const Net whole = scene.flatten();
         CHECK(whole.bridge_count() == wanted.size() - 1);
-        CHECK(gusset::Complex(whole, gusset::NetCells::present).report().component_count == wanted.size());
+        CHECK(gusset::NetComplex(whole, gusset::NetCells::present).view().component_count == wanted.size());
         const Scene back = Scene::unflatten(whole);
         const auto children = back.children(0);
         REQUIRE(children.size() == wanted.size());
@@ -461,10 +461,10 @@ TEST_CASE("scenes") {
     CHECK(refusal([&] { scene.net(pair); }).status == GUSSET_ERROR_NO_SUCH_ELEMENT);
     CHECK(refusal([&] { scene.children(ring); }).status == GUSSET_ERROR_NO_SUCH_ELEMENT);
     scene.remove_child(all, pair);
-    CHECK(scene.count().instances == 4);
+    CHECK(scene.report().instances == 4);
     scene.remove(pair);
     CHECK(refusal([&] { scene.entry(pair); }).status == GUSSET_ERROR_NO_SUCH_ELEMENT);
-    CHECK(scene.count().instances == 3);
+    CHECK(scene.report().instances == 3);
     CHECK(refusal([&] { Scene().flatten(); }).status == GUSSET_ERROR_EMPTY_SCENE);
 
     // What is mirrored is turned round, so that the whole is still outwards.

@@ -84,7 +84,7 @@ TEST_CASE("nodes in any memory make the same sheet") {
     }
     CHECK(largest_gap(expected, sampled(Sheet::from_nodes(10, 13, small, options))) < 2e-7);
 
-    const gusset_sheet_report info = Sheet::from_nodes(10, 13, nodes, options).info();
+    const gusset_sheet_report info = Sheet::from_nodes(10, 13, nodes, options).report();
     CHECK(info.rows == 9);
     CHECK(info.columns == 12);
     CHECK(info.closed_u == 0);
@@ -136,7 +136,7 @@ TEST_CASE("tangents, patches and splines") {
     const std::vector<double> knots{0, 0, 1, 1};
     const Sheet spline = Sheet::from_spline(corners, {2, 1, knots}, {2, 1, knots});
     CHECK(largest_gap(sampled(patch, 0.125), sampled(spline, 0.125)) < 1e-15);
-    CHECK(patch.info().is_grid == 0);
+    CHECK(patch.report().is_grid == 0);
     CHECK(spline.crease() < 1e-7);
     CHECK_THROWS_AS(Sheet::from_patches(corners, 1, 1, 2, 1), std::invalid_argument);
     CHECK_THROWS_AS(Sheet::from_spline(corners, {2, 1, knots}, {3, 1, knots}), std::invalid_argument);
@@ -186,7 +186,7 @@ TEST_CASE("curves and frames") {
     const gusset::Frame frame(gusset::Outlines(sections, true).offsets(offsets));
     for (const gusset::FrameSurface kind : {gusset::FrameSurface::nodes, gusset::FrameSurface::curves}) {
         const Sheet tube = Sheet::from_frame(frame, kind);
-        CHECK(tube.info().closed_v == 1);
+        CHECK(tube.report().closed_v == 1);
         for (const Point3 &p : sampled(tube, 0.37)) {
             CHECK(std::abs(std::hypot(p[0], p[1]) - 1) < 0.03);
         }
@@ -196,15 +196,15 @@ TEST_CASE("curves and frames") {
 TEST_CASE("curves through points, on sheets, and near to each other") {
     const Sheet sheet = shapes::torus_sheet();
     const Surface surface(sheet);
-    for (const gusset::Along along : {gusset::Along::rows, gusset::Along::columns}) {
+    for (const gusset::SheetDirection along : {gusset::SheetDirection::rows, gusset::SheetDirection::columns}) {
         const Curve curve = sheet.curve(along, 7.3);
-        const gusset::Places places = curve.sample(gusset::Sample::count, 50);
+        const gusset::Places places = curve.sample(gusset::SampleRule::count, 50);
         const std::vector<Point3> points(places.points().begin(), places.points().end());
-        for (const gusset::Closest &nearest : surface.closest(points)) {
+        for (const gusset::NearestPoint &nearest : surface.nearest(points)) {
             CHECK(nearest.distance < 1e-12);
         }
     }
-    CHECK_THROWS_AS(sheet.curve(gusset::Along::rows, 25), gusset::Error);
+    CHECK_THROWS_AS(sheet.curve(gusset::SheetDirection::rows, 25), gusset::Error);
 
     std::vector<Point3> circle;
     for (int k = 0; k <= 24; ++k) {
@@ -214,12 +214,12 @@ TEST_CASE("curves through points, on sheets, and near to each other") {
     CHECK(ring.is_closed());
     CHECK(std::abs(ring.length() - 2 * pi) < 1e-4);
     // The axis of the ring is as near everywhere; a line beside it is nearest at one place, and one in space passes two.
-    const gusset::Places met = ring.approach(gusset::Line::line({-2, 0.5, 0.01}, {1, 0, 0}), 0.05);
+    const gusset::Places met = ring.near_misses(gusset::Line::line({-2, 0.5, 0.01}, {1, 0, 0}), 0.05);
     REQUIRE(met.size() == 2);
     CHECK(std::abs(met.points()[0][1] - 0.5) < 1e-4);
-    CHECK(ring.approach(gusset::Line::line({-2, 0.5, 0.1}, {1, 0, 0}), 0.05).size() == 0);
+    CHECK(ring.near_misses(gusset::Line::line({-2, 0.5, 0.1}, {1, 0, 0}), 0.05).size() == 0);
     const std::array<Point3, 2> bar{{{-2, 0, 0.01}, {2, 0, 0.01}}};
-    const gusset::Places both = ring.approach(Curve::through(bar, false), 0.05);
+    const gusset::Places both = ring.near_misses(Curve::through(bar, false), 0.05);
     REQUIRE(both.size() == 2);
     CHECK(both.others().size() == 2);
 }
@@ -251,7 +251,7 @@ TEST_CASE("meshes of sheets are closed where the surface is") {
             middles.push_back(middle);
         }
         CHECK(made.deviation() > 0);
-        for (const gusset::Closest &nearest : surface.closest(middles)) {
+        for (const gusset::NearestPoint &nearest : surface.nearest(middles)) {
             REQUIRE(nearest.bound <= made.deviation());
         }
     };
@@ -286,16 +286,16 @@ TEST_CASE("estimates, and the paper's search") {
     CHECK(curvature < 10);
     const gusset::CellDiameters diameters = sheet.diameters();
     REQUIRE(diameters.euclidean.size() == 24 * 40);
-    CHECK(diameters.greatest_euclidean >= std::hypot(1.4 * 2 * std::sin(pi / 40), 0.8 * std::sin(pi / 24)) - 1e-3);
+    CHECK(diameters.max_euclidean >= std::hypot(1.4 * 2 * std::sin(pi / 40), 0.8 * std::sin(pi / 24)) - 1e-3);
     for (std::size_t k = 0; k < diameters.euclidean.size(); ++k) {
         REQUIRE(diameters.euclidean[k] <= diameters.intrinsic[k] * (1 + 1e-12));
     }
 
     // Every cell that has a point within 0.3 of a point is in the mask.
     const Point3 query{1.5, 0.2, 0.1};
-    const gusset::MaskTask task = gusset::MaskTask::at(query);
+    const gusset::ReferenceTask task = gusset::ReferenceTask::at(query);
     CHECK(shapes::of(task.point) == query);
-    const gusset::Masked masked = sheet.mask(gusset::MaskTask::at(query).up_to(0.3));
+    const gusset::ReferenceMask masked = sheet.reference_mask(gusset::ReferenceTask::at(query).up_to(0.3));
     const Surface surface(sheet);
     std::size_t near = 0;
     for (std::size_t i = 0; i < 24; ++i) {
@@ -311,27 +311,27 @@ TEST_CASE("estimates, and the paper's search") {
     CHECK(masked.mask.count() >= near);
     CHECK(masked.mask.count() < 200);
     CHECK(masked.report.cells == masked.mask.count());
-    const gusset::Closest nearest = surface.closest(query);
-    CHECK(sheet.mask(gusset::MaskTask::at(query)).mask(nearest.place.row, nearest.place.column));
-    CHECK(sheet.mask(gusset::MaskTask::plane({2, 0, 0}, {1, 0, 0}).up_to(0.1)).mask.count() == 0);
-    CHECK(sheet.mask(gusset::MaskTask::line({0, 0, 0}, {1, 0, 0}).up_to(0.01)).mask.count() > 0);
-    CHECK(sheet.mask(gusset::MaskTask::segment({0, 0, 0}, {0.1, 0, 0}).up_to(0.01)).mask.count() == 0);
-    CHECK(sheet.mask(gusset::MaskTask::slant({0, 0, 1}, 0.0).up_to(0.05)).mask.count() > 0);
+    const gusset::NearestPoint nearest = surface.nearest(query);
+    CHECK(sheet.reference_mask(gusset::ReferenceTask::at(query)).mask(nearest.place.row, nearest.place.column));
+    CHECK(sheet.reference_mask(gusset::ReferenceTask::plane({2, 0, 0}, {1, 0, 0}).up_to(0.1)).mask.count() == 0);
+    CHECK(sheet.reference_mask(gusset::ReferenceTask::line({0, 0, 0}, {1, 0, 0}).up_to(0.01)).mask.count() > 0);
+    CHECK(sheet.reference_mask(gusset::ReferenceTask::segment({0, 0, 0}, {0.1, 0, 0}).up_to(0.01)).mask.count() == 0);
+    CHECK(sheet.reference_mask(gusset::ReferenceTask::angle_to({0, 0, 1}, 0.0).up_to(0.05)).mask.count() > 0);
 
-    const gusset_mask_report region = sheet.region(masked.mask);
+    const gusset_mask_report region = sheet.mask_measure(masked.mask);
     CHECK(region.cells == masked.mask.count());
     CHECK(region.euler == 1);
-    CHECK(sheet.region(gusset::CellMask::all(24, 40)).euler == 0);
+    CHECK(sheet.mask_measure(gusset::CellMask::all(24, 40)).euler == 0);
     // Round the ring it is 10 steps across corners, if not less the other way.
-    const auto chain = sheet.chain(gusset::CellMask::all(24, 40), {3, 2}, {3, 12});
+    const auto chain = sheet.mask_chain(gusset::CellMask::all(24, 40), {3, 2}, {3, 12});
     CHECK(chain.size() == 11);
     CHECK(chain.front() == std::array<uint32_t, 2>{3, 2});
     CHECK(chain.back() == std::array<uint32_t, 2>{3, 12});
     // Masks of other shapes, be they larger, smaller or turned.
     for (const std::array<std::size_t, 2> &shape : {std::array<std::size_t, 2>{48, 80}, {12, 20}, {40, 24}, {24, 41}}) {
         const gusset::CellMask other = gusset::CellMask::all(shape[0], shape[1]);
-        CHECK_THROWS_AS(sheet.region(other), std::invalid_argument);
-        CHECK_THROWS_AS(sheet.chain(other, {3, 2}, {3, 12}), std::invalid_argument);
+        CHECK_THROWS_AS(sheet.mask_measure(other), std::invalid_argument);
+        CHECK_THROWS_AS(sheet.mask_chain(other, {3, 2}, {3, 12}), std::invalid_argument);
     }
 
     const std::vector<gusset::SurfacePlace> places{gusset::surface_place(0, 4, 5, 0.3, 0.6), gusset::surface_place(0, 20, 33, 0.9, 0.1)};

@@ -82,19 +82,19 @@ static_assert(lasting_range<gusset::CellPairs> && lasting<Pairs, gusset::CellPai
 static_assert(lasting<Mesh, gusset::SheetMesh> && lasting<PlacesOf, gusset::SheetMesh> && lasting<Normals, gusset::SheetMesh>, "meshes");
 static_assert(lasting<Words, gusset::CellMask>, "masks");
 // Elements that are copies may be had of temporaries.
-static_assert(std::is_same_v<decltype(std::declval<gusset::SurfacePoints>()[0]), gusset::Closest>, "a copy");
+static_assert(std::is_same_v<decltype(std::declval<gusset::SurfacePoints>()[0]), gusset::NearestPoint>, "a copy");
 static_assert(std::is_same_v<decltype(std::declval<gusset::SurfaceRegion>()[0]), gusset::RegionCell>, "a copy");
 static_assert(std::is_same_v<decltype(std::declval<gusset::CellPairs>()[0]), gusset::CellPair>, "a copy");
 static_assert(std::is_same_v<decltype(std::declval<gusset::Hits>()[0]), gusset::Hit>, "a copy");
 
-bool same(const gusset::Closest &a, const gusset::Closest &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same(const gusset::NearestPoint &a, const gusset::NearestPoint &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 } // namespace
 
 TEST_CASE("nearest points are as near as those of a fine mesh, and as their bounds say") {
     for (int shape = 0; shape < 3; ++shape) {
         const Fine fine(shape == 0 ? shapes::torus_sheet() : shape == 1 ? shapes::sphere_sheet() : shapes::wavy_sheet());
         const std::vector<Point3> queries = shapes::random_points(400, 1.7, 7 + unsigned(shape));
-        const std::vector<gusset::Closest> found = fine.surface.closest(queries);
+        const std::vector<gusset::NearestPoint> found = fine.surface.nearest(queries);
         for (std::size_t k = 0; k < queries.size(); ++k) {
             REQUIRE(found[k].is_found());
             CHECK(std::abs(distance(queries[k], of(found[k].point)) - found[k].distance) < 1e-12);
@@ -108,7 +108,7 @@ TEST_CASE("nearest points are as near as those of a fine mesh, and as their boun
             CHECK(found[k].bound >= on_mesh - fine.deviation - 1e-12);
             CHECK(distance(of(fine.surface.evaluate(found[k].place).point), of(found[k].point)) < 1e-13);
             CHECK(distance(of(fine.surface.evaluate(found[k].place).normal), of(found[k].normal)) < 1e-9);
-            CHECK(same(found[k], fine.surface.closest(queries[k])));
+            CHECK(same(found[k], fine.surface.nearest(queries[k])));
             if (shape == 0) {
                 CHECK(std::abs(found[k].distance - std::abs(shapes::outside_torus(queries[k]))) < 1e-4);
             }
@@ -118,10 +118,10 @@ TEST_CASE("nearest points are as near as those of a fine mesh, and as their boun
 
 TEST_CASE("limits, minima, regions") {
     const Surface torus(shapes::torus_sheet());
-    gusset::ClosestOptions options;
+    gusset::NearestOptions options;
     options.limit = 0.3;
-    CHECK(torus.closest({1.6, 0, 0}, options).is_found());
-    const gusset::Closest none = torus.closest({1.8, 0, 0}, options);
+    CHECK(torus.nearest({1.6, 0, 0}, options).is_found());
+    const gusset::NearestPoint none = torus.nearest({1.8, 0, 0}, options);
     CHECK_FALSE(none.is_found());
     CHECK(none.distance == std::numeric_limits<double>::infinity());
 
@@ -131,14 +131,14 @@ TEST_CASE("limits, minima, regions") {
     CHECK(minima.complete());
     REQUIRE(minima.size() >= 1);
     CHECK(std::is_sorted(minima.begin(), minima.end(), [](const auto &a, const auto &b) { return a.distance < b.distance; }));
-    CHECK(std::abs(minima[0].distance - torus.closest(query).distance) < 1e-12);
-    for (const gusset::Closest &place : minima) {
+    CHECK(std::abs(minima[0].distance - torus.nearest(query).distance) < 1e-12);
+    for (const gusset::NearestPoint &place : minima) {
         // Across the surface.
         const Point3 way = shapes::minus(query, of(place.point));
         CHECK(std::abs(std::abs(shapes::dot(way, of(place.normal))) - place.distance) < 1e-6);
     }
     options.limit.reset();
-    options.most = 1;
+    options.max_count = 1;
     CHECK(torus.minima(query, options).size() == 1);
 
     CHECK(torus.minima(query, options)[0].distance == minima[0].distance);
@@ -217,13 +217,13 @@ TEST_CASE("which hits, and what they are") {
     const gusset::SurfaceHits all = torus.line(across);
     REQUIRE(all[0].size() == 4);
     for (const gusset::Hit &hit : all.hits()) {
-        CHECK(hit.what() == gusset::HitKind::crossing);
+        CHECK(hit.hit_kind() == gusset::HitKind::crossing);
         CHECK(hit.span[0] == hit.t);
     }
-    const gusset::SurfaceHits first = torus.line(across, gusset::Which::first);
+    const gusset::SurfaceHits first = torus.line(across, gusset::HitSelection::first);
     REQUIRE(first[0].size() == 1);
     CHECK(first[0][0].t == all[0][0].t);
-    const gusset::SurfaceHits any = torus.line(across, gusset::Which::any);
+    const gusset::SurfaceHits any = torus.line(across, gusset::HitSelection::any);
     CHECK(any[0].size() == 1);
     const gusset::SurfaceHits ray = torus.line(Line::ray({0, 0.1, 0.05}, {1, 0, 0}));
     CHECK(ray[0].size() == 2);
@@ -243,7 +243,7 @@ TEST_CASE("which hits, and what they are") {
     const std::vector<Line> lines{across, Line::line({5, 5, 5}, {1, 0, 0})};
     const std::vector<gusset::Hit> hits = torus.first_hits(lines);
     CHECK(hits[0].t == all[0][0].t);
-    CHECK(hits[1].what() == gusset::HitKind::none);
+    CHECK(hits[1].hit_kind() == gusset::HitKind::none);
     CHECK_FALSE(hits[1].is_found());
     CHECK_THROWS_AS(all[1], std::out_of_range);
 
@@ -251,13 +251,13 @@ TEST_CASE("which hits, and what they are") {
     const Surface flat(Sheet::from_nodes(4, 4, shapes::nodes(3, 3, false, false, [](double u, double v) { return Point3{u, v, 0}; })));
     const gusset::SurfaceHits inside = flat.line(Line::line({-1, 0.4, 0}, {1, 0, 0}));
     REQUIRE(inside[0].size() == 1);
-    CHECK(inside[0][0].what() == gusset::HitKind::inside);
+    CHECK(inside[0][0].hit_kind() == gusset::HitKind::inside);
     CHECK(std::abs(inside[0][0].span[1] - inside[0][0].span[0] - 1) < 1e-6);
 
     // A curve: the parabola z = x^2 - 1/4 over the sheet.
     const std::vector<std::array<double, 3>> points{{0.1, 0.5, -0.24}, {0.5, 0.5, 0.25 - 0.4}, {0.9, 0.5, 0.56}};
     const std::vector<uint32_t> ends{0, 2};
-    const gusset::SurfaceHits curve = flat.curve(gusset::Curve::from(points, ends, false));
+    const gusset::SurfaceHits curve = flat.curve(gusset::Curve::from_points(points, ends, false));
     REQUIRE(curve.size() == 1);
     REQUIRE(curve[0].size() == 1);
     CHECK(curve.on_curve().size() == 3);
@@ -270,7 +270,7 @@ TEST_CASE("sections have the components and lengths of a fine mesh's") {
         const std::vector<Point3> normals = shapes::random_points(24, 1, 101 + unsigned(shape));
         for (std::size_t k = 0; k < normals.size(); ++k) {
             const Point3 at{0.04 * double(k) - 0.5, 0.03, 0.02};
-            const gusset::SurfacePaths paths = fine.surface.section(at, normals[k], gusset::Between::chord(1e-5));
+            const gusset::SurfacePaths paths = fine.surface.section(at, normals[k], gusset::PointSpacing::chord(1e-5));
             const std::vector<Slice> slices = fine.oracle.slices(at, normals[k]);
             CHECK(paths.unresolved().empty());
             REQUIRE(paths.size() == slices.size());
@@ -310,9 +310,9 @@ TEST_CASE("stacks of planes, contours, angles") {
     }
     CHECK_THROWS_AS(stack[6], std::out_of_range);
     CHECK(stack.points().size() > 100);
-    const gusset::SurfacePaths few = torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::Between::nothing());
+    const gusset::SurfacePaths few = torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::PointSpacing::cell_edges());
     CHECK(few.points().size() == 80);
-    const gusset::SurfacePaths cubics = torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::Between::leus(3));
+    const gusset::SurfacePaths cubics = torus.section({0, 0, 0.1}, {0, 0, 1}, gusset::PointSpacing::leus(3));
     CHECK(cubics.points().size() == 320);
 
     // The height as a field is the section.
@@ -370,11 +370,11 @@ TEST_CASE("surfaces meet in the curves of formulas") {
         }
     }
     CHECK(cut[0].others.empty());
-    gusset::IntersectOptions coarse;
+    gusset::IntersectionOptions coarse;
     coarse.chord = std::numeric_limits<double>::infinity();
     const gusset::SurfacePaths rough = torus.intersect(plane, coarse);
     CHECK(rough.points().size() < met.points().size());
-    const gusset::CellPairs pairs = torus.candidates(plane);
+    const gusset::CellPairs pairs = torus.cell_pairs(plane);
     CHECK(pairs.size() >= 80);
     std::size_t counted = 0;
     for (const gusset::CellPair &pair : pairs) {
@@ -386,9 +386,9 @@ TEST_CASE("surfaces meet in the curves of formulas") {
     CHECK(counted == pairs.size());
     CHECK_THROWS_AS(pairs[counted], std::out_of_range);
     const Surface away(Sheet::from_nodes(2, 2, std::vector<Point3>{{-2, -2, 1}, {-2, 2, 1}, {2, -2, 1}, {2, 2, 1}}));
-    CHECK(torus.candidates(away).size() == 0);
-    CHECK(torus.candidates(away).empty());
-    const gusset::CellPairs nearer = torus.candidates(away, 0.7);
+    CHECK(torus.cell_pairs(away).size() == 0);
+    CHECK(torus.cell_pairs(away).empty());
+    const gusset::CellPairs nearer = torus.cell_pairs(away, 0.7);
     CHECK(nearer.pairs().size() > 0);
     CHECK(torus.intersect(away).empty());
 }
@@ -398,20 +398,20 @@ TEST_CASE("several sheets, places, facts") {
     sheets.push_back(shapes::torus_sheet());
     sheets.push_back(shapes::sphere_sheet());
     const Surface both(sheets, 1e-10);
-    const gusset_surface_report facts = both.info();
+    const gusset_surface_report facts = both.report();
     CHECK(facts.sheet_count == 2);
     CHECK(facts.cell_count == 2 * 24 * 40);
     CHECK(facts.tolerance == 1e-10);
     CHECK(facts.low[0] <= -1.399);
     CHECK(facts.high[2] >= 0.999);
     CHECK(facts.cone_bytes == 0);
-    const Surface with_cones(sheets, 1e-10, gusset::Context(), gusset::NormalCones::now);
-    CHECK(with_cones.info().index_bytes == facts.index_bytes);
-    CHECK(with_cones.info().cone_bytes > 0);
+    const Surface with_cones(sheets, 1e-10, gusset::Context(), gusset::NormalCones::eager);
+    CHECK(with_cones.report().index_bytes == facts.index_bytes);
+    CHECK(with_cones.report().cone_bytes > 0);
     CHECK(with_cones.silhouette({0, 0, 1}).size() == both.silhouette({0, 0, 1}).size());
-    CHECK(both.info().cone_bytes == with_cones.info().cone_bytes);
-    CHECK(both.closest({0, 0, 2}).place.sheet == 1);
-    CHECK(both.closest({1.5, 0, 0}).place.sheet == 0);
+    CHECK(both.report().cone_bytes == with_cones.report().cone_bytes);
+    CHECK(both.nearest({0, 0, 2}).place.sheet == 1);
+    CHECK(both.nearest({1.5, 0, 0}).place.sheet == 0);
     // What was found stays when its surface is gone.
     gusset::SurfacePaths kept(nullptr);
     {
@@ -447,7 +447,7 @@ TEST_CASE("errors say which") {
         }
         return std::make_pair(int32_t(GUSSET_OK), uint64_t(0));
     };
-    CHECK(status_of([&] { torus.closest(queries); }) == std::make_pair(int32_t(GUSSET_ERROR_NOT_FINITE), uint64_t(3)));
+    CHECK(status_of([&] { torus.nearest(queries); }) == std::make_pair(int32_t(GUSSET_ERROR_NOT_FINITE), uint64_t(3)));
     const std::vector<Line> lines{Line::line({0, 0, 0}, {1, 0, 0}), Line::line({0, 0, 0}, {0, 0, 0})};
     CHECK(status_of([&] { torus.lines(lines); }).first == GUSSET_ERROR_OUT_OF_RANGE);
     CHECK(status_of([&] { torus.section({0, 0, 0}, {0, 0, 0}); }).first == GUSSET_ERROR_OUT_OF_RANGE);
@@ -461,7 +461,7 @@ TEST_CASE("errors say which") {
     CHECK(status_of([&] { torus.evaluate(places); }) == std::make_pair(int32_t(GUSSET_ERROR_NO_SUCH_ELEMENT), uint64_t(1)));
     CHECK(status_of([&] { Surface(gusset::Span<const Sheet>()); }).first == GUSSET_ERROR_EMPTY_MESH);
     CHECK(status_of([&] { Surface(shapes::torus_sheet(), -1); }).first == GUSSET_ERROR_OUT_OF_RANGE);
-    gusset::IntersectOptions options;
+    gusset::IntersectionOptions options;
     options.chord = -1;
     CHECK(status_of([&] { torus.intersect(torus, options); }).first == GUSSET_ERROR_OUT_OF_RANGE);
 }
@@ -472,7 +472,7 @@ TEST_CASE("any number of threads gives the same bits, in many threads at once") 
     gusset::Context one;
     one.set_threads(1);
     const Surface surface(sheet, 0, one);
-    const std::vector<gusset::Closest> expected = surface.closest(queries, {}, one);
+    const std::vector<gusset::NearestPoint> expected = surface.nearest(queries, {}, one);
     const gusset::SurfacePaths paths = surface.section({0.1, 0, 0}, {1, 2, 3}, {}, one);
     std::vector<int> equal(4, 0);
     std::vector<std::thread> threads;
@@ -480,7 +480,7 @@ TEST_CASE("any number of threads gives the same bits, in many threads at once") 
         threads.emplace_back([&, t] {
             gusset::Context context;
             context.set_threads(uint32_t(t) + 1);
-            const std::vector<gusset::Closest> found = surface.closest(queries, {}, context);
+            const std::vector<gusset::NearestPoint> found = surface.nearest(queries, {}, context);
             const gusset::SurfacePaths own = surface.section({0.1, 0, 0}, {1, 2, 3}, {}, context);
             const bool points = own.points().size() == paths.points().size() &&
                                 std::memcmp(own.points().data(), paths.points().data(), paths.points().size() * sizeof(Point3)) == 0;
@@ -499,18 +499,18 @@ TEST_CASE("callbacks may throw, and cancel") {
     const std::vector<Point3> queries = shapes::random_points(2000, 1.6, 5);
     gusset::Context context;
     context.set_progress([](double, const char *) -> bool { throw Stopped(); });
-    CHECK_THROWS_AS(torus.closest(queries, {}, context), Stopped);
+    CHECK_THROWS_AS(torus.nearest(queries, {}, context), Stopped);
     CHECK_THROWS_AS(Surface(shapes::torus_sheet(), 0, context), Stopped);
     CHECK_THROWS_AS(torus.silhouette({1, 2, 3}, {}, context), Stopped);
     context.set_progress([](double, const char *) { return false; });
     try {
-        torus.closest(queries, {}, context);
+        torus.nearest(queries, {}, context);
         FAIL("not cancelled");
     } catch (const gusset::Error &error) {
         CHECK(error.status() == GUSSET_ERROR_CANCELLED);
     }
     context.set_progress({});
-    CHECK(torus.closest(queries, {}, context).size() == queries.size());
+    CHECK(torus.nearest(queries, {}, context).size() == queries.size());
 }
 
 TEST_SUITE("real meshes") {
@@ -555,7 +555,7 @@ TEST_SUITE("real meshes") {
         REQUIRE(sheets.size() == 28);
         const Surface teapot(sheets);
         const std::vector<Point3> queries = shapes::random_points(300, 1.2, 9);
-        const std::vector<gusset::Closest> found = teapot.closest(queries);
+        const std::vector<gusset::NearestPoint> found = teapot.nearest(queries);
         for (std::size_t k = 0; k < queries.size(); ++k) {
             double least = std::numeric_limits<double>::infinity();
             for (const auto &oracle : oracles) {

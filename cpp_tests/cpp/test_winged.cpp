@@ -93,7 +93,7 @@ TEST_CASE("every real mesh: each face's cycle closes in both directions, each si
         // The paper's own way to the loops, on the tables.
         const gusset::Winged winged(soup.view());
         const gusset::Check check(soup.view());
-        const auto report = check.report();
+        const auto report = check.view();
         if (check.is_oriented() && report.degenerate_faces.count == 0) {
             const gusset::Boundary boundary(soup.view());
             const auto offsets = winged.loop_offsets();
@@ -114,7 +114,7 @@ TEST_CASE("every real mesh: the check says what the manifest says") {
         CAPTURE(file.name);
         const Soup soup = read_soup(file.path);
         const gusset::Check check(soup.view());
-        const gusset_check_view report = check.report();
+        const gusset_check_view report = check.view();
         CHECK(report.vertex_count == file.vertices);
         CHECK(report.face_count == file.faces);
         CHECK(report.euler == file.euler);
@@ -136,13 +136,13 @@ TEST_CASE("Euler's formula before and after a stitch") {
     const Soup a = read_soup(*folder + "/pairs/bunny_cut/head.off"), b = read_soup(*folder + "/pairs/bunny_cut/body.off");
     for (uint32_t rows : {0u, 3u}) {
         gusset::StitchOptions options;
-        options.rows = gusset::Rows::exactly(rows);
+        options.rows = gusset::StripRows::exactly(rows);
         const gusset::Stitch stitch = gusset::stitch(a.view(), b.view(), options);
         const Soup joined = copy_of(stitch.mesh());
         check_tables(joined, gusset::Winding::counter_clockwise);
-        const auto one = gusset::Check(a.view()).report().euler, other = gusset::Check(b.view()).report().euler;
+        const auto one = gusset::Check(a.view()).view().euler, other = gusset::Check(b.view()).view().euler;
         // A closed band has Euler characteristic 0.
-        CHECK(gusset::Check(joined.view()).report().euler == one + other);
+        CHECK(gusset::Check(joined.view()).view().euler == one + other);
         const gusset::Winged before(a.view()), after(joined.view());
         std::size_t filled = 0, changed = 0;
         for (std::size_t i = 0; i < before.edges().size(); ++i) {

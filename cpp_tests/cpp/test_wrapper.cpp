@@ -142,6 +142,17 @@ TEST_CASE("a log callback that throws stops the call too") {
     CHECK_THROWS_AS(gusset::stitch(a.view(), b.view(), {}, context), std::length_error);
 }
 
+TEST_CASE("a context calls functions of the C interface by itself") {
+    const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<uint32_t> corners{0, 1, 2};
+    const gusset::MeshView triangle = gusset::MeshView::triangles(points, corners);
+    const gusset::Context context;
+    gusset_boundary *boundary = context.result(gusset_boundary_create, &triangle.get(), nullptr);
+    CHECK(gusset_boundary_loop_count(boundary) == 1);
+    gusset_boundary_destroy(boundary);
+    CHECK_THROWS_AS(context.result(gusset_boundary_create, nullptr, nullptr), gusset::Error);
+}
+
 TEST_CASE("cancel from another thread, while the call runs") {
     const Soup soup = sheet(600);
     gusset::Context context;
@@ -241,10 +252,10 @@ TEST_CASE("strips that belong to no mesh, and arcs that are given") {
         point[0] += 3;
     }
     gusset::StitchOptions options;
-    options.extent = gusset::Extent::arcs;
+    options.extent = gusset::StitchExtent::arcs;
     const std::vector<uint32_t> loop = {0, 1, 2, 3};
-    options.arc_a = gusset::Arc{1, 2};
-    options.arc_b = gusset::Arc{3, 2};
+    options.arc_a = gusset::LoopArc{1, 2};
+    options.arc_b = gusset::LoopArc{3, 2};
     const gusset::Stitch stitch = gusset::stitch(left.view(), loop, right.view(), loop, options);
     CHECK(stitch.quality().area == doctest::Approx(2.0));
     CHECK(!stitch.is_closed_band());

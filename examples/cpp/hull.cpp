@@ -100,11 +100,11 @@ int main(int argc, char **argv) try {
     if (request.draught == 0) {
         request.draught = lines.low[2] + 0.6 * (lines.high[2] - lines.low[2]);
     }
-    std::cout << stations.size() << " stations, " << port.info().cell_count << " cells on each side\n"
+    std::cout << stations.size() << " stations, " << port.report().cell_count << " cells on each side\n"
               << lines.waterlines.size() << " curves of waterlines, " << lines.buttocks.size() << " of buttocks, " << lines.stations.size()
               << " of stations\n";
     for (std::size_t k = 0; k < lines.nearest.size(); ++k) {
-        const gusset::Closest &found = lines.nearest[k];
+        const gusset::NearestPoint &found = lines.nearest[k];
         std::cout << "nearest point " << static_cast<char>('a' + k) << ": " << found.distance << " m, " << (found.is_proven() ? "" : "not ")
                   << "proved\n";
     }

@@ -53,11 +53,11 @@ struct Plan {
 
 /// The borders of a piece, as curves.
 inline std::vector<gusset::Curve> borders(const gusset::Sheet &sheet) {
-    const gusset_sheet_report size = sheet.info();
+    const gusset_sheet_report size = sheet.report();
     std::vector<gusset::Curve> found;
     for (double end : {0.0, 1.0}) {
-        found.push_back(sheet.curve(gusset::Along::rows, end * static_cast<double>(size.rows)));
-        found.push_back(sheet.curve(gusset::Along::columns, end * static_cast<double>(size.columns)));
+        found.push_back(sheet.curve(gusset::SheetDirection::rows, end * static_cast<double>(size.rows)));
+        found.push_back(sheet.curve(gusset::SheetDirection::columns, end * static_cast<double>(size.columns)));
     }
     return found;
 }
@@ -88,7 +88,7 @@ struct Lines {
     std::vector<double> heights, halves, places;
     SurfacePaths waterlines, buttocks, stations;
     std::vector<Point3> outside;
-    std::vector<gusset::Closest> nearest;
+    std::vector<gusset::NearestPoint> nearest;
 };
 
 inline Lines ask(const gusset::Surface &port, const std::vector<Station> &stations, const Request &request) {
@@ -104,12 +104,12 @@ inline Lines ask(const gusset::Surface &port, const std::vector<Station> &statio
     const double length = high[0] - low[0], height = high[2] - low[2];
     std::vector<double> heights = between(low[2], high[2], request.waterlines), halves = between(0, high[1], request.buttocks),
                         places = between(low[0], high[0], request.stations - 1);
-    const auto chord = gusset::Between::chord(5e-5 * length);
+    const auto chord = gusset::PointSpacing::chord(5e-5 * length);
     std::vector<Point3> outside;
     for (double t : {0.06, 0.28, 0.52, 0.75, 0.93}) {
         outside.push_back({low[0] + t * length, 1.25 * high[1], low[2] + (0.15 + 0.65 * std::fmod(3.7 * t, 1.0)) * height});
     }
-    std::vector<gusset::Closest> nearest = port.closest(outside);
+    std::vector<gusset::NearestPoint> nearest = port.nearest(outside);
     return {low, high, heights, halves, places, port.sections({0, 0, 0}, {0, 0, 1}, heights, chord),
             port.sections({0, 0, 0}, {0, 1, 0}, halves, chord), port.sections({0, 0, 0}, {1, 0, 0}, places, chord), outside, nearest};
 }
@@ -151,12 +151,12 @@ inline void grid(const Plan &plan, const Lines &lines, double margin) {
 inline void marks(const Plan &plan, const Lines &lines) {
     plan.begin(mark_ink, 0.9);
     for (std::size_t k = 0; k < lines.outside.size(); ++k) {
-        const gusset::Closest &found = lines.nearest[k];
+        const gusset::NearestPoint &found = lines.nearest[k];
         plan.path(std::vector<Point3>{lines.outside[k], {found.point[0], found.point[1], found.point[2]}}, false);
     }
     plan.end();
     for (std::size_t k = 0; k < lines.outside.size(); ++k) {
-        const gusset::Closest &found = lines.nearest[k];
+        const gusset::NearestPoint &found = lines.nearest[k];
         const Point3 at{found.point[0], found.point[1], found.point[2]};
         plan.out << "<circle r='2.1' fill='" << mark_ink << "' cx='" << plan.px(at) << "' cy='" << plan.py(at) << "'/><circle r='2.6' fill='white' stroke='"
                  << mark_ink << "' cx='" << plan.px(lines.outside[k]) << "' cy='" << plan.py(lines.outside[k]) << "'/>\n";
@@ -207,7 +207,7 @@ inline void outline(const Plan &plan, const Hull &hull, double from, double to) 
     plan.begin(ink, 1.5);
     for (const gusset::Sheet &sheet : hull.port) {
         for (const gusset::Curve &edge : borders(sheet)) {
-            const gusset::Places points = edge.sample(gusset::Sample::chord, 1e-4 * (to - from));
+            const gusset::Places points = edge.sample(gusset::SampleRule::chord, 1e-4 * (to - from));
             std::vector<Point3> kept;
             std::copy_if(points.points().begin(), points.points().end(), std::back_inserter(kept),
                          [&](const Point3 &p) { return p[0] >= from && p[0] <= to; });
@@ -275,7 +275,7 @@ inline void write_plan(std::ostream &svg, const Hull &hull, const Lines &lines, 
     y += 62;
     title(side, y, "NEAREST POINTS OF THE HULL", "");
     for (std::size_t k = 0; k < lines.nearest.size(); ++k) {
-        const gusset::Closest &found = lines.nearest[k];
+        const gusset::NearestPoint &found = lines.nearest[k];
         svg << "<text x='" << side << "' y='" << y + 26 + 19 * static_cast<double>(k) << "'><tspan font-style='italic' fill='" << mark_ink << "'>"
             << static_cast<char>('a' + k) << "</tspan><tspan x='" << side + 26 << "'>" << rounded(found.distance, 3) << " m</tspan><tspan x='"
             << side + 110 << "'>at x " << rounded(found.point[0], 2) << ", y " << rounded(found.point[1], 2) << ", z " << rounded(found.point[2], 2)

@@ -34,7 +34,7 @@ inline Station faired(const Station &points, int count) {
         return Station(static_cast<std::size_t>(count), distinct[0]);
     }
     const gusset::Outline outline(gusset::Outlines(distinct, false));
-    const gusset::Places even = outline.curve_copy().sample(gusset::Sample::count, count);
+    const gusset::Places even = outline.curve_copy().sample(gusset::SampleRule::count, count);
     Station found(even.points().begin(), even.points().end());
     for (Point3 &p : found) {
         p[1] = std::max(p[1], 0.0); // The other half begins at the middle.

@@ -45,7 +45,7 @@ inline void shade(const View &view, const gusset::Sheet &sheet, double tolerance
     const Point3 light = unit(-0.45 * view.right + view.eye + 0.55 * view.up);
     gusset::SheetMeshOptions options;
     options.tolerance = tolerance;
-    options.least_u = sheet.cell_count() > 1000 ? 1 : 2;
+    options.min_u = sheet.cell_count() > 1000 ? 1 : 2;
     const gusset::SheetMesh made(sheet, options);
     const gusset::MeshView mesh = made.mesh();
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -151,7 +151,7 @@ inline void style(std::ostream &svg) {
 inline void draw(std::ostream &svg, const View &view, const Hull &hull, const std::vector<gusset::Surface> &solid, const Lines &lines,
                  double draught) {
     const double length = lines.high[0] - lines.low[0], reach = 2e-4 * length, levels[] = {draught};
-    const auto chord = gusset::Between::chord(1e-4 * length);
+    const auto chord = gusset::PointSpacing::chord(1e-4 * length);
     std::vector<Face> faces;
     for (const auto *pieces : {&hull.port, &hull.starboard, &hull.transom, &hull.decks}) {
         for (const gusset::Sheet &sheet : *pieces) {
@@ -177,7 +177,7 @@ inline void draw(std::ostream &svg, const View &view, const Hull &hull, const st
         for (const auto *pieces : {k == 0 ? &hull.port : &hull.starboard, &hull.transom}) {
             for (const gusset::Sheet &sheet : *pieces) {
                 for (const gusset::Curve &edge : borders(sheet)) {
-                    draw_seen(svg, view, edge.sample(gusset::Sample::step, 0.004 * length).points(), {}, false, solid, 5 * reach);
+                    draw_seen(svg, view, edge.sample(gusset::SampleRule::step, 0.004 * length).points(), {}, false, solid, 5 * reach);
                 }
             }
         }

@@ -21,15 +21,15 @@ struct Style {
     const char *name;
     const char *colour;
     gusset::CurveKind kind;
-    gusset::Method method;
+    gusset::SectionMethod method;
 };
 // The first one is what the others are compared with.
 const Style styles[] = {
-    {"bisector", "#b3400e", gusset::CurveKind::composite, gusset::Method::bisector},
-    {"median", "#2f6db5", gusset::CurveKind::composite, gusset::Method::median},
-    {"normal", "#2e8b57", gusset::CurveKind::composite, gusset::Method::normal},
-    {"symmedian", "#8a5fb0", gusset::CurveKind::composite, gusset::Method::symmedian},
-    {"cubic spline", "#777777", gusset::CurveKind::cubic_c2, gusset::Method::bisector},
+    {"bisector", "#b3400e", gusset::CurveKind::composite, gusset::SectionMethod::bisector},
+    {"median", "#2f6db5", gusset::CurveKind::composite, gusset::SectionMethod::median},
+    {"normal", "#2e8b57", gusset::CurveKind::composite, gusset::SectionMethod::normal},
+    {"symmedian", "#8a5fb0", gusset::CurveKind::composite, gusset::SectionMethod::symmedian},
+    {"cubic spline", "#777777", gusset::CurveKind::cubic_c2, gusset::SectionMethod::bisector},
 };
 
 struct Drawn {
@@ -76,7 +76,7 @@ Drawn draw(const Style &style, const std::vector<Point> &points, bool closed) {
 
 /// The distance of `curve` from points along `reference`, at equal steps of its length.
 std::vector<double> differences(const gusset::Curve &reference, const gusset::Curve &curve, int count) {
-    const gusset::Places places = reference.sample(gusset::Sample::count, count);
+    const gusset::Places places = reference.sample(gusset::SampleRule::count, count);
     std::vector<gusset::Point3> queries(places.points().begin(), places.points().end());
     std::vector<double> found;
     for (const gusset_curve_nearest_point &nearest : curve.nearest(queries)) {

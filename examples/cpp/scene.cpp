@@ -22,7 +22,7 @@ using gusset::Field;
 using gusset::Net;
 using gusset::Operation;
 using gusset::Point3;
-using gusset::Shape;
+using gusset::Primitive;
 using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
 
 Point3 minus(const Point3 &a, const Point3 &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -43,8 +43,8 @@ struct Part {
 
 /// A bottle of two tubes, one above the other, with other numbers of columns: the bridge between them is a tube too.
 Net bottle() {
-    Net body = Net::of_shape(Shape::tube(0.42, 1.0).with(9, 33));
-    Net neck = Net::of_shape(Shape::tube(0.16, 0.5).with(6, 17));
+    Net body = Net::from_primitive(Primitive::tube(0.42, 1.0).with(9, 33));
+    Net neck = Net::from_primitive(Primitive::tube(0.16, 0.5).with(6, 17));
     neck.transform(Operation::translate({0, 0, 1.05}));
     gusset::JoinOptions below;
     below.direction = gusset::Direction::down;
@@ -55,7 +55,7 @@ Net bottle() {
 
 /// A ground of hills: each row of nodes is moved by a function of the host's.
 Net hills() {
-    Net ground = Net::of_shape(Shape::plane(8, 5).with(41, 65));
+    Net ground = Net::from_primitive(Primitive::plane(8, 5).with(41, 65));
     ground.deform_rows<double>([](std::size_t, gusset::Span<double> x, gusset::Span<double> y, gusset::Span<double> z) {
         for (std::size_t k = 0; k < x.size(); ++k) {
             const double distance = std::max(0.0, std::hypot(0.36 * x[k], y[k]) - 1.25);
@@ -67,22 +67,22 @@ Net hills() {
 }
 
 std::vector<Part> parts(double time) {
-    Net column = Net::of_shape(Shape::box({0.5, 0.5, 1.6}, {4, 4, 14}));
+    Net column = Net::from_primitive(Primitive::box({0.5, 0.5, 1.6}, {4, 4, 14}));
     column.transform(Operation::translate({0, 0, 0.8}));
     // Twisted more and more from time 0 to time 1, and tapered.
-    const Field fields[] = {Field::taper(Axis::z, -0.25), Field::twist(Axis::z, 2.0).keyed({{0, 0}, {1, 1}}, gusset::Easing::smooth)};
+    const Field fields[] = {Field::taper(Axis::z, -0.25), Field::twist(Axis::z, 2.0).with_keys({{0, 0}, {1, 1}}, gusset::Easing::smooth)};
     column.deform(fields, time);
 
-    Net ball = Net::of_shape(Shape::box({1, 1, 1}, {8, 8, 8}));
+    Net ball = Net::from_primitive(Primitive::box({1, 1, 1}, {8, 8, 8}));
     // A cube blown up to a ball, nine parts in ten.
-    ball.deform(Field::spherify({0, 0, 0}, 0.6).in_part(0.9));
+    ball.deform(Field::spherify({0, 0, 0}, 0.6).with_strength(0.9));
     ball.transform(Operation::translate({0, 0, 0.6}));
 
-    Net ring = Net::of_shape(Shape::torus(0.5, 0.17).with(17, 41));
+    Net ring = Net::from_primitive(Primitive::torus(0.5, 0.17).with(17, 41));
     const Operation upright[] = {Operation::rotate({1, 0, 0}, 1.2), Operation::translate({0, 0, 0.62})};
     ring.transform(upright);
 
-    Net horn = Net::of_shape(Shape::cone(0.35, 2.0).with(25, 29));
+    Net horn = Net::from_primitive(Primitive::cone(0.35, 2.0).with(25, 29));
     horn.transform(Operation::translate({0, 0, 1.0}));
     horn.deform(Field::bend(Axis::z, 0.9));
 
@@ -94,8 +94,8 @@ std::vector<Part> parts(double time) {
 /// One line about a net.
 void print(const std::string &name, const Net &net) {
     // The cells of hidden bridges are not there.
-    const gusset::Complex complex(net, gusset::NetCells::present);
-    const gusset_net_complex_view report = complex.report();
+    const gusset::NetComplex complex(net, gusset::NetCells::present);
+    const gusset_net_complex_view report = complex.view();
     const gusset_net_measure_report measures = net.measure();
     std::cout << std::left << std::setw(15) << name << std::right << std::setw(4) << net.rows() << " x " << std::left << std::setw(4)
               << net.columns() << std::right << std::setw(6) << report.vertex_count << " vertices" << std::setw(6)
@@ -117,7 +117,7 @@ struct Drawn {
 void draw(const Part &part, Net net, const Point3 &eye, const Point3 &aim, std::vector<Drawn> &out) {
     const Point3 view = unit(minus(eye, aim)), right = unit(cross({0, 0, 1}, view)), up = cross(view, right);
     const Point3 light = unit({-1.0, -1.6, 2.2});
-    const bool closed = gusset::Complex(net).is_closed();
+    const bool closed = gusset::NetComplex(net).is_closed();
     const gusset::NetMesh solid(net);
     net.deform(Field::perspective(eye, aim, view));
     const gusset::NetMesh flat(net);
@@ -199,7 +199,7 @@ int main(int argc, char **argv) {
         const Net flat = scene.flatten();
         print("all in one net", flat);
         const gusset::Scene apart = gusset::Scene::unflatten(flat);
-        std::cout << apart.count().nets << " nets again\n";
+        std::cout << apart.report().nets << " nets again\n";
 
         Mesh mesh;
         if (!gusset::openmesh::append(mesh, gusset::NetMesh(flat).mesh()).empty()) {

@@ -65,7 +65,7 @@ int main() {
         }
     }
     const gusset::Surface saddle(gusset::Sheet::borrow(12, 12, &nodes[0].x(), 0, 0));
-    const gusset::Closest nearest = saddle.closest({5.5, 5.5, 3.0});
+    const gusset::NearestPoint nearest = saddle.nearest({5.5, 5.5, 3.0});
     //! [surface]
     std::cout << joined.number_of_faces() << " faces, " << strip << " of the strip; nearest " << nearest.distance << '\n';
     return ours && theirs && refused.empty() && nearest.is_found() ? 0 : 1;

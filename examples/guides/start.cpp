@@ -47,7 +47,7 @@ static void stitching(const Mesh &left, const Mesh &right) {
         std::cout << "a loop of " << loop.vertices.size() << " vertices\n";
     }
     gusset::StitchOptions options;
-    options.rows = gusset::Rows::mean_edge();
+    options.rows = gusset::StripRows::mean_edge();
     options.fairing = gusset::Fairing::thin_plate;
     const gusset::Stitch stitch = gusset::stitch(a, b, options);
     std::cout << stitch.mesh().face_count() << " faces, " << stitch.quality().loops_left << " loops left\n";
@@ -99,7 +99,7 @@ static void many_pieces(const Mesh &left, const Mesh &right) {
     for (const gusset_joint &joint : whole.joints()) {
         std::cout << "a gap of " << joint.gap << (joint.outcome == GUSSET_JOINT_JOINED ? ", joined\n" : ", left\n");
     }
-    std::cout << whole.parts().loops_left << " loops left\n";
+    std::cout << whole.view().loops_left << " loops left\n";
     //! [assembly]
 }
 
@@ -126,7 +126,7 @@ static void surfaces() {
     gusset::SheetOptions options;
     options.closed_v = true;
     const gusset::Surface vase(gusset::Sheet::from_nodes(13, 25, nodes, options));
-    const gusset::Closest nearest = vase.closest({3, 0, 1.5});
+    const gusset::NearestPoint nearest = vase.nearest({3, 0, 1.5});
     std::cout << "nearest at distance " << nearest.distance << ", proved from " << nearest.bound << '\n';
     for (const gusset::SurfacePath &ring : vase.section({0, 0, 1.6}, {0, 0, 1})) {
         std::cout << "a ring of " << ring.size() << " points on the surface\n";
@@ -136,7 +136,7 @@ static void surfaces() {
 
 static void nets() {
     //! [net]
-    gusset::Net net = gusset::Net::of_shape(gusset::Shape::torus(2.0, 0.5));
+    gusset::Net net = gusset::Net::from_primitive(gusset::Primitive::torus(2.0, 0.5));
     net.deform(gusset::Field::twist(gusset::Axis::z, 0.5));
     const gusset::NetMesh closed(net); // a mesh for all that takes meshes
     std::cout << closed.mesh().face_count() << " quads, closed: " << gusset::Check(closed.mesh()).is_closed() << '\n';

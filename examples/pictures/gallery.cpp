@@ -44,7 +44,7 @@ bool stitched(const std::string &file) {
     drawing.caption(165, 368, "two open meshes");
 
     gusset::StitchOptions faired;
-    faired.rows = gusset::Rows::mean_edge();
+    faired.rows = gusset::StripRows::mean_edge();
     faired.fairing = gusset::Fairing::thin_plate;
     faired.meridians = gusset::Meridians::quad;
     double x = 480;
@@ -92,7 +92,7 @@ bool assembled(const std::string &file) {
     drawing.caption(250, 318, "four pieces");
     gusset::AssemblyOptions options;
     options.max_gap = 0.3;
-    options.strips.rows = gusset::Rows::mean_edge();
+    options.strips.rows = gusset::StripRows::mean_edge();
     options.fill = gusset::FillOptions();
     options.fill->keep_longest = true; // the rim of the whole is no hole
     const gusset::Assembly assembly(views, options);
@@ -111,7 +111,7 @@ bool assembled(const std::string &file) {
 
 /// A ball with holes, whose rims are found, and filled: flat, and refined and fair.
 bool filled(const std::string &file) {
-    const gusset::NetMesh ball(gusset::Net::of_shape(gusset::Shape::box({1, 1, 1}, {14, 14, 14})));
+    const gusset::NetMesh ball(gusset::Net::from_primitive(gusset::Primitive::box({1, 1, 1}, {14, 14, 14})));
     Mesh torn;
     for (std::size_t v = 0; v < ball.mesh().vertex_count(); ++v) {
         torn.points.push_back(unit(ball.mesh().position(v)));
@@ -138,7 +138,7 @@ bool filled(const std::string &file) {
     }
     drawing.caption(165, 338, "boundary loops");
     gusset::FillOptions fair;
-    fair.refine = gusset::Refine::rim_density;
+    fair.refine = gusset::FillRefinement::rim_density;
     fair.fairing = gusset::Fairing::thin_plate;
     double x = 480;
     for (const auto &[options, what] : {std::pair(gusset::FillOptions(), "least weight"), std::pair(fair, "refined, fair")}) {
@@ -175,7 +175,7 @@ bool met(const std::string &file) {
     drawing.place(480, 215);
     for (const auto &[sheet, colour] : {std::pair(&pipe, ochre), std::pair(&sea, blue)}) {
         gusset::SheetMeshOptions options;
-        options.least_u = options.least_v = 2;
+        options.min_u = options.min_v = 2;
         const gusset::SheetMesh mesh(*sheet, options);
         drawing.mesh(mesh.mesh(), [&, paint = colour](std::size_t) { return paint; });
     }

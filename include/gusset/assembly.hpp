@@ -1,33 +1,32 @@
-// Assembly of many pieces. Included by gusset.hpp.
+// Assembly of many pieces. Include gusset.hpp, not this.
 #ifndef GUSSET_ASSEMBLY_HPP
 #define GUSSET_ASSEMBLY_HPP
 
-#include <gusset/base.hpp>
 #include <gusset/fill.hpp>
 #include <gusset/repair.hpp>
 #include <gusset/stitch.hpp>
 
 namespace gusset {
 
-/// How to assemble; see gusset_assembly_options.
+/// The options of assemblies; see gusset_assembly_options.
 struct AssemblyOptions {
-    /// Nothing: no welding.
+    /// Empty: no welding.
     std::optional<WeldOptions> weld = WeldOptions();
-    /// True: nothing is turned over.
+    /// No piece is turned over.
     bool keep_orientation = false;
-    /// Nothing: by the size of the loops. 0 leaves all gaps open.
+    /// Empty: by the size of the loops. 0 leaves all gaps open.
     std::optional<double> max_gap;
     bool whole_loops_only = false;
     bool within_components = false;
     std::vector<gusset_loop_pair> pairs;
     std::vector<gusset_loop_pair> excluded;
-    /// Meridians, search, start, rows, cells, fairing and intersections are read.
+    /// Only meridians, search, start, rows, cells, fairing and intersections are read.
     StitchOptions strips;
-    /// Nothing: holes are left.
+    /// Empty: holes are left.
     std::optional<FillOptions> fill;
 };
 
-/// Many pieces in one mesh, and the account of it; see gusset_assembly_create.
+/// Many pieces joined to one mesh, and the report on it; see gusset_assembly_create.
 class Assembly {
 public:
     explicit Assembly(Span<const MeshView> pieces, const AssemblyOptions &options = {},
@@ -39,8 +38,7 @@ public:
         const gusset_weld_options weld = detail::as_c(options.weld.value_or(WeldOptions()));
         const gusset_stitch_options strips = detail::as_c(options.strips);
         const gusset_fill_options fill = detail::as_c(options.fill.value_or(FillOptions()));
-        gusset_assembly_options given{};
-        given.struct_size = sizeof given;
+        auto given = detail::sized<gusset_assembly_options>();
         given.weld = options.weld ? GUSSET_ASSEMBLY_WELD : GUSSET_ASSEMBLY_NO_WELD;
         given.orientation = options.keep_orientation ? GUSSET_ORIENTATION_KEEP : GUSSET_ORIENTATION_FIX;
         given.gap = options.max_gap ? GUSSET_GAP_GIVEN : GUSSET_GAP_AUTO;
@@ -55,40 +53,23 @@ public:
         given.weld_options = &weld;
         given.strip_options = &strips;
         given.fill_options = &fill;
-        gusset_assembly *created = nullptr;
-        context.call([&](gusset_context *c) {
-            return gusset_assembly_create(c, views.data(), views.size(), &given, &created);
-        });
-        assembly_.reset(created);
+        assembly_.reset(context.result(gusset_assembly_create, views.data(), views.size(), &given));
     }
 
-    MeshView mesh() const {
-        gusset_mesh_view view{};
-        view.struct_size = sizeof view;
-        detail::check(gusset_assembly_get_mesh(assembly_.get(), &view));
-        return MeshView(view);
-    }
-    /// The whole account; its lists live as long as this.
-    gusset_assembly_view parts() const {
-        gusset_assembly_view parts{};
-        parts.struct_size = sizeof parts;
-        detail::check(gusset_assembly_get_view(assembly_.get(), &parts));
-        return parts;
-    }
-    /// Where each piece went.
-    Span<const gusset_piece_map> pieces() const { return {parts().pieces, parts().piece_count}; }
-    /// The pairs of loops that face each other, and what became of them.
-    Span<const gusset_joint> joints() const { return {parts().joints, parts().joint_count}; }
-    /// The loops that no strip hangs on.
-    Span<const gusset_left_loop> left() const { return {parts().left, parts().left_count}; }
-    /// The holes that were looked at in the end.
-    Span<const gusset_hole> holes() const { return {parts().holes, parts().hole_count}; }
+    MeshView mesh() const { return MeshView(detail::lent(gusset_assembly_get_mesh, assembly_.get())); }
+    /// The whole report; its lists live as long as this.
+    gusset_assembly_view view() const { return detail::lent(gusset_assembly_get_view, assembly_.get()); }
+    /// The vertices and faces of each piece in the result.
+    Span<const gusset_piece_map> pieces() const { return {view().pieces, view().piece_count}; }
+    /// The pairs of loops that face each other, with the status of each.
+    Span<const gusset_joint> joints() const { return {view().joints, view().joint_count}; }
+    /// The loops without a strip.
+    Span<const gusset_left_loop> left() const { return {view().left, view().left_count}; }
+    /// The holes that were considered after joining.
+    Span<const gusset_hole> holes() const { return {view().holes, view().hole_count}; }
 
 private:
-    struct Destroy {
-        void operator()(gusset_assembly *assembly) const noexcept { gusset_assembly_destroy(assembly); }
-    };
-    std::unique_ptr<gusset_assembly, Destroy> assembly_;
+    detail::Handle<gusset_assembly, gusset_assembly_destroy> assembly_;
 };
 
 } // namespace gusset

@@ -1,8 +1,9 @@
 // CGAL surface meshes as input and output of gusset. Needs CGAL 5 or later.
 //
-// The view's vertex v is the host's Vertex_index(v): positions are read where CGAL keeps them, removed vertices included,
-// which no face uses. Faces are numbered without the removed ones; face(f) is the host's index. Kernels whose points are
-// three doubles side by side are taken: Simple_cartesian<double>, the EPICK kernel and their like.
+// The view's vertex v is the host's Vertex_index(v): positions are read where CGAL keeps them,
+// removed vertices included, which no face uses. Faces are numbered without the removed ones;
+// face(f) is the host's index. Kernels whose points are three doubles side by side are taken:
+// Simple_cartesian<double>, the EPICK kernel and their like.
 #ifndef GUSSET_CGAL_HPP
 #define GUSSET_CGAL_HPP
 
@@ -15,8 +16,9 @@
 
 namespace gusset::cgal {
 
-/// A CGAL surface mesh as gusset sees it. Positions stay where they are, so the mesh must outlive this and keep its
-/// vertices meanwhile; CGAL has no array of its faces' vertices, so those are gathered here.
+/// A CGAL surface mesh as gusset sees it. Positions stay where they are, so the mesh must outlive
+/// this and keep its vertices meanwhile; CGAL has no array of its faces' vertices, so those are
+/// gathered here.
 template <class Point>
 class Input {
     using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
@@ -49,8 +51,7 @@ public:
         // Removed vertices keep their places in the array until garbage is collected.
         const std::size_t count = mesh_->number_of_vertices() + mesh_->number_of_removed_vertices();
         const Point *first = count == 0 ? nullptr : &mesh_->point(typename Mesh::Vertex_index(0));
-        gusset_mesh_view view{};
-        view.struct_size = sizeof view;
+        auto view = detail::sized<gusset_mesh_view>();
         view.positions = first;
         view.position_stride = sizeof(Point);
         view.vertex_count = count;
@@ -73,7 +74,8 @@ private:
 };
 
 namespace detail {
-/// Adds the faces of `view`, whose vertex v is the host's vertices[v]; returns those that CGAL refuses.
+/// Adds the faces of `view`, whose vertex v is the host's vertices[v]; returns those that CGAL
+/// refuses.
 template <class Point>
 std::vector<uint32_t> add_faces(CGAL::Surface_mesh<Point> &mesh, const MeshView &view,
                                 const std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index> &vertices) {
@@ -92,8 +94,8 @@ std::vector<uint32_t> add_faces(CGAL::Surface_mesh<Point> &mesh, const MeshView 
 }
 } // namespace detail
 
-/// Appends a whole result to `mesh` (usually an empty one). Returns the faces that CGAL refused because it takes two-manifolds
-/// only: empty if all went in.
+/// Appends a whole result to `mesh` (usually an empty one). Returns the faces that CGAL refused
+/// because it takes two-manifolds only: empty if all went in.
 template <class Point>
 std::vector<uint32_t> append(CGAL::Surface_mesh<Point> &mesh, const MeshView &result) {
     std::vector<typename CGAL::Surface_mesh<Point>::Vertex_index> vertices;
@@ -105,8 +107,9 @@ std::vector<uint32_t> append(CGAL::Surface_mesh<Point> &mesh, const MeshView &re
     return detail::add_faces(mesh, result, vertices);
 }
 
-/// Adds the strip of a stitch within one mesh to that mesh itself: its own vertices and faces keep their indices, and its
-/// property maps stay. For a stitch that turned nothing over (turned() is false). Returns the strip's faces that CGAL refused.
+/// Adds the strip of a stitch within one mesh to that mesh itself: its own vertices and faces keep
+/// their indices, and its property maps stay. For a stitch that turned nothing over (turned() is
+/// false). Returns the strip's faces that CGAL refused.
 template <class Point>
 std::vector<uint32_t> append_strip(CGAL::Surface_mesh<Point> &mesh, const Stitch &stitch) {
     if (stitch.turned() || !stitch.vertex_map(1).empty()) {

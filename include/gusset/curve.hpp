@@ -1,8 +1,8 @@
-// Curves of Bézier segments, from C++. Include gusset.hpp, not this.
+// Curves of Bézier segments. Include gusset.hpp, not this.
 #ifndef GUSSET_CURVE_HPP
 #define GUSSET_CURVE_HPP
 
-#include <gusset/base.hpp>
+#include <gusset/context.hpp>
 
 #include <string_view>
 
@@ -12,15 +12,6 @@ namespace gusset {
 using Place = gusset_place;
 /// The place with parameter t, 0 to 1, on a segment.
 inline Place place(uint32_t segment, double t) { return {segment, 0, t}; }
-
-namespace detail {
-inline Span<const Point3> points(const double *data, std::size_t count) {
-    static_assert(sizeof(Point3) == 3 * sizeof(double), "packed");
-    return {reinterpret_cast<const Point3 *>(data), count};
-}
-inline const double *numbers(const Point3 *points) { return reinterpret_cast<const double *>(points); }
-inline double *numbers(Point3 *points) { return reinterpret_cast<double *>(points); }
-} // namespace detail
 
 /// Places found on a curve; see gusset_places_view.
 class Places {
@@ -34,7 +25,7 @@ public:
         return {found.places, found.count};
     }
     /// The points there.
-    Span<const Point3> points() const {
+    Points points() const {
         const gusset_places_view found = view();
         return detail::points(found.points, found.count);
     }
@@ -43,129 +34,113 @@ public:
         const gusset_places_view found = view();
         return {found.others, found.others != nullptr ? found.count : 0};
     }
-    /// Four for each part in common: start and end on the one segment, the same start and end on the other.
+    /// Four for each part in common: start and end on the one segment, then the same two on the
+    /// other.
     Span<const Place> overlaps() const {
         const gusset_places_view found = view();
         return {found.overlaps, 4 * found.overlap_count};
     }
-    /// Of crossings: the segments that lie in the line or plane.
+    /// Of a line or a plane: the segments that lie in it.
     Indices inside() const { return detail::indices(view().inside); }
-    /// Whether some pair of segments was given up.
+    /// Some pair of segments was left undecided.
     bool undecided() const { return view().undecided != 0; }
 
 private:
-    struct Destroy {
-        void operator()(gusset_places *places) const noexcept { gusset_places_destroy(places); }
-    };
-    gusset_places_view view() const {
-        gusset_places_view view{};
-        view.struct_size = sizeof view;
-        detail::check(gusset_places_get_view(places_.get(), &view));
-        return view;
-    }
-    std::unique_ptr<gusset_places, Destroy> places_;
+    gusset_places_view view() const { return detail::lent(gusset_places_get_view, places_.get()); }
+    detail::Handle<gusset_places, gusset_places_destroy> places_;
 };
 
-/// A curve in another form: an SVG path, a TrueType contour, a B-spline; see gusset_curve_form_view.
+/// A curve in another form: an SVG path, a TrueType contour, a B-spline; see
+/// gusset_curve_form_view.
 class CurveForm {
 public:
     explicit CurveForm(gusset_curve_form *owned) : form_(owned) {}
 
     /// The text of an SVG path; empty for other forms.
     std::string_view text() const {
-        const gusset_curve_form_view parts = view();
-        return {parts.text, parts.text_length};
+        const gusset_curve_form_view form = view();
+        return form.text_length != 0 ? std::string_view(form.text, form.text_length) : std::string_view();
     }
     /// The points of a contour, or the control points of a spline.
-    Span<const Point3> points() const {
-        const gusset_curve_form_view parts = view();
-        return detail::points(parts.points, parts.point_count);
+    Points points() const {
+        const gusset_curve_form_view form = view();
+        return detail::points(form.points, form.point_count);
     }
     /// Of a contour: 1 for each point on the curve, 0 off it.
     Span<const uint8_t> on_curve() const {
-        const gusset_curve_form_view parts = view();
-        return {parts.on_curve, parts.knot_count == 0 ? parts.point_count : 0};
+        const gusset_curve_form_view form = view();
+        return {form.on_curve, form.knot_count == 0 ? form.point_count : 0};
     }
     /// The knots of a spline.
     Span<const double> knots() const {
-        const gusset_curve_form_view parts = view();
-        return {parts.knots, parts.knot_count};
+        const gusset_curve_form_view form = view();
+        return {form.knots, form.knot_count};
     }
     /// The degree of a spline.
     std::size_t degree() const { return view().degree; }
 
 private:
-    struct Destroy {
-        void operator()(gusset_curve_form *form) const noexcept { gusset_curve_form_destroy(form); }
-    };
-    gusset_curve_form_view view() const {
-        gusset_curve_form_view parts{};
-        parts.struct_size = sizeof parts;
-        detail::check(gusset_curve_form_get_view(form_.get(), &parts));
-        return parts;
-    }
-    std::unique_ptr<gusset_curve_form, Destroy> form_;
+    gusset_curve_form_view view() const { return detail::lent(gusset_curve_form_get_view, form_.get()); }
+    detail::Handle<gusset_curve_form, gusset_curve_form_destroy> form_;
 };
 
-/// How samples are spread.
-enum class Sample : uint32_t {
+/// The rule by which samples are spread.
+enum class SampleRule : uint32_t {
     count = GUSSET_SAMPLE_COUNT,
     step = GUSSET_SAMPLE_STEP,
     chord = GUSSET_SAMPLE_CHORD
 };
 
-/// How curves and surfaces are drawn through nodes; see the constants.
+/// The interpolation of nodes by curves and surfaces; see the constants.
 enum class Scheme : uint32_t { six_tap = GUSSET_SCHEME_SIX_TAP, four_point = GUSSET_SCHEME_FOUR_POINT };
 
 struct Line;
 /// A box along the axes.
 struct Bounds {
-    /// The least and the greatest x, y, z.
+    /// The smallest and the largest x, y, z.
     Point3 low, high;
 };
-struct Reduced;
-struct Offset;
+struct ReducedCurve;
+struct OffsetCurve;
 
 /// A curve of Bézier segments of any degrees up to 64. Immutable.
 class Curve {
 public:
     explicit Curve(gusset_curve *owned) : curve_(owned) {}
 
-    /// `points`: any container of elements that are two or three doubles and nothing else, such as std::array<double, 2>.
-    /// `ends`: 0, then the place of the last control point of each segment. `closed`: the last point is the first again.
-    template <class Points>
-    static Curve from(const Points &points, Indices ends, bool closed, const Context &context = Context()) {
+    /// `points`: any container of elements that are two or three doubles and nothing else, such as
+    /// std::array<double, 2>. `ends`: 0, then the index of the last control point of each segment.
+    /// `closed`: the last point is the first again.
+    template <class Container>
+    static Curve from_points(const Container &points, Indices ends, bool closed, const Context &context = Context()) {
         using Point = std::decay_t<decltype(*std::data(points))>;
         static_assert(std::is_same_v<std::decay_t<decltype(std::declval<const Point &>()[0])>, double> &&
                           (sizeof(Point) == 16 || sizeof(Point) == 24),
                       "two or three doubles");
         const auto *numbers = reinterpret_cast<const double *>(std::data(points));
-        return made(context, [&](gusset_context *c, gusset_curve **curve) {
-            return gusset_curve_create(c, numbers, std::size(points), sizeof(Point) / 8, ends.data(), ends.size(), closed,
-                                       curve);
-        });
+        return Curve(context.result(gusset_curve_create, numbers, std::size(points), sizeof(Point) / 8, ends.data(),
+                                    ends.size(), closed));
     }
 
-    /// Through points, as surfaces are drawn through their nodes. A closed curve ends with its first point again.
-    static Curve through(Span<const Point3> nodes, bool closed, Scheme scheme = Scheme::six_tap,
+    /// Through nodes, as surfaces run through theirs. A closed curve ends with its first node
+    /// again.
+    static Curve through(Points nodes, bool closed, Scheme scheme = Scheme::six_tap,
                          const Context &context = Context()) {
-        return made(context, [&](gusset_context *c, gusset_curve **curve) {
-            return gusset_curve_through_create(c, detail::numbers(nodes.data()), nodes.size(), closed ? 1 : 0,
-                                        static_cast<gusset_scheme>(scheme), curve);
-        });
+        return Curve(context.result(gusset_curve_through_create, detail::numbers(nodes.data()), nodes.size(),
+                                    closed, static_cast<gusset_scheme>(scheme)));
     }
 
     const gusset_curve *get() const noexcept { return curve_.get(); }
     /// The control points.
-    Span<const Point3> points() const {
-        const gusset_curve_view parts = view();
-        return detail::points(parts.points, parts.point_count);
+    Points points() const {
+        const gusset_curve_view curve = view();
+        return detail::points(curve.points, curve.point_count);
     }
-    /// 0, then the place of the last control point of each segment.
+    /// 0, then the index of the last control point of each segment.
     Indices ends() const { return detail::indices(view().ends); }
-    /// Whether it ends where it begins and goes on there.
+    /// The curve continues from its end into its start.
     bool is_closed() const { return view().closed != 0; }
-    /// How many segments.
+    /// The number of segments.
     std::size_t segment_count() const { return view().ends.count - (view().ends.count != 0 ? 1 : 0); }
 
     /// The point at a place.
@@ -175,221 +150,148 @@ public:
         return derivatives(places, 0, context);
     }
     /// For each place the point and its derivatives up to `order`.
-    std::vector<Point3> derivatives(Span<const Place> places, uint32_t order, const Context &context = Context()) const {
+    std::vector<Point3> derivatives(Span<const Place> places, uint32_t order,
+                                    const Context &context = Context()) const {
         std::vector<Point3> out(places.size() * (std::size_t{order} + 1));
-        context.call([&](gusset_context *c) {
-            return gusset_curve_derivatives(c, get(), places.data(), places.size(), order, detail::numbers(out.data()));
-        });
+        context.call(gusset_curve_derivatives, get(), places.data(), places.size(), order, detail::numbers(out.data()));
         return out;
     }
     std::vector<Point3> tangents(Span<const Place> places, const Context &context = Context()) const {
         std::vector<Point3> out(places.size());
-        context.call([&](gusset_context *c) {
-            return gusset_curve_tangents(c, get(), places.data(), places.size(), detail::numbers(out.data()));
-        });
+        context.call(gusset_curve_tangents, get(), places.data(), places.size(), detail::numbers(out.data()));
         return out;
     }
     std::vector<double> curvatures(Span<const Place> places, const Context &context = Context()) const {
         std::vector<double> out(places.size());
-        context.call([&](gusset_context *c) {
-            return gusset_curve_curvatures(c, get(), places.data(), places.size(), out.data());
-        });
+        context.call(gusset_curve_curvatures, get(), places.data(), places.size(), out.data());
         return out;
     }
-    std::vector<gusset_curve_nearest_point> nearest(Span<const Point3> queries, const Context &context = Context()) const {
+    std::vector<gusset_curve_nearest_point> nearest(Points queries,
+                                                    const Context &context = Context()) const {
         std::vector<gusset_curve_nearest_point> out(queries.size());
-        context.call([&](gusset_context *c) {
-            return gusset_curve_nearest(c, get(), detail::numbers(queries.data()), queries.size(), out.data());
-        });
+        context.call(gusset_curve_nearest, get(), detail::numbers(queries.data()), queries.size(), out.data());
         return out;
     }
 
-    double length(const Context &context = Context()) const {
-        double length = 0.0;
-        context.call([&](gusset_context *c) { return gusset_curve_length(c, get(), &length); });
-        return length;
-    }
+    double length(const Context &context = Context()) const { return context.result(gusset_curve_length, get()); }
     /// The arc lengths from the start.
     std::vector<double> lengths_at(Span<const Place> places, const Context &context = Context()) const {
         std::vector<double> out(places.size());
-        context.call([&](gusset_context *c) {
-            return gusset_curve_lengths_at(c, get(), places.data(), places.size(), out.data());
-        });
+        context.call(gusset_curve_lengths_at, get(), places.data(), places.size(), out.data());
         return out;
     }
     std::vector<Place> places_at(Span<const double> lengths, const Context &context = Context()) const {
         std::vector<Place> out(lengths.size());
-        context.call([&](gusset_context *c) {
-            return gusset_curve_places_at(c, get(), lengths.data(), lengths.size(), out.data());
-        });
+        context.call(gusset_curve_places_at, get(), lengths.data(), lengths.size(), out.data());
         return out;
     }
     Bounds bounds(const Context &context = Context()) const {
         std::array<double, 6> b{};
-        context.call([&](gusset_context *c) { return gusset_curve_bounds(c, get(), b.data()); });
+        context.call(gusset_curve_bounds, get(), b.data());
         return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
     }
     Point3 area_vector(const Context &context = Context()) const {
         Point3 area{};
-        context.call([&](gusset_context *c) { return gusset_curve_area_vector(c, get(), area.data()); });
+        context.call(gusset_curve_area_vector, get(), area.data());
         return area;
     }
     gusset_curve_moment_report moments(const Context &context = Context()) const {
-        gusset_curve_moment_report moments{};
-        moments.struct_size = sizeof moments;
-        context.call([&](gusset_context *c) { return gusset_curve_moments(c, get(), &moments); });
-        return moments;
+        return context.result(gusset_curve_moments, get());
     }
 
-    Places cross_plane(const Point3 &point, const Point3 &normal, const Context &context = Context()) const {
-        return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_intersect_plane_create(c, get(), point.data(), normal.data(), places);
-        });
+    Places intersect_plane(const Point3 &point, const Point3 &normal, const Context &context = Context()) const {
+        return Places(context.result(gusset_curve_intersect_plane_create, get(), point.data(), normal.data()));
     }
-    Places cross_line(const std::array<double, 2> &point, const std::array<double, 2> &direction,
-                      const Context &context = Context()) const {
-        return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_intersect_line_create(c, get(), point.data(), direction.data(), places);
-        });
+    Places intersect_line(const std::array<double, 2> &point, const std::array<double, 2> &direction,
+                          const Context &context = Context()) const {
+        return Places(context.result(gusset_curve_intersect_line_create, get(), point.data(), direction.data()));
     }
-    Places intersections(const Curve &other, const Context &context = Context()) const {
-        return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_intersect_create(c, get(), other.get(), places);
-        });
+    Places intersect(const Curve &other, const Context &context = Context()) const {
+        return Places(context.result(gusset_curve_intersect_create, get(), other.get()));
     }
     Places self_intersections(const Context &context = Context()) const {
-        return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_intersect_create(c, get(), nullptr, places);
-        });
+        return Places(context.result(gusset_curve_intersect_create, get(), nullptr));
     }
-    /// Where two curves in space come as near to each other as `within`, and nearest.
-    Places approach(const Curve &other, double within, const Context &context = Context()) const {
-        return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_near_misses_create(c, get(), other.get(), within, places);
-        });
+    /// Local minima of the distance of two curves in space that are at most `within`.
+    Places near_misses(const Curve &other, double within, const Context &context = Context()) const {
+        return Places(context.result(gusset_curve_near_misses_create, get(), other.get(), within));
     }
-    /// The same with a line; the others are on its segment 0, with the line's own parameter.
-    Places approach(const Line &line, double within, const Context &context = Context()) const;
+    /// The same with a line; the other places are on its segment 0, with the line's own parameter.
+    Places near_misses(const Line &line, double within, const Context &context = Context()) const;
     /// `amount`: a count, a step of arc length, or a chord error.
-    Places sample(Sample rule, double amount, const Context &context = Context()) const {
-        return found(context, [&](gusset_context *c, gusset_places **places) {
-            return gusset_curve_sample_create(c, get(), static_cast<uint32_t>(rule), amount, places);
-        });
+    Places sample(SampleRule rule, double amount, const Context &context = Context()) const {
+        return Places(context.result(gusset_curve_sample_create, get(), static_cast<uint32_t>(rule), amount));
     }
 
     Curve part(Place from, Place to, const Context &context = Context()) const {
-        return made(context, [&](gusset_context *c, gusset_curve **out) {
-            return gusset_curve_part_create(c, get(), from, to, out);
-        });
+        return Curve(context.result(gusset_curve_part_create, get(), from, to));
     }
     /// The parts before and after a place.
     std::pair<Curve, Curve> split(Place at, const Context &context = Context()) const {
-        const auto half = [&](uint32_t after) {
-            return made(context, [&](gusset_context *c, gusset_curve **out) {
-                return gusset_curve_split_create(c, get(), at, after, out);
-            });
-        };
-        return {half(0), half(1)};
+        Curve before(context.result(gusset_curve_split_create, get(), at, uint32_t{0}));
+        return {std::move(before), Curve(context.result(gusset_curve_split_create, get(), at, uint32_t{1}))};
     }
     Curve reversed(const Context &context = Context()) const {
-        return made(context, [&](gusset_context *c, gusset_curve **out) { return gusset_curve_reverse_create(c, get(), out); });
+        return Curve(context.result(gusset_curve_reverse_create, get()));
     }
     Curve elevated_by(uint32_t by, const Context &context = Context()) const {
         // By 0 the C function reads the degree to raise to: 1 changes nothing.
-        return made(context, [&](gusset_context *c, gusset_curve **out) {
-            return gusset_curve_elevate_create(c, get(), by, 1, out);
-        });
+        return Curve(context.result(gusset_curve_elevate_create, get(), by, uint32_t{1}));
     }
     Curve elevated_to(uint32_t degree, const Context &context = Context()) const {
-        return made(context, [&](gusset_context *c, gusset_curve **out) {
-            return gusset_curve_elevate_create(c, get(), 0, degree, out);
-        });
+        return Curve(context.result(gusset_curve_elevate_create, get(), uint32_t{0}, degree));
     }
-    Reduced reduced(uint32_t degree, double tolerance, const Context &context = Context()) const;
+    ReducedCurve reduced(uint32_t degree, double tolerance, const Context &context = Context()) const;
     /// `degree`: 2 or 3; `max_segments`: 0 for 65536.
-    Offset offset(double distance, double tolerance, uint32_t degree = 3, std::size_t max_segments = 0,
-                  const Context &context = Context()) const;
+    OffsetCurve offset(double distance, double tolerance, uint32_t degree = 3, std::size_t max_segments = 0,
+                       const Context &context = Context()) const;
 
     CurveForm svg(const Context &context = Context()) const {
-        return form(context, [&](gusset_context *c, gusset_curve_form **out) { return gusset_curve_svg_create(c, get(), out); });
+        return CurveForm(context.result(gusset_curve_svg_create, get()));
     }
     CurveForm contour(double tolerance = 0.0, const Context &context = Context()) const {
-        return form(context, [&](gusset_context *c, gusset_curve_form **out) {
-            return gusset_curve_contour_create(c, get(), tolerance, out);
-        });
+        return CurveForm(context.result(gusset_curve_contour_create, get(), tolerance));
     }
     CurveForm spline(const Context &context = Context()) const {
-        return form(context,
-                    [&](gusset_context *c, gusset_curve_form **out) { return gusset_curve_spline_create(c, get(), out); });
+        return CurveForm(context.result(gusset_curve_spline_create, get()));
     }
 
 private:
-    struct Destroy {
-        void operator()(gusset_curve *curve) const noexcept { gusset_curve_destroy(curve); }
-    };
-    template <class Made, class Handle, class Function>
-    static Made create(const Context &context, Function &&function) {
-        Handle *created = nullptr;
-        context.call([&](gusset_context *c) { return function(c, &created); });
-        return Made(created);
-    }
-    template <class Function>
-    static Curve made(const Context &context, Function &&function) {
-        return create<Curve, gusset_curve>(context, function);
-    }
-    template <class Function>
-    static Places found(const Context &context, Function &&function) {
-        return create<Places, gusset_places>(context, function);
-    }
-    template <class Function>
-    static CurveForm form(const Context &context, Function &&function) {
-        return create<CurveForm, gusset_curve_form>(context, function);
-    }
-    gusset_curve_view view() const {
-        gusset_curve_view parts{};
-        parts.struct_size = sizeof parts;
-        detail::check(gusset_curve_get_view(curve_.get(), &parts));
-        return parts;
-    }
-    std::unique_ptr<gusset_curve, Destroy> curve_;
+    gusset_curve_view view() const { return detail::lent(gusset_curve_get_view, curve_.get()); }
+    detail::Handle<gusset_curve, gusset_curve_destroy> curve_;
 };
 
-/// A curve of lower degree, and a bound on the deviation of each segment; those with more than the tolerance were kept.
-struct Reduced {
+/// A curve of lower degree. A segment whose bound exceeds the tolerance keeps its degree.
+struct ReducedCurve {
     /// The curve of lower degree.
     Curve curve;
-    /// Of each segment a bound of how far it is from the original.
+    /// Of each segment a bound of its distance from the original.
     std::vector<double> deviations;
 };
 
-/// An offset curve and what is said about it.
-struct Offset {
-    /// The curve beside the original.
+/// An offset curve and its report.
+struct OffsetCurve {
+    /// The curve at the distance.
     Curve curve;
-    /// How far it is from the true one, and what is odd.
+    /// Its deviation from the true offset, its corners and cusps.
     gusset_offset_report report;
 };
 
-inline Reduced Curve::reduced(uint32_t degree, double tolerance, const Context &context) const {
+inline ReducedCurve Curve::reduced(uint32_t degree, double tolerance, const Context &context) const {
     std::vector<double> deviations(segment_count());
-    Curve curve = made(context, [&](gusset_context *c, gusset_curve **out) {
-        return gusset_curve_reduce_create(c, get(), degree, tolerance, deviations.empty() ? nullptr : deviations.data(), out);
-    });
+    Curve curve(context.result(gusset_curve_reduce_create, get(), degree, tolerance,
+                               deviations.empty() ? nullptr : deviations.data()));
     return {std::move(curve), std::move(deviations)};
 }
 
-inline Offset Curve::offset(double distance, double tolerance, uint32_t degree, std::size_t max_segments,
-                            const Context &context) const {
-    gusset_offset_options options{};
-    options.struct_size = sizeof options;
+inline OffsetCurve Curve::offset(double distance, double tolerance, uint32_t degree, std::size_t max_segments,
+                                 const Context &context) const {
+    auto options = detail::sized<gusset_offset_options>();
     options.tolerance = tolerance;
     options.degree = degree;
     options.max_segments = max_segments;
-    gusset_offset_report report{};
-    report.struct_size = sizeof report;
-    Curve curve = made(context, [&](gusset_context *c, gusset_curve **out) {
-        return gusset_curve_offset_create(c, get(), distance, &options, &report, out);
-    });
+    auto report = detail::sized<gusset_offset_report>();
+    Curve curve(context.result(gusset_curve_offset_create, get(), distance, &options, &report));
     return {std::move(curve), report};
 }
 

@@ -1,24 +1,24 @@
-// Hole filling. Included by gusset.hpp.
+// Hole filling. Include gusset.hpp, not this.
 #ifndef GUSSET_FILL_HPP
 #define GUSSET_FILL_HPP
 
-#include <gusset/base.hpp>
+#include <gusset/mesh.hpp>
 
 namespace gusset {
 
-/// What makes one triangulation of a rim better than another.
-enum class Weight : uint32_t {
+/// The weight that the triangulation of a rim minimises.
+enum class FillWeight : uint32_t {
     area_and_bend = GUSSET_WEIGHT_AREA_AND_BEND,
     bend_then_area = GUSSET_WEIGHT_BEND_THEN_AREA,
     area = GUSSET_WEIGHT_AREA
 };
-/// Whether holes get new vertices.
-enum class Refine : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
+/// The new vertices of patches.
+enum class FillRefinement : uint32_t { none = GUSSET_REFINE_NONE, rim_density = GUSSET_REFINE_RIM_DENSITY };
 
-/// How to fill holes; see gusset_fill_options. 0 is no limit.
+/// The options of filling; see gusset_fill_options. A limit of 0 is none.
 struct FillOptions {
-    Weight weight = Weight::area_and_bend;
-    Refine refine = Refine::none;
+    FillWeight weight = FillWeight::area_and_bend;
+    FillRefinement refine = FillRefinement::none;
     Fairing fairing = Fairing::none;
     bool keep_longest = false;
     uint32_t max_new_vertices = 0;
@@ -29,8 +29,7 @@ struct FillOptions {
 
 namespace detail {
 inline gusset_fill_options as_c(const FillOptions &options) {
-    gusset_fill_options given{};
-    given.struct_size = sizeof given;
+    auto given = detail::sized<gusset_fill_options>();
     given.weight = static_cast<uint32_t>(options.weight);
     given.refine = static_cast<uint32_t>(options.refine);
     given.fairing = static_cast<uint32_t>(options.fairing);
@@ -50,7 +49,7 @@ public:
     explicit Fill(const MeshView &mesh, const FillOptions &options = {}, const Context &context = Context()) {
         create(mesh, nullptr, 0, options, context);
     }
-    /// The loops given: vertices in order, in either direction.
+    /// The given loops: vertices in order, in either direction.
     Fill(const MeshView &mesh, Span<const Indices> loops, const FillOptions &options = {},
          const Context &context = Context()) {
         std::vector<gusset_indices> given;
@@ -62,46 +61,24 @@ public:
     }
 
     /// Old vertices and faces first.
-    MeshView mesh() const {
-        gusset_mesh_view view{};
-        view.struct_size = sizeof view;
-        detail::check(gusset_fill_get_mesh(fill_.get(), &view));
-        return MeshView(view);
-    }
-    /// One account for each loop.
+    MeshView mesh() const { return MeshView(detail::lent(gusset_fill_get_mesh, fill_.get())); }
+    /// A report on each loop.
     Span<const gusset_hole> holes() const {
-        const gusset_fill_view found = parts();
+        const gusset_fill_view found = view();
         return {found.holes, found.hole_count};
     }
     /// The vertices of a hole's rim.
-    Indices rim(const gusset_hole &hole) const { return {parts().rims.data + hole.rim_first, hole.rim_count}; }
-    gusset_quality_report quality() const {
-        gusset_quality_report quality{};
-        quality.struct_size = sizeof quality;
-        detail::check(gusset_fill_get_quality(fill_.get(), &quality));
-        return quality;
-    }
+    Indices rim(const gusset_hole &hole) const { return {view().rims.data + hole.rim_first, hole.rim_count}; }
+    gusset_quality_report quality() const { return detail::lent(gusset_fill_get_quality, fill_.get()); }
 
 private:
-    struct Destroy {
-        void operator()(gusset_fill *fill) const noexcept { gusset_fill_destroy(fill); }
-    };
     void create(const MeshView &mesh, const gusset_indices *loops, std::size_t count, const FillOptions &options,
                 const Context &context) {
         const gusset_fill_options given = detail::as_c(options);
-        gusset_fill *created = nullptr;
-        context.call([&](gusset_context *c) {
-            return gusset_fill_create(c, &mesh.get(), loops, count, &given, &created);
-        });
-        fill_.reset(created);
+        fill_.reset(context.result(gusset_fill_create, &mesh.get(), loops, count, &given));
     }
-    gusset_fill_view parts() const {
-        gusset_fill_view parts{};
-        parts.struct_size = sizeof parts;
-        detail::check(gusset_fill_get_view(fill_.get(), &parts));
-        return parts;
-    }
-    std::unique_ptr<gusset_fill, Destroy> fill_;
+    gusset_fill_view view() const { return detail::lent(gusset_fill_get_view, fill_.get()); }
+    detail::Handle<gusset_fill, gusset_fill_destroy> fill_;
 };
 
 } // namespace gusset

@@ -1,4 +1,4 @@
-// The frame of outlines: curves across and along a body. Included by gusset.hpp.
+// Frames of outlines: curves across and along a body. Include gusset.hpp, not this.
 #ifndef GUSSET_FRAME_HPP
 #define GUSSET_FRAME_HPP
 
@@ -6,10 +6,10 @@
 
 namespace gusset {
 
-/// Which points of the sections belong together; see gusset_frame_options.
+/// The correspondence of points of the sections; see gusset_frame_options.
 class Correspondence {
 public:
-    /// By their places: all sections have equally many.
+    /// By index: all sections have equally many points.
     static Correspondence given() { return {}; }
     /// Equal parts of the arc length of each section.
     static Correspondence arc_length(uint32_t columns) {
@@ -19,8 +19,8 @@ public:
         return made;
     }
     /// Equal angles round an axis.
-    static Correspondence angle(uint32_t columns, const std::array<double, 3> &point,
-                                const std::array<double, 3> &direction, const std::array<double, 3> &reference) {
+    static Correspondence angle(uint32_t columns, const Point3 &point, const Point3 &direction,
+                                const Point3 &reference) {
         Correspondence made;
         made.options_.correspondence = GUSSET_CORRESPONDENCE_ANGLE;
         made.options_.columns = columns;
@@ -31,7 +31,8 @@ public:
         }
         return made;
     }
-    /// Landmarks of each section, and equal parts of the arc length between them. The landmarks must outlive the call.
+    /// Landmarks of each section, and equal parts of the arc length between them. The landmarks
+    /// must outlive the call.
     static Correspondence landmarks(Indices landmarks, uint32_t parts) {
         Correspondence made;
         made.options_.correspondence = GUSSET_CORRESPONDENCE_LANDMARKS;
@@ -39,12 +40,12 @@ public:
         made.options_.landmarks = {landmarks.data(), landmarks.size()};
         return made;
     }
-    /// What C takes, but for the curves.
+    /// As the C interface takes it, without the options of the curves.
     const gusset_frame_options &get() const noexcept { return options_; }
 
 private:
-    Correspondence() { options_.struct_size = sizeof options_; }
-    gusset_frame_options options_{};
+    Correspondence() = default;
+    gusset_frame_options options_ = detail::sized<gusset_frame_options>();
 };
 
 /// Nodes, and curves across and along a body through them; see gusset_frame_create.
@@ -58,52 +59,37 @@ public:
         given.across = &curves[0];
         given.along = &curves[1];
         given.ring = ring ? 1 : 0;
-        gusset_frame *created = nullptr;
-        context.call([&](gusset_context *c) { return gusset_frame_create(c, &sections.get(), &given, &created); });
-        frame_.reset(created);
+        frame_.reset(context.result(gusset_frame_create, &sections.get(), &given));
     }
-    /// The nodes and what belongs to them, valid as long as this lives.
-    gusset_frame_view parts() const {
-        gusset_frame_view parts{};
-        parts.struct_size = sizeof parts;
-        detail::check(gusset_frame_get_view(frame_.get(), &parts));
-        return parts;
-    }
-    /// Row by row.
+    /// The nodes and their arrays, valid as long as this lives.
+    gusset_frame_view view() const { return detail::lent(gusset_frame_get_view, frame_.get()); }
+    /// The nodes, row by row.
     Points nodes() const {
-        const gusset_frame_view all = parts();
-        return {reinterpret_cast<const std::array<double, 3> *>(all.nodes), all.rows * all.columns};
+        const gusset_frame_view all = view();
+        return detail::points(all.nodes, all.rows * all.columns);
     }
     /// The curve through row k.
     OutlineCurve across(std::size_t k) const {
-        const gusset_outline *lent = nullptr;
-        detail::check(gusset_frame_curves_create(frame_.get(), &lent, nullptr));
-        return Outline::curve_of(detail::parts(lent), k);
+        const gusset_outline *curves = nullptr;
+        detail::check(gusset_frame_curves_create(frame_.get(), &curves, nullptr));
+        return Outline::curve_of(detail::lent(gusset_outline_get_view, curves), k);
     }
     /// The curve through column i.
     OutlineCurve along(std::size_t i) const {
-        const gusset_outline *lent = nullptr;
-        detail::check(gusset_frame_curves_create(frame_.get(), nullptr, &lent));
-        return Outline::curve_of(detail::parts(lent), i);
+        const gusset_outline *curves = nullptr;
+        detail::check(gusset_frame_curves_create(frame_.get(), nullptr, &curves));
+        return Outline::curve_of(detail::lent(gusset_outline_get_view, curves), i);
     }
-    /// A new section: where the plane through a point across a normal cuts the curves along.
-    Outline slice(const std::array<double, 3> &point, const std::array<double, 3> &normal,
-                  const Context &context = Context()) const {
-        gusset_outline *created = nullptr;
-        context.call([&](gusset_context *c) {
-            return gusset_frame_slice_create(c, frame_.get(), point.data(), normal.data(), &created);
-        });
-        return Outline(created);
+    /// A new section: the intersection of the curves along with the plane through a point.
+    Outline slice(const Point3 &point, const Point3 &normal, const Context &context = Context()) const {
+        return Outline(context.result(gusset_frame_slice_create, frame_.get(), point.data(), normal.data()));
     }
     const gusset_frame *get() const noexcept { return frame_.get(); }
 
 private:
-    struct Destroy {
-        void operator()(gusset_frame *frame) const noexcept { gusset_frame_destroy(frame); }
-    };
-    std::unique_ptr<gusset_frame, Destroy> frame_;
+    detail::Handle<gusset_frame, gusset_frame_destroy> frame_;
 };
 
 } // namespace gusset
 
-#endif
+#endif // GUSSET_FRAME_HPP

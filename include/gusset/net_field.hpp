@@ -2,9 +2,10 @@
 #ifndef GUSSET_NET_FIELD_HPP
 #define GUSSET_NET_FIELD_HPP
 
-#include <gusset/net_types.hpp>
+#include <gusset/context.hpp>
 
 #include <algorithm>
+#include <cstring>
 
 namespace gusset {
 
@@ -27,7 +28,7 @@ inline double *put(double *to, double number) {
     return to + 1;
 }
 inline double *put(double *to, const Point3 &numbers) { return std::copy(numbers.begin(), numbers.end(), to); }
-/// Numbers one behind the other.
+/// Writes numbers one after the other.
 template <class... Parts>
 void put_all(double *to, const Parts &...parts) {
     ((to = put(to, parts)), ...);
@@ -71,21 +72,22 @@ private:
         detail::put_all(values, parts...);
     }
 };
-static_assert(sizeof(Operation) == sizeof(gusset_operation), "nothing added");
+static_assert(sizeof(Operation) == sizeof(gusset_operation), "an operation is what C takes");
 
-/// How a strength goes from one key to the next.
+/// The interpolation of a strength from one key to the next.
 enum class Easing : uint32_t {
     linear = GUSSET_EASING_LINEAR,
     smooth = GUSSET_EASING_SMOOTH,
     hold = GUSSET_EASING_HOLD
 };
 /// A time, and the strength of a field there.
-struct Key {
-    /// A time, and how much of the field is done then.
+struct FieldKey {
+    /// The time, and the part of the field that is applied then.
     double time, strength;
 };
 
-/// A field of deformation, for Net::deform. It owns its keys and offsets. See the constants GUSSET_FIELD_... and gusset_field.
+/// A field of deformation, for Net::deform. It owns its keys and offsets. See the constants
+/// GUSSET_FIELD_... and gusset_field.
 class Field {
 public:
     /// An affine map; see GUSSET_FIELD_AFFINE.
@@ -98,7 +100,8 @@ public:
     static Field twist(Axis axis, double rate, double from = 0.0) {
         return Field(GUSSET_FIELD_TWIST, rate, from).about(axis);
     }
-    /// `rate`: how much distances from the axis grow for each unit along it from the coordinate `from` on.
+    /// `rate`: the growth of distances from the axis for each unit along it from the coordinate
+    /// `from` on.
     static Field taper(Axis axis, double rate, double from = 0.0) {
         return Field(GUSSET_FIELD_TAPER, rate, from).about(axis);
     }
@@ -115,8 +118,8 @@ public:
     }
     /// Onto a sphere; see GUSSET_FIELD_SPHERIFY.
     static Field spherify(const Point3 &centre, double radius) { return Field(GUSSET_FIELD_SPHERIFY, centre, radius); }
-    /// Of the two axes that follow, the first becomes the arc, from the second one on, and the second the height above the
-    /// cylinder.
+    /// Of the two axes that follow, the first becomes the arc, which starts on the second; the
+    /// second becomes the height above the cylinder.
     static Field wrap_cylinder(Axis axis, double radius) {
         return Field(GUSSET_FIELD_CYLINDER_WRAP, radius).about(axis);
     }
@@ -124,14 +127,14 @@ public:
     static Field wrap_torus(Axis axis, double radius, double tube_radius) {
         return Field(GUSSET_FIELD_TORUS_WRAP, radius, tube_radius).about(axis);
     }
-    /// Free-form deformation. `offsets`: how far each of counts[0] * counts[1] * counts[2] control points is moved, x running
-    /// first.
+    /// Free-form deformation. `offsets`: the displacement of each of counts[0] * counts[1] *
+    /// counts[2] control points, x running first.
     static Field lattice(const Point3 &low, const Point3 &high, const std::array<uint32_t, 3> &counts,
                          std::vector<Point3> offsets) {
         std::size_t wanted = 1;
         bool fits = true;
         for (uint32_t count : counts) {
-            // What is more than 32 is refused by the call, with a report.
+            // More than 32 are refused by the call, with a report.
             fits = fits && count <= 32;
             wanted *= fits ? count : 1;
         }
@@ -158,15 +161,15 @@ public:
         return Field(GUSSET_FIELD_PERSPECTIVE, eye, point, normal);
     }
 
-    /// The same field, done in part: 0 not at all, 1 all of it. With keys, it multiplies what they say.
-    Field in_part(double strength) const {
+    /// The same field in part, from 0 for none to 1 for all of it. Multiplies the strength of keys.
+    Field with_strength(double strength) const {
         Field made = *this;
         made.field_.strength = strength;
         return made;
     }
-    /// The same field with a strength that depends on the time, which increases from key to key.
-    Field keyed(std::vector<Key> keys, Easing easing = Easing::linear) const {
-        static_assert(sizeof(Key) == 2 * sizeof(double), "packed");
+    /// The same field with a strength that depends on time, which increases from key to key.
+    Field with_keys(std::vector<FieldKey> keys, Easing easing = Easing::linear) const {
+        static_assert(sizeof(FieldKey) == 2 * sizeof(double), "packed");
         Field made = *this;
         made.keys_ = std::move(keys);
         made.field_.easing = static_cast<gusset_easing>(easing);
@@ -186,7 +189,6 @@ public:
 private:
     template <class... Parts>
     explicit Field(gusset_field_kind kind, const Parts &...parts) {
-        field_.struct_size = sizeof field_;
         field_.kind = kind;
         field_.strength = 1.0;
         detail::put_all(field_.values, parts...);
@@ -196,8 +198,8 @@ private:
         return std::move(*this);
     }
 
-    gusset_field field_{};
-    std::vector<Key> keys_;
+    gusset_field field_ = detail::sized<gusset_field>();
+    std::vector<FieldKey> keys_;
     std::vector<Point3> offsets_;
 };
 

@@ -1,7 +1,8 @@
 // OpenMesh meshes as input and output of gusset. Needs OpenMesh 8 or later.
 //
-// The view's vertex v is the host's VertexHandle(v): positions are read where OpenMesh keeps them, deleted vertices
-// included, which no face uses. Faces are numbered without the deleted ones; face(f) is the host's handle.
+// The view's vertex v is the host's VertexHandle(v): positions are read where OpenMesh keeps them,
+// deleted vertices included, which no face uses. Faces are numbered without the deleted ones;
+// face(f) is the host's handle.
 #ifndef GUSSET_OPENMESH_HPP
 #define GUSSET_OPENMESH_HPP
 
@@ -15,8 +16,9 @@
 
 namespace gusset::openmesh {
 
-/// A mesh of the host's as gusset sees it. Positions stay where they are, so the mesh must outlive this and keep its
-/// vertices meanwhile; OpenMesh has no array of its faces' vertices, so those are gathered here.
+/// A mesh of the host's as gusset sees it. Positions stay where they are, so the mesh must outlive
+/// this and keep its vertices meanwhile; OpenMesh has no array of its faces' vertices, so those are
+/// gathered here.
 template <class Mesh>
 class Input {
 public:
@@ -39,7 +41,7 @@ public:
         }
     }
 
-    /// What the library reads.
+    /// The mesh as the library reads it.
     MeshView view() const {
         const Span<const typename Mesh::Point> points(mesh_->points(), mesh_->n_vertices());
         return MeshView::polygons(points, offsets_, corners_);
@@ -64,7 +66,8 @@ OpenMesh::VertexHandle add_vertex(Mesh &mesh, const std::array<double, 3> &p) {
     return mesh.add_vertex(Point(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2])));
 }
 
-/// Adds the faces of `view`, whose vertex v is the host's vertices[v]; returns those that OpenMesh refuses.
+/// Adds the faces of `view`, whose vertex v is the host's vertices[v]; returns those that OpenMesh
+/// refuses.
 template <class Mesh>
 std::vector<uint32_t> add_faces(Mesh &mesh, const MeshView &view, const std::vector<OpenMesh::VertexHandle> &vertices) {
     std::vector<uint32_t> refused;
@@ -82,8 +85,9 @@ std::vector<uint32_t> add_faces(Mesh &mesh, const MeshView &view, const std::vec
 }
 } // namespace detail
 
-/// Appends a whole result to `mesh` (usually an empty one): vertex v becomes the host's vertex v + old n_vertices().
-/// Returns the faces that OpenMesh refused because it takes two-manifolds only: empty if all went in.
+/// Appends a whole result to `mesh` (usually an empty one): vertex v becomes the host's vertex v +
+/// old n_vertices(). Returns the faces that OpenMesh refused because it takes two-manifolds only:
+/// empty if all went in.
 template <class Mesh>
 std::vector<uint32_t> append(Mesh &mesh, const MeshView &result) {
     std::vector<OpenMesh::VertexHandle> vertices;
@@ -94,9 +98,9 @@ std::vector<uint32_t> append(Mesh &mesh, const MeshView &result) {
     return detail::add_faces(mesh, result, vertices);
 }
 
-/// Adds the strip of a stitch within one mesh to that mesh itself: its own vertices and faces keep their handles, and
-/// its properties stay. For a stitch that turned nothing over (turned() is false). Returns the strip's faces that OpenMesh
-/// refused.
+/// Adds the strip of a stitch within one mesh to that mesh itself: its own vertices and faces keep
+/// their handles, and its properties stay. For a stitch that turned nothing over (turned() is
+/// false). Returns the strip's faces that OpenMesh refused.
 template <class Mesh>
 std::vector<uint32_t> append_strip(Mesh &mesh, const Stitch &stitch) {
     if (stitch.turned() || !stitch.vertex_map(1).empty()) {

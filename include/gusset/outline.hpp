@@ -1,4 +1,4 @@
-// Outlines: Bezier curves through given points. Included by gusset.hpp.
+// Outlines: Bézier curves through given points. Include gusset.hpp, not this.
 #ifndef GUSSET_OUTLINE_HPP
 #define GUSSET_OUTLINE_HPP
 
@@ -6,7 +6,7 @@
 
 namespace gusset {
 
-/// What kind of curve; see the constants.
+/// The kind of a curve; see the constants.
 enum class CurveKind : uint32_t {
     composite = GUSSET_CURVE_COMPOSITE,
     single = GUSSET_CURVE_SINGLE,
@@ -14,60 +14,59 @@ enum class CurveKind : uint32_t {
     blend_c2 = GUSSET_CURVE_BLEND_C2,
     cubic_c2 = GUSSET_CURVE_CUBIC_C2
 };
-/// How the control point of a section is found; see the constants.
-enum class Method : uint32_t {
+/// The guide of the control point of a section; see the constants.
+enum class SectionMethod : uint32_t {
     bisector = GUSSET_METHOD_BISECTOR,
     median = GUSSET_METHOD_MEDIAN,
     normal = GUSSET_METHOD_NORMAL,
     symmedian = GUSSET_METHOD_SYMMEDIAN,
     alpha = GUSSET_METHOD_ALPHA
 };
-/// How parameters are tied to points.
-enum class Lock : uint32_t {
+/// The rule that fixes the parameters of points.
+enum class ParameterLock : uint32_t {
     parameter = GUSSET_LOCK_PARAMETER,
     self_consistent = GUSSET_LOCK_SELF_CONSISTENT,
     data_guide = GUSSET_LOCK_DATA_GUIDE
 };
-/// Where the joints of composite curves are.
-enum class JointShare : uint32_t {
+/// The parameters of the joints of composite curves.
+enum class JointParameter : uint32_t {
     half = GUSSET_JOINT_PARAMETER_HALF,
     knot = GUSSET_JOINT_PARAMETER_KNOT,
     g2 = GUSSET_JOINT_PARAMETER_G2
 };
-/// How curves are sought.
-enum class Solver : uint32_t { fast = GUSSET_SOLVER_FAST, step = GUSSET_SOLVER_STEP };
-/// How open outlines end.
-enum class Ends : uint32_t { free = GUSSET_ENDS_FREE, perpendicular = GUSSET_ENDS_PERPENDICULAR };
+/// The method that solves for a curve.
+enum class OutlineSolver : uint32_t { fast = GUSSET_SOLVER_FAST, step = GUSSET_SOLVER_STEP };
+/// The ends of open outlines.
+enum class OutlineEnds : uint32_t { free = GUSSET_ENDS_FREE, perpendicular = GUSSET_ENDS_PERPENDICULAR };
 
-/// What is demanded of a curve at a point.
+/// A constraint at a point: a corner or a tangent.
 struct Constraint : gusset_constraint {
     /// A corner at a point.
     static Constraint corner(uint32_t point) { return {{point, GUSSET_CONSTRAINT_CORNER, {0.0, 0.0, 0.0}}}; }
-    /// A direction at a point.
+    /// A tangent at a point.
     static Constraint tangent(uint32_t point, double x, double y, double z = 0.0) {
         return {{point, GUSSET_CONSTRAINT_TANGENT, {x, y, z}}};
     }
 };
 static_assert(sizeof(Constraint) == sizeof(gusset_constraint), "a constraint is what C takes");
 
-/// Outlines in the host's memory, which must outlive the calls they are given to: a container that is gone by then leaves nothing to
-/// read. See gusset_outlines.
+/// Outlines in the host's memory, which must outlive the calls that read them; see gusset_outlines.
 class Outlines {
 public:
     /// Plane points.
-    Outlines(Span<const std::array<double, 2>> points, bool closed) : Outlines(points.data(), points.size(), 2, closed) {}
+    Outlines(Span<const std::array<double, 2>> points, bool closed)
+        : Outlines(points.data(), points.size(), 2, closed) {}
     /// Points in space.
-    Outlines(Span<const std::array<double, 3>> points, bool closed) : Outlines(points.data(), points.size(), 3, closed) {}
+    Outlines(Points points, bool closed) : Outlines(points.data(), points.size(), 3, closed) {}
     /// Points of 2 or 3 coordinates at the start of every `stride` bytes.
     Outlines(const void *points, std::size_t count, uint32_t dimension, bool closed, std::size_t stride = 0) {
-        given_.struct_size = sizeof given_;
         given_.points = points;
         given_.point_stride = stride;
         given_.point_count = count;
         given_.dimension = dimension;
         given_.closed = closed ? 1 : 0;
     }
-    /// Many outlines: where each begins, and where the last one ends.
+    /// Several outlines: the first point of each, then the number of points.
     Outlines &offsets(Span<const uint32_t> offsets) {
         static const uint32_t nothing[1] = {0};
         given_.offsets = offsets.empty() ? nothing : offsets.data();
@@ -83,18 +82,18 @@ public:
     const gusset_outlines &get() const noexcept { return given_; }
 
 private:
-    gusset_outlines given_{};
+    gusset_outlines given_ = detail::sized<gusset_outlines>();
 };
 
-/// How outlines are identified; see gusset_outline_options, where 0 stands for the default.
+/// The options of outlines; see gusset_outline_options. 0 stands for the default.
 struct OutlineOptions {
     CurveKind curve = CurveKind::composite;
-    Method method = Method::bisector;
-    Lock lock = Lock::parameter;
-    JointShare joint = JointShare::half;
-    Solver solver = Solver::fast;
-    Ends ends = Ends::free;
-    /// For Method::alpha.
+    SectionMethod method = SectionMethod::bisector;
+    ParameterLock lock = ParameterLock::parameter;
+    JointParameter joint = JointParameter::half;
+    OutlineSolver solver = OutlineSolver::fast;
+    OutlineEnds ends = OutlineEnds::free;
+    /// For SectionMethod::alpha.
     double alpha = 0.5;
     double parameter_limit = 0.0;
     std::optional<double> repeat_tolerance;
@@ -106,8 +105,7 @@ struct OutlineOptions {
     uint32_t max_steps = 0;
 
     gusset_outline_options get() const {
-        gusset_outline_options options{};
-        options.struct_size = sizeof options;
+        auto options = detail::sized<gusset_outline_options>();
         options.curve = static_cast<uint32_t>(curve);
         options.method = static_cast<uint32_t>(method);
         options.lock = static_cast<uint32_t>(lock);
@@ -128,12 +126,10 @@ struct OutlineOptions {
     }
 };
 
-/// x, y, z of points side by side; z is 0 in the plane.
-using Points = Span<const std::array<double, 3>>;
-
-/// The curve of one outline: segment s is the Bezier curve of the control points ends[s] to ends[s + 1].
+/// The curve of one outline: segment s is the Bézier curve of the control points ends[s] to
+/// ends[s + 1].
 struct OutlineCurve {
-    /// The control points.
+    /// The control points; z is 0 in the plane.
     Points controls;
     /// Segment s has the control points ends[s] to ends[s + 1].
     Indices ends;
@@ -143,128 +139,91 @@ struct OutlineCurve {
     Points segment(std::size_t s) const { return {controls.data() + ends[s], ends[s + 1] - ends[s] + 1}; }
 };
 
-namespace detail {
-/// What can be asked of outlines, owned or lent.
-inline gusset_outline_view parts(const gusset_outline *outline) {
-    gusset_outline_view parts{};
-    parts.struct_size = sizeof parts;
-    check(gusset_outline_get_view(outline, &parts));
-    return parts;
-}
-} // namespace detail
-
 /// The curves through the points of outlines; see gusset_outline_create.
 class Outline {
 public:
-    /// Takes over what a C function made.
-    explicit Outline(gusset_outline *made) : outline_(made) {}
+    explicit Outline(gusset_outline *owned) : outline_(owned) {}
     explicit Outline(const Outlines &outlines, const OutlineOptions &options = {}, const Context &context = Context()) {
         const gusset_outline_options given = options.get();
-        gusset_outline *created = nullptr;
-        context.call([&](gusset_context *c) { return gusset_outline_create(c, &outlines.get(), &given, &created); });
-        outline_.reset(created);
+        outline_.reset(context.result(gusset_outline_create, &outlines.get(), &given));
     }
     /// All arrays, valid as long as this lives.
-    gusset_outline_view parts() const {
-        return detail::parts(outline_.get());
-    }
+    gusset_outline_view view() const { return detail::lent(gusset_outline_get_view, outline_.get()); }
     /// The number of outlines.
-    std::size_t size() const { return parts().outline_count; }
+    std::size_t size() const { return view().outline_count; }
     /// The curve of outline k.
-    OutlineCurve curve(std::size_t k = 0) const {
-        return curve_of(parts(), k);
-    }
-    /// The curve of outline k of those that are lent.
+    OutlineCurve curve(std::size_t k = 0) const { return curve_of(view(), k); }
+    /// The curve of outline k of a view.
     static OutlineCurve curve_of(const gusset_outline_view &all, std::size_t k) {
         if (k >= all.outline_count) {
             detail::check(GUSSET_ERROR_NO_SUCH_ELEMENT);
         }
         const std::size_t *from = all.starts + 2 * k, *to = from + 2;
-        return {{reinterpret_cast<const std::array<double, 3> *>(all.controls) + from[0], to[0] - from[0]},
+        return {detail::points(all.controls + 3 * from[0], to[0] - from[0]),
                 {all.ends.data + from[1], to[1] - from[1]}};
     }
-    /// A copy of the curve of outline k, for what curves can do.
+    /// A copy of the curve of outline k.
     Curve curve_copy(std::size_t k = 0, const Context &context = Context()) const {
-        gusset_curve *created = nullptr;
-        context.call([&](gusset_context *c) { return gusset_outline_curve_create(c, outline_.get(), k, &created); });
-        return Curve(created);
+        return Curve(context.result(gusset_outline_curve_create, outline_.get(), k));
     }
     /// Girth, area and centre of outline k.
     gusset_section_report measure(std::size_t k = 0) const {
-        gusset_section_report measure{};
-        detail::check(gusset_outline_get_section(outline_.get(), k, &measure));
-        return measure;
+        return detail::lent(gusset_outline_get_section, outline_.get(), k);
     }
-    /// What became of outline k.
+    /// The report on outline k.
     gusset_outline_report report(std::size_t k = 0) const {
-        gusset_outline_report report{};
-        report.struct_size = sizeof report;
-        detail::check(gusset_outline_get_report(outline_.get(), k, &report));
-        return report;
+        return detail::lent(gusset_outline_get_report, outline_.get(), k);
     }
-    /// What became of each point: GUSSET_POINT_...
+    /// GUSSET_POINT_... of each point.
     Span<const uint8_t> statuses() const {
-        const gusset_outline_view all = parts();
+        const gusset_outline_view all = view();
         return {all.statuses, all.point_count};
     }
     /// The segment of its curve that each point lies on.
-    Indices segments() const { return detail::indices(parts().segments); }
+    Indices segments() const { return detail::indices(view().segments); }
     /// The parameter of each point there.
     Span<const double> parameters() const {
-        const gusset_outline_view all = parts();
+        const gusset_outline_view all = view();
         return {all.parameters, all.point_count};
     }
     const gusset_outline *get() const noexcept { return outline_.get(); }
 
 private:
-    struct Destroy {
-        void operator()(gusset_outline *outline) const noexcept { gusset_outline_destroy(outline); }
-    };
-    std::unique_ptr<gusset_outline, Destroy> outline_;
+    detail::Handle<gusset_outline, gusset_outline_destroy> outline_;
 };
 
 /// The section of each point with its two neighbours; see gusset_sections_create.
 class Sections {
 public:
-    explicit Sections(const Outlines &outlines, Method method = Method::bisector, double alpha = 0.5,
+    explicit Sections(const Outlines &outlines, SectionMethod method = SectionMethod::bisector, double alpha = 0.5,
                       const Context &context = Context()) {
         OutlineOptions options;
         options.method = method;
         options.alpha = alpha;
         const gusset_outline_options given = options.get();
-        gusset_sections *created = nullptr;
-        context.call([&](gusset_context *c) { return gusset_sections_create(c, &outlines.get(), &given, &created); });
-        sections_.reset(created);
+        sections_.reset(context.result(gusset_sections_create, &outlines.get(), &given));
     }
     /// The control point of each section.
     Points controls() const {
-        const gusset_sections_view all = parts();
-        return {reinterpret_cast<const std::array<double, 3> *>(all.controls), all.count};
+        const gusset_sections_view all = view();
+        return detail::points(all.controls, all.count);
     }
     /// The parameter of each point on its section.
     Span<const double> parameters() const {
-        const gusset_sections_view all = parts();
+        const gusset_sections_view all = view();
         return {all.parameters, all.count};
     }
-    /// GUSSET_POINT_...
+    /// GUSSET_POINT_... of each point.
     Span<const uint8_t> statuses() const {
-        const gusset_sections_view all = parts();
+        const gusset_sections_view all = view();
         return {all.statuses, all.count};
     }
 
 private:
-    struct Destroy {
-        void operator()(gusset_sections *sections) const noexcept { gusset_sections_destroy(sections); }
-    };
-    gusset_sections_view parts() const {
-        gusset_sections_view parts{};
-        parts.struct_size = sizeof parts;
-        detail::check(gusset_sections_get_view(sections_.get(), &parts));
-        return parts;
-    }
-    std::unique_ptr<gusset_sections, Destroy> sections_;
+    gusset_sections_view view() const { return detail::lent(gusset_sections_get_view, sections_.get()); }
+    detail::Handle<gusset_sections, gusset_sections_destroy> sections_;
 };
 
 } // namespace gusset
 
-#endif
+#endif // GUSSET_OUTLINE_HPP

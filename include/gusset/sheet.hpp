@@ -1,84 +1,197 @@
-// Pieces of smooth surfaces. Include gusset.hpp, not this.
+// Sheets: grids of patches. Include gusset.hpp, not this.
 #ifndef GUSSET_SHEET_HPP
 #define GUSSET_SHEET_HPP
 
-#include <gusset/sheet_types.hpp>
+#include <gusset/frame.hpp>
+#include <gusset/reference.hpp>
+#include <gusset/surface_paths.hpp>
 
 namespace gusset {
 
-/// A piece of surface: rows and columns of cells, each a Bézier patch. Immutable; may be used from many threads.
+/// The estimate of mixed derivatives at nodes; see the constants.
+enum class Twists : uint32_t {
+    differences = GUSSET_TWISTS_DIFFERENCES,
+    adini = GUSSET_TWISTS_ADINI,
+    zero = GUSSET_TWISTS_ZERO
+};
+/// The surface that is made of a frame.
+enum class FrameSurface : uint32_t { nodes = GUSSET_FRAME_NODES, curves = GUSSET_FRAME_CURVES };
+/// The coordinate that runs along a curve of a sheet.
+enum class SheetDirection : uint32_t { rows = GUSSET_ALONG_ROWS, columns = GUSSET_ALONG_COLUMNS };
+
+/// The interpolation of nodes. A closed direction ends with its first line again.
+struct SheetOptions {
+    /// Closed along columns: the last row is the first one again.
+    bool closed_u = false;
+    /// Closed along rows.
+    bool closed_v = false;
+    /// The interpolation scheme.
+    Scheme scheme = Scheme::six_tap;
+};
+
+/// Nodes in memory that belongs to someone else, which must outlive the calls that read it; see
+/// gusset_nodes.
+class NodesView {
+public:
+    /// Row after row: any container that keeps its elements side by side, whose first bytes are
+    /// three floats or doubles.
+    template <class Container>
+    NodesView(std::size_t rows, std::size_t columns, const Container &points, const SheetOptions &options = {}) {
+        using Point = std::remove_cv_t<std::remove_reference_t<decltype(*std::data(points))>>;
+        using T = std::decay_t<decltype(std::declval<const Point &>()[0])>;
+        static_assert(sizeof(Point) >= 3 * sizeof(T), "three coordinates");
+        if (columns != 0 && (rows > std::size(points) / columns || rows * columns != std::size(points))) {
+            throw std::invalid_argument("gusset: the number of points is not rows * columns");
+        }
+        fill<T>(rows, columns, std::data(points), options);
+        nodes_.column_stride = sizeof(Point);
+    }
+    /// x, y, z of node (i, j) are at first + i * row_stride + j * column_stride, in numbers; 0: no
+    /// gaps.
+    template <class T>
+    static NodesView strided(std::size_t rows, std::size_t columns, const T *first, std::size_t row_stride,
+                             std::size_t column_stride, const SheetOptions &options = {}) {
+        NodesView view;
+        view.fill<T>(rows, columns, first, options);
+        view.nodes_.row_stride = detail::stride_in_bytes<T>(row_stride);
+        view.nodes_.column_stride = detail::stride_in_bytes<T>(column_stride);
+        return view;
+    }
+    const gusset_nodes &get() const noexcept { return nodes_; }
+
+private:
+    NodesView() = default;
+    template <class T>
+    void fill(std::size_t rows, std::size_t columns, const void *first, const SheetOptions &options) {
+        static_assert(std::is_same_v<T, float> || std::is_same_v<T, double>, "nodes of float or double");
+        nodes_.nodes = first;
+        nodes_.rows = rows;
+        nodes_.columns = columns;
+        nodes_.scalar = std::is_same_v<T, float> ? GUSSET_F32 : GUSSET_F64;
+        nodes_.scheme = static_cast<gusset_scheme>(options.scheme);
+        nodes_.closed_u = options.closed_u ? 1 : 0;
+        nodes_.closed_v = options.closed_v ? 1 : 0;
+    }
+    gusset_nodes nodes_ = detail::sized<gusset_nodes>();
+};
+
+/// A direction of a B-spline; see gusset_spline.
+struct SplineAxis {
+    /// Control points.
+    std::size_t count;
+    /// 1 to 7.
+    uint32_t degree;
+    /// The knots; see gusset_spline.
+    Span<const double> knots;
+    /// The last knots continue into the first.
+    bool closed = false;
+};
+
+/// A net of curves; see gusset_curve_net. The curves must outlive the call that reads this.
+struct CurveNet {
+    /// Curves in v, one after the other in u; or none.
+    Span<const Curve> rows;
+    /// Curves in u, one after the other in v; or none.
+    Span<const Curve> columns;
+    /// The largest distance of curves that meet; 0: 1e-6 of the diagonal of their box.
+    double tolerance = 0.0;
+    bool closed_u = false;
+    bool closed_v = false;
+};
+
+/// Numbers for each cell, row after row; see gusset_sheet_estimates.
+struct SheetEstimates {
+    /// An estimate of the distance from the smooth surface that the nodes were taken from.
+    std::vector<double> errors;
+    /// A bound of the distance from the bilinear patches of the cells.
+    std::vector<double> bilinear;
+    /// The same from the triangles.
+    std::vector<double> triangles;
+};
+
+/// Bounds of the diameters of cells, row after row; see gusset_sheet_diameters.
+struct CellDiameters {
+    /// Of each cell a bound of the distance of two of its points, in space and within the cell.
+    std::vector<double> euclidean, intrinsic;
+    /// The largest of each.
+    double max_euclidean, max_intrinsic;
+};
+
+/// A sheet: rows and columns of cells, each a Bézier patch. Immutable; may be used from many
+/// threads.
 class Sheet {
 public:
     explicit Sheet(gusset_sheet *owned) : sheet_(owned) {}
 
     /// Through a copy of nodes.
     static Sheet from_nodes(const NodesView &nodes, const Context &context = Context()) {
-        return made(context, [&](gusset_context *c, gusset_sheet **out) {
-            return gusset_sheet_from_nodes_create(c, &nodes.get(), out);
-        });
+        return Sheet(context.result(gusset_sheet_from_nodes_create, &nodes.get()));
     }
-    /// The same, of points row after row: any container that keeps its elements side by side, whose first bytes are three floats or
-    /// doubles.
-    template <class Points>
-    static Sheet from_nodes(std::size_t rows, std::size_t columns, const Points &points, const SheetOptions &options = {},
-                            const Context &context = Context()) {
+    /// The same, of points row after row: any container that keeps its elements side by side, whose
+    /// first bytes are three floats or doubles.
+    template <class Container>
+    static Sheet from_nodes(std::size_t rows, std::size_t columns, const Container &points,
+                            const SheetOptions &options = {}, const Context &context = Context()) {
         return from_nodes(NodesView(rows, columns, points, options), context);
     }
-    /// Through nodes in the caller's own memory, of doubles, which must stay valid and unchanged until the sheet and all that was made
-    /// of it are gone. See gusset_sheet_borrow_create.
-    template <class Points>
-    static Sheet borrow(std::size_t rows, std::size_t columns, const Points &points, const SheetOptions &options = {},
-                        const Context &context = Context()) {
+    /// Through nodes in the caller's own memory, of doubles, which must stay valid and unchanged
+    /// until the sheet and everything made of it are gone. See gusset_sheet_borrow_create.
+    template <class Container>
+    static Sheet borrow(std::size_t rows, std::size_t columns, const Container &points,
+                        const SheetOptions &options = {}, const Context &context = Context()) {
         using T = std::decay_t<decltype((*std::data(points))[0])>;
         static_assert(std::is_same_v<T, double>, "nodes that are borrowed are of double");
         return borrowed(NodesView(rows, columns, points, options), context);
     }
-    /// x, y, z of node (i, j) are at first + i * row_stride + j * column_stride, in numbers; 0: no gaps.
+    /// x, y, z of node (i, j) are at first + i * row_stride + j * column_stride, in numbers; 0: no
+    /// gaps.
     static Sheet borrow(std::size_t rows, std::size_t columns, const double *first, std::size_t row_stride,
-                        std::size_t column_stride, const SheetOptions &options = {}, const Context &context = Context()) {
+                        std::size_t column_stride, const SheetOptions &options = {},
+                        const Context &context = Context()) {
         return borrowed(NodesView::strided(rows, columns, first, row_stride, column_stride, options), context);
     }
-    /// What is gone at the end of the statement cannot be borrowed. A span may be: it owns nothing.
-    template <class Points, class = std::enable_if_t<!std::is_lvalue_reference_v<Points> && !detail::is_span<Points>>>
-    static Sheet borrow(std::size_t rows, std::size_t columns, Points &&points, const SheetOptions &options = {},
+    /// A temporary cannot be borrowed, unless it is a span, which owns nothing.
+    template <class Container,
+              class = std::enable_if_t<!std::is_lvalue_reference_v<Container> && !detail::is_span<Container>>>
+    static Sheet borrow(std::size_t rows, std::size_t columns, Container &&points, const SheetOptions &options = {},
                         const Context &context = Context()) = delete;
 
     /// With given tangents, one a node, row after row.
-    static Sheet from_tangents(const NodesView &nodes, Span<const Point3> u, Span<const Point3> v,
-                               Twists twists = Twists::differences, const Context &context = Context()) {
+    static Sheet from_tangents(const NodesView &nodes, Points u, Points v, Twists twists = Twists::differences,
+                               const Context &context = Context()) {
         return hermite(nodes, u, v, static_cast<gusset_twists>(twists), {}, context);
     }
     /// With given tangents and mixed derivatives.
-    static Sheet from_tangents(const NodesView &nodes, Span<const Point3> u, Span<const Point3> v, Span<const Point3> twists,
+    static Sheet from_tangents(const NodesView &nodes, Points u, Points v, Points twists,
                                const Context &context = Context()) {
         return hermite(nodes, u, v, GUSSET_TWISTS_GIVEN, twists, context);
     }
-    /// Of rows x columns Bézier patches, one after the other, each of (degree_u + 1) x (degree_v + 1) control points.
-    static Sheet from_patches(Span<const Point3> points, uint32_t degree_u, uint32_t degree_v, std::size_t rows,
+    /// Of rows x columns Bézier patches, one after the other, each of (degree_u + 1) x (degree_v +
+    /// 1) control points.
+    static Sheet from_patches(Points points, uint32_t degree_u, uint32_t degree_v, std::size_t rows,
                               std::size_t columns, const Context &context = Context()) {
         const auto possible = [](uint32_t degree) { return degree >= 1 && degree <= 7; };
         if (!possible(degree_u) || !possible(degree_v)) {
-            // Refused; without patches no point is read before that.
+            // Refused by the call, which without patches reads no point.
             rows = columns = 0;
         } else {
             const std::size_t each = (std::size_t{degree_u} + 1) * (std::size_t{degree_v} + 1);
             const std::size_t patches = points.size() / each;
-            if (points.size() % each != 0 || (columns != 0 ? patches / columns != rows || patches % columns != 0 : patches != 0)) {
+            const bool fits = columns != 0 ? patches / columns == rows && patches % columns == 0 : patches == 0;
+            if (points.size() % each != 0 || !fits) {
                 throw std::invalid_argument("gusset: the number of control points is not that of the patches");
             }
         }
-        return made(context, [&](gusset_context *c, gusset_sheet **out) {
-            return gusset_sheet_from_patches_create(c, detail::numbers(points.data()), degree_u, degree_v, rows, columns, out);
-        });
+        return Sheet(context.result(gusset_sheet_from_patches_create, detail::numbers(points.data()), degree_u,
+                                    degree_v, rows, columns));
     }
-    /// Of a B-spline: control points row after row, rows follow each other in u.
-    static Sheet from_spline(Span<const Point3> points, const SplineAxis &u, const SplineAxis &v,
+    /// Of a B-spline: control points row after row, where rows follow each other in u.
+    static Sheet from_spline(Points points, const SplineAxis &u, const SplineAxis &v,
                              const Context &context = Context()) {
         if (v.count != 0 && (u.count > points.size() / v.count || u.count * v.count != points.size())) {
             throw std::invalid_argument("gusset: the number of control points is not u.count * v.count");
         }
-        gusset_spline given{};
-        given.struct_size = sizeof given;
+        auto given = detail::sized<gusset_spline>();
         given.points = detail::numbers(points.data());
         given.count_u = u.count;
         given.count_v = v.count;
@@ -90,10 +203,9 @@ public:
         given.degree_v = v.degree;
         given.closed_u = u.closed ? 1 : 0;
         given.closed_v = v.closed ? 1 : 0;
-        return made(context,
-                    [&](gusset_context *c, gusset_sheet **out) { return gusset_sheet_from_spline_create(c, &given, out); });
+        return Sheet(context.result(gusset_sheet_from_spline_create, &given));
     }
-    /// Gordon's surface of a net of curves, or the skin of a row of them.
+    /// The Gordon surface of a net of curves, or the skin of a row of them.
     static Sheet from_curves(const CurveNet &net, const Context &context = Context()) {
         const auto handles = [](Span<const Curve> curves) {
             std::vector<const gusset_curve *> list;
@@ -103,8 +215,7 @@ public:
             return list;
         };
         const std::vector<const gusset_curve *> rows = handles(net.rows), columns = handles(net.columns);
-        gusset_curve_net given{};
-        given.struct_size = sizeof given;
+        auto given = detail::sized<gusset_curve_net>();
         given.rows = rows.data();
         given.row_count = rows.size();
         given.columns = columns.data();
@@ -112,156 +223,122 @@ public:
         given.tolerance = net.tolerance;
         given.closed_u = net.closed_u ? 1 : 0;
         given.closed_v = net.closed_v ? 1 : 0;
-        return made(context,
-                    [&](gusset_context *c, gusset_sheet **out) { return gusset_sheet_from_curves_create(c, &given, out); });
+        return Sheet(context.result(gusset_sheet_from_curves_create, &given));
     }
     /// Of the frame of an outline.
-    static Sheet from_frame(const Frame &frame, FrameSurface kind = FrameSurface::nodes, const Context &context = Context()) {
-        return made(context, [&](gusset_context *c, gusset_sheet **out) {
-            return gusset_sheet_from_frame_create(c, frame.get(), static_cast<uint32_t>(kind), out);
-        });
+    static Sheet from_frame(const Frame &frame, FrameSurface kind = FrameSurface::nodes,
+                            const Context &context = Context()) {
+        return Sheet(context.result(gusset_sheet_from_frame_create, frame.get(), static_cast<uint32_t>(kind)));
     }
 
     const gusset_sheet *get() const noexcept { return sheet_.get(); }
-    gusset_sheet_report info() const { return detail::lent(gusset_sheet_get_report, get()); }
+    gusset_sheet_report report() const { return detail::lent(gusset_sheet_get_report, get()); }
     /// Rows of cells: u runs from 0 to this.
-    std::size_t rows() const { return info().rows; }
+    std::size_t rows() const { return report().rows; }
     /// Columns of cells.
-    std::size_t columns() const { return info().columns; }
-    /// Cells of all rows.
+    std::size_t columns() const { return report().columns; }
+    /// The number of cells.
     std::size_t cell_count() const {
-        const gusset_sheet_report all = info();
+        const gusset_sheet_report all = report();
         return all.rows * all.columns;
     }
 
     SheetEstimates estimates(const Context &context = Context()) const {
         const std::size_t count = cell_count();
         SheetEstimates out{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
-        context.call([&](gusset_context *c) {
-            return gusset_sheet_estimates(c, get(), out.errors.data(), out.bilinear.data(), out.triangles.data(), count);
-        });
+        context.call(gusset_sheet_estimates, get(), out.errors.data(), out.bilinear.data(), out.triangles.data(),
+                     count);
         return out;
     }
     /// The largest angle between normals on both sides of borders between cells, in radians.
-    double crease(const Context &context = Context()) const {
-        double crease = 0.0;
-        context.call([&](gusset_context *c) { return gusset_sheet_crease(c, get(), &crease); });
-        return crease;
-    }
+    double crease(const Context &context = Context()) const { return context.result(gusset_sheet_crease, get()); }
     /// A coordinate curve, exactly. Along rows the parameter is u, along columns v.
-    Curve curve(Along along, double parameter, const Context &context = Context()) const {
-        gusset_curve *created = nullptr;
-        context.call([&](gusset_context *c) {
-            return gusset_sheet_curve_create(c, get(), static_cast<uint32_t>(along), parameter, &created);
-        });
-        return Curve(created);
+    Curve curve(SheetDirection along, double parameter, const Context &context = Context()) const {
+        return Curve(context.result(gusset_sheet_curve_create, get(), static_cast<uint32_t>(along), parameter));
     }
 
     CellDiameters diameters(const Context &context = Context()) const {
         const std::size_t count = cell_count();
         CellDiameters out{std::vector<double>(count), std::vector<double>(count), 0.0, 0.0};
         std::size_t written = 0;
-        double greatest[2] = {0.0, 0.0};
-        context.call([&](gusset_context *c) {
-            return gusset_sheet_diameters(c, get(), out.euclidean.data(), out.intrinsic.data(), count, &written, greatest);
-        });
-        out.greatest_euclidean = greatest[0];
-        out.greatest_intrinsic = greatest[1];
+        double largest[2] = {0.0, 0.0};
+        context.call(gusset_sheet_diameters, get(), out.euclidean.data(), out.intrinsic.data(), count, &written,
+                     largest);
+        out.max_euclidean = largest[0];
+        out.max_intrinsic = largest[1];
         return out;
     }
-    /// A bound of both principal curvatures all over the sheet; infinite if it is not regular everywhere.
+    /// A bound of both principal curvatures all over the sheet; infinite if it is not regular
+    /// everywhere.
     double curvature_bound(const Context &context = Context()) const {
-        double bound = 0.0;
-        context.call([&](gusset_context *c) { return gusset_sheet_curvature_bound(c, get(), &bound); });
-        return bound;
+        return context.result(gusset_sheet_curvature_bound, get());
     }
-    /// The paper's search, the reference: which cells may have what is looked for. None that has is missing.
-    Masked mask(const MaskTask &task, const Context &context = Context()) const {
-        const gusset_sheet_report size = info();
+    /// The cells that may hold the object of a task, by the paper's search. No cell that does is
+    /// missing.
+    ReferenceMask reference_mask(const ReferenceTask &task, const Context &context = Context()) const {
+        const gusset_sheet_report size = report();
         std::vector<uint64_t> words((size.rows * size.columns + 63) / 64);
         std::size_t written = 0;
-        gusset_reference_report report{};
-        report.struct_size = sizeof report;
-        context.call([&](gusset_context *c) {
-            return gusset_sheet_reference_mask(c, get(), &task, words.data(), words.size(), &written, &report);
-        });
-        return {CellMask::from_words(size.rows, size.columns, std::move(words)), report};
+        auto found = detail::sized<gusset_reference_report>();
+        context.call(gusset_sheet_reference_mask, get(), &task, words.data(), words.size(), &written, &found);
+        return {CellMask::from_words(size.rows, size.columns, std::move(words)), found};
     }
-    /// A shortest chain of cells of a region, from one to another: row and column of each; empty if there is none. The mask must have the
-    /// sheet's rows and columns.
-    std::vector<std::array<uint32_t, 2>> chain(const CellMask &region, const std::array<uint32_t, 2> &from,
-                                               const std::array<uint32_t, 2> &to, const Context &context = Context()) const {
-        check_shape(region);
+    /// A shortest chain of marked cells from one to another: row and column of each; empty if none
+    /// exists. The mask must have the sheet's rows and columns.
+    std::vector<std::array<uint32_t, 2>> mask_chain(const CellMask &mask, const std::array<uint32_t, 2> &from,
+                                                    const std::array<uint32_t, 2> &to,
+                                                    const Context &context = Context()) const {
+        check_shape(mask);
         // A chain visits no cell twice.
-        std::vector<std::array<uint32_t, 2>> cells(region.count());
+        std::vector<std::array<uint32_t, 2>> cells(mask.count());
         static_assert(sizeof cells[0] == sizeof(uint32_t[2]), "packed");
         std::size_t written = 0;
-        context.call([&](gusset_context *c) {
-            return gusset_sheet_mask_chain(c, get(), region.words().data(), region.words().size(), from.data(), to.data(),
-                                      reinterpret_cast<uint32_t *>(cells.data()), cells.size(), &written);
-        });
+        context.call(gusset_sheet_mask_chain, get(), mask.words().data(), mask.words().size(), from.data(),
+                     to.data(), reinterpret_cast<uint32_t *>(cells.data()), cells.size(), &written);
         cells.resize(written);
         return cells;
     }
-    /// What a region of cells is like. The mask must have the sheet's rows and columns.
-    gusset_mask_report region(const CellMask &cells, const Context &context = Context()) const {
-        check_shape(cells);
-        gusset_mask_report report{};
-        report.struct_size = sizeof report;
-        context.call([&](gusset_context *c) {
-            return gusset_sheet_mask_measure(c, get(), cells.words().data(), cells.words().size(), &report);
-        });
-        return report;
+    /// Numbers of the region of marked cells. The mask must have the sheet's rows and columns.
+    gusset_mask_report mask_measure(const CellMask &mask, const Context &context = Context()) const {
+        check_shape(mask);
+        return context.result(gusset_sheet_mask_measure, get(), mask.words().data(), mask.words().size());
     }
     /// The paper's approximate normals, by two orthogonal sections at each place.
     std::vector<Point3> normals_by_sections(Span<const SurfacePlace> places, const Context &context = Context()) const {
         std::vector<Point3> out(places.size());
-        context.call([&](gusset_context *c) {
-            return gusset_sheet_normals_by_sections(c, get(), places.data(), places.size(), detail::numbers(out.data()));
-        });
+        context.call(gusset_sheet_normals_by_sections, get(), places.data(), places.size(),
+                     detail::numbers(out.data()));
         return out;
     }
 
 private:
     void check_shape(const CellMask &mask) const {
-        const gusset_sheet_report size = info();
+        const gusset_sheet_report size = report();
         if (mask.rows() != size.rows || mask.columns() != size.columns) {
             throw std::invalid_argument("gusset: the mask has not as many rows and columns as the sheet");
         }
     }
-    struct Destroy {
-        void operator()(gusset_sheet *sheet) const noexcept { gusset_sheet_destroy(sheet); }
-    };
-    template <class Function>
-    static Sheet made(const Context &context, Function &&function) {
-        gusset_sheet *created = nullptr;
-        context.call([&](gusset_context *c) { return function(c, &created); });
-        return Sheet(created);
-    }
     static Sheet borrowed(const NodesView &nodes, const Context &context) {
-        return made(context,
-                    [&](gusset_context *c, gusset_sheet **out) { return gusset_sheet_borrow_create(c, &nodes.get(), out); });
+        return Sheet(context.result(gusset_sheet_borrow_create, &nodes.get()));
     }
-    static Sheet hermite(const NodesView &nodes, Span<const Point3> u, Span<const Point3> v, gusset_twists kind,
-                         Span<const Point3> twists, const Context &context) {
+    static Sheet hermite(const NodesView &nodes, Points u, Points v, gusset_twists kind, Points twists,
+                         const Context &context) {
         const std::size_t columns = nodes.get().columns;
-        const auto fits = [&](Span<const Point3> vectors) {
-            return columns == 0 ? vectors.empty() : vectors.size() / columns == nodes.get().rows && vectors.size() % columns == 0;
+        const auto fits = [&](Points vectors) {
+            return columns == 0 ? vectors.empty()
+                                : vectors.size() / columns == nodes.get().rows && vectors.size() % columns == 0;
         };
         if (!fits(u) || !fits(v) || (kind == GUSSET_TWISTS_GIVEN && !fits(twists))) {
             throw std::invalid_argument("gusset: not as many tangents as nodes");
         }
-        gusset_tangents given{};
-        given.struct_size = sizeof given;
+        auto given = detail::sized<gusset_tangents>();
         given.u = detail::numbers(u.data());
         given.v = detail::numbers(v.data());
         given.twists = kind == GUSSET_TWISTS_GIVEN ? detail::numbers(twists.data()) : nullptr;
         given.twist = kind;
-        return made(context, [&](gusset_context *c, gusset_sheet **out) {
-            return gusset_sheet_from_tangents_create(c, &nodes.get(), &given, out);
-        });
+        return Sheet(context.result(gusset_sheet_from_tangents_create, &nodes.get(), &given));
     }
-    std::unique_ptr<gusset_sheet, Destroy> sheet_;
+    detail::Handle<gusset_sheet, gusset_sheet_destroy> sheet_;
 };
 
 } // namespace gusset

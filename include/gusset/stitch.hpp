@@ -1,179 +1,64 @@
-// Stitching: facing arcs, meridians, strips. Included by gusset.hpp.
+// Stitching of meshes. Include gusset.hpp, not this.
 #ifndef GUSSET_STITCH_HPP
 #define GUSSET_STITCH_HPP
 
-#include <gusset/base.hpp>
+#include <gusset/facing.hpp>
+#include <gusset/mesh.hpp>
+#include <gusset/strip.hpp>
 
 namespace gusset {
 
-/// How meridians are chosen; see the constants.
-enum class Meridians : uint32_t {
-    min_area = GUSSET_MERIDIANS_MIN_AREA,
-    index = GUSSET_MERIDIANS_INDEX,
-    arc_length = GUSSET_MERIDIANS_ARC_LENGTH,
-    greedy = GUSSET_MERIDIANS_GREEDY,
-    min_diagonal = GUSSET_MERIDIANS_MIN_DIAGONAL,
-    smooth = GUSSET_MERIDIANS_SMOOTH,
-    quad = GUSSET_MERIDIANS_QUAD
-};
-/// How hard the best strip is sought.
-enum class Search : uint32_t { automatic = GUSSET_SEARCH_AUTO, exact = GUSSET_SEARCH_EXACT };
-/// Where the first meridian is.
-enum class Start : uint32_t { automatic = GUSSET_START_AUTO, closest = GUSSET_START_CLOSEST, given = GUSSET_START_GIVEN };
-/// Whether faces that cut each other are looked for.
+/// The treatment of faces that intersect each other.
 enum class Intersections : uint32_t {
     automatic = GUSSET_INTERSECTIONS_AUTO,
     ignore = GUSSET_INTERSECTIONS_IGNORE,
     report = GUSSET_INTERSECTIONS_REPORT
 };
-/// What becomes of pieces that are oriented against each other.
+/// The treatment of pieces that are oriented against each other.
 enum class Orientation : uint32_t {
     fix = GUSSET_ORIENTATION_FIX,
     refuse = GUSSET_ORIENTATION_REFUSE,
     keep = GUSSET_ORIENTATION_KEEP
 };
 
-/// Whether whole loops are joined, or arcs of them.
-enum class Extent : uint32_t {
+/// The part of the loops that is joined.
+enum class StitchExtent : uint32_t {
     whole_loops = GUSSET_EXTENT_WHOLE_LOOPS,
     open_arcs = GUSSET_EXTENT_OPEN_ARCS,
     automatic = GUSSET_EXTENT_AUTO,
     arcs = GUSSET_EXTENT_ARCS
 };
-/// Which of several facing runs is taken.
-enum class Run : uint32_t { closest = GUSSET_RUN_CLOSEST, longest = GUSSET_RUN_LONGEST };
-/// What the centres of loops are the means of.
-enum class Centres : uint32_t { vertices = GUSSET_CENTRES_VERTICES, length = GUSSET_CENTRES_LENGTH };
-/// What the faces of strips are.
-enum class Cells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
+/// The faces of strips.
+enum class StripCells : uint32_t { triangles = GUSSET_CELLS_TRIANGLES, quads = GUSSET_CELLS_QUADS };
 
 /// Interior rows: none, by the mean edge, or a number.
-struct Rows {
+struct StripRows {
     uint32_t mode = GUSSET_ROWS_NONE;
-    /// How many, for GUSSET_ROWS_COUNT.
+    /// Their number, for GUSSET_ROWS_COUNT.
     uint32_t count = 0;
     /// No interior rows.
-    static Rows none() { return {}; }
-    /// As many as make edges across about as long as those along.
-    static Rows mean_edge() { return {GUSSET_ROWS_MEAN_EDGE, 0}; }
-    /// So many.
-    static Rows exactly(uint32_t count) { return {GUSSET_ROWS_COUNT, count}; }
+    static StripRows none() { return {}; }
+    /// As many as make edges across the strip about as long as those along it.
+    static StripRows mean_edge() { return {GUSSET_ROWS_MEAN_EDGE, 0}; }
+    /// A given number of rows.
+    static StripRows exactly(uint32_t count) { return {GUSSET_ROWS_COUNT, count}; }
 };
 
-/// An arc of a loop: its first place and its number of vertices.
-struct Arc {
-    /// The first place on the loop.
-    uint32_t first = 0;
-    /// How many vertices.
-    uint32_t count = 0;
-};
-
-/// Which vertices of two loops face each other; see gusset_facing_create. Points are packed x, y, z.
-class Facing {
-public:
-    Facing(Span<const std::array<double, 3>> a, Span<const std::array<double, 3>> b, Run run = Run::closest,
-           std::optional<double> tolerance = {}, const Context &context = Context(),
-           Centres centres = Centres::vertices) {
-        gusset_facing_options given{};
-        given.centres = static_cast<uint32_t>(centres);
-        given.struct_size = sizeof given;
-        given.run = static_cast<uint32_t>(run);
-        given.tolerance_mode = tolerance ? GUSSET_TOLERANCE_GIVEN : GUSSET_TOLERANCE_AUTO;
-        given.tolerance = tolerance.value_or(0.0);
-        const auto first = [](Span<const std::array<double, 3>> points) {
-            return points.empty() ? nullptr : points.data()->data();
-        };
-        gusset_facing *created = nullptr;
-        context.call([&](gusset_context *c) {
-            return gusset_facing_create(c, first(a), a.size(), first(b), b.size(), &given, &created);
-        });
-        facing_.reset(created);
-    }
-    /// Centres, normals, distances, runs, and the runs taken; valid as long as this lives.
-    gusset_facing_view view() const {
-        gusset_facing_view view{};
-        view.struct_size = sizeof view;
-        detail::check(gusset_facing_get_view(facing_.get(), &view));
-        return view;
-    }
-    /// The run taken on loop 0 or 1.
-    Arc arc(int loop) const {
-        const gusset_facing_view found = view();
-        return {found.taken[loop != 0][0], found.taken[loop != 0][1]};
-    }
-
-private:
-    struct Destroy {
-        void operator()(gusset_facing *facing) const noexcept { gusset_facing_destroy(facing); }
-    };
-    std::unique_ptr<gusset_facing, Destroy> facing_;
-};
-
-/// The paper's rule: for each i = 0 .. n segments of the longer polyline its j on the other one of m <= n segments.
-inline std::vector<uint32_t> meridians_index(uint32_t n, uint32_t m) {
-    std::size_t count = 0;
-    detail::check(gusset_meridians_index(n, m, nullptr, 0, &count));
-    std::vector<uint32_t> j(count);
-    detail::check(gusset_meridians_index(n, m, j.data(), j.size(), &count));
-    return j;
-}
-
-/// A strip of triangles between two polylines that belong to no mesh; see gusset_strip_create.
-class Strip {
-public:
-    Strip(Span<const std::array<double, 3>> a, Span<const std::array<double, 3>> b, bool closed,
-          Meridians meridians = Meridians::min_area, Start start = Start::automatic, Search search = Search::automatic,
-          const Context &context = Context()) {
-        gusset_strip_options given{};
-        given.struct_size = sizeof given;
-        given.meridians = static_cast<uint32_t>(meridians);
-        given.search = static_cast<uint32_t>(search);
-        given.start = static_cast<uint32_t>(start);
-        given.closed = closed ? 1 : 0;
-        const auto first = [](Span<const std::array<double, 3>> points) {
-            return points.empty() ? nullptr : points.data()->data();
-        };
-        gusset_strip *created = nullptr;
-        context.call([&](gusset_context *c) {
-            return gusset_strip_create(c, first(a), a.size(), first(b), b.size(), &given, &created);
-        });
-        strip_.reset(created);
-    }
-    /// The points that the first meridian joins.
-    std::array<uint32_t, 2> start() const { return {parts().start[0], parts().start[1]}; }
-    /// Pairs of places counted from there, by turns.
-    Indices meridians() const { return detail::indices(parts().meridians); }
-    /// Three corners each: points of a, then points of b.
-    Indices triangles() const { return detail::indices(parts().triangles); }
-
-private:
-    struct Destroy {
-        void operator()(gusset_strip *strip) const noexcept { gusset_strip_destroy(strip); }
-    };
-    gusset_strip_view parts() const {
-        gusset_strip_view parts{};
-        parts.struct_size = sizeof parts;
-        detail::check(gusset_strip_get_view(strip_.get(), &parts));
-        return parts;
-    }
-    std::unique_ptr<gusset_strip, Destroy> strip_;
-};
-
-/// How to stitch; see gusset_stitch_options.
+/// The options of stitching; see gusset_stitch_options.
 struct StitchOptions {
     Meridians meridians = Meridians::min_area;
     Orientation orientation = Orientation::fix;
     int64_t twist = 0;
-    Extent extent = Extent::whole_loops;
-    Run run = Run::closest;
-    Rows rows;
-    Cells cells = Cells::triangles;
-    /// Nothing: what round-off can do.
+    StitchExtent extent = StitchExtent::whole_loops;
+    FacingRun run = FacingRun::closest;
+    StripRows rows;
+    StripCells cells = StripCells::triangles;
+    /// Empty: a bound of rounding errors.
     std::optional<double> tolerance;
-    /// For Extent::arcs.
-    Arc arc_a, arc_b;
-    Search search = Search::automatic;
-    Start start = Start::automatic;
+    /// For StitchExtent::arcs.
+    LoopArc arc_a, arc_b;
+    StripSearch search = StripSearch::automatic;
+    StripStart start = StripStart::automatic;
     Fairing fairing = Fairing::none;
     Intersections intersections = Intersections::automatic;
     Centres centres = Centres::vertices;
@@ -181,8 +66,7 @@ struct StitchOptions {
 
 namespace detail {
 inline gusset_stitch_options as_c(const StitchOptions &options) {
-    gusset_stitch_options given{};
-    given.struct_size = sizeof given;
+    auto given = detail::sized<gusset_stitch_options>();
     given.meridians = static_cast<uint32_t>(options.meridians);
     given.orientation = static_cast<uint32_t>(options.orientation);
     given.twist = options.twist;
@@ -206,56 +90,56 @@ inline gusset_stitch_options as_c(const StitchOptions &options) {
 }
 } // namespace detail
 
-/// A finished stitch: the whole mesh, the strip, and where everything went. Made by stitch() and stitch_within().
+/// A finished stitch: the whole mesh, the strip, and the maps of the inputs into it. Made by
+/// stitch() and stitch_within().
 class Stitch {
 public:
-    MeshView mesh() const { return view(gusset_stitch_get_mesh); }
-    MeshView strip() const { return view(gusset_stitch_get_strip); }
+    MeshView mesh() const { return MeshView(detail::lent(gusset_stitch_get_mesh, stitch_.get())); }
+    MeshView strip() const { return MeshView(detail::lent(gusset_stitch_get_strip, stitch_.get())); }
 
-    gusset_quality_report quality() const {
-        gusset_quality_report quality{};
-        quality.struct_size = sizeof quality;
-        detail::check(gusset_stitch_get_quality(stitch_.get(), &quality));
-        return quality;
-    }
+    gusset_quality_report quality() const { return detail::lent(gusset_stitch_get_quality, stitch_.get()); }
 
-    /// Old index to new one, of mesh 0 or 1.
-    Indices vertex_map(int mesh) const { return detail::indices(parts().vertex_map[mesh != 0]); }
+    /// Of each old vertex of mesh 0 or 1 its index in the result.
+    Indices vertex_map(int mesh) const { return detail::indices(view().vertex_map[mesh != 0]); }
     /// Of each old face of mesh 0 or 1 its index in the result.
-    Indices face_map(int mesh) const { return detail::indices(parts().face_map[mesh != 0]); }
+    Indices face_map(int mesh) const { return detail::indices(view().face_map[mesh != 0]); }
     /// The vertices of a rim in the result, from the first meridian on.
-    Indices rim(int mesh) const { return detail::indices(parts().rim[mesh != 0]); }
-    /// Pairs of places on the rims, i and j by turns.
-    Indices meridians() const { return detail::indices(parts().meridians); }
-    /// The strip's faces in the result: the first, and how many.
+    Indices rim(int mesh) const { return detail::indices(view().rim[mesh != 0]); }
+    /// Pairs of places on the rims, i and j interleaved.
+    Indices meridians() const { return detail::indices(view().meridians); }
+    /// The strip's faces in the result: the first, and their number.
     std::pair<std::size_t, std::size_t> strip_faces() const {
-        const gusset_stitch_view found = parts();
+        const gusset_stitch_view found = view();
         return {found.strip_face_first, found.strip_face_count};
     }
-    /// The paper's matrix P, row by row: (row_count() + 2) rows of as many vertices as there are meridians.
-    Indices matrix() const { return detail::indices(parts().matrix); }
-    /// Interior rows.
-    uint32_t row_count() const { return parts().row_count; }
-    /// Of each new vertex its two parents, by turns, and the weight of the second.
-    Indices parents() const { return detail::indices(parts().parents); }
+    /// The paper's matrix P, row by row: row_count() + 2 rows with one vertex for each meridian.
+    Indices matrix() const { return detail::indices(view().matrix); }
+    /// The number of interior rows.
+    uint32_t row_count() const { return view().row_count; }
+    /// Of each new vertex its two parents, interleaved.
+    Indices parents() const { return detail::indices(view().parents); }
     /// Of each new vertex the weight of its second parent.
     Span<const double> weights() const {
-        const gusset_stitch_view found = parts();
+        const gusset_stitch_view found = view();
         return {found.weights, found.parents.count / 2};
     }
-    /// True if the strip is a closed band between whole loops.
-    bool is_closed_band() const { return parts().closed != 0; }
-    /// Pairs of faces of mesh() that cut each other, by turns; nothing if they were not looked for.
+    /// The strip is a closed band between whole loops.
+    bool is_closed_band() const { return view().closed != 0; }
+    /// Pairs of faces of mesh() that intersect each other, interleaved; empty if they were not
+    /// sought.
     std::optional<Indices> intersections() const {
-        const gusset_stitch_view found = parts();
-        return found.intersections_known != 0 ? std::optional<Indices>(detail::indices(found.intersections)) : std::nullopt;
+        const gusset_stitch_view found = view();
+        if (found.intersections_known == 0) {
+            return std::nullopt;
+        }
+        return detail::indices(found.intersections);
     }
-    /// How often the fairing had to be taken back in places.
-    uint32_t back_off_count() const { return parts().back_off_count; }
-    /// True if the second piece was turned over.
-    bool turned() const { return parts().turned != 0; }
+    /// The number of local back-offs of the fairing.
+    uint32_t back_off_count() const { return view().back_off_count; }
+    /// The second piece was turned over.
+    bool turned() const { return view().turned != 0; }
 
-    /// The C interface's own call; stitch() and stitch_within() are its cases.
+    /// The call of the C interface; stitch() and stitch_within() are its cases.
     Stitch(const MeshView &a, const Indices *loop_a, const MeshView *b, const Indices *loop_b,
            const StitchOptions &options, const Context &context) {
         const gusset_stitch_options given = detail::as_c(options);
@@ -263,33 +147,15 @@ public:
             return loop != nullptr ? gusset_indices{loop->data(), loop->size()} : gusset_indices{nullptr, 0};
         };
         const gusset_indices first = list(loop_a), second = list(loop_b);
-        gusset_stitch *created = nullptr;
-        context.call([&](gusset_context *c) {
-            return gusset_stitch_create(c, &a.get(), loop_a != nullptr ? &first : nullptr,
-                                        b != nullptr ? &b->get() : nullptr, loop_b != nullptr ? &second : nullptr,
-                                        &given, &created);
-        });
-        stitch_.reset(created);
+        stitch_.reset(context.result(gusset_stitch_create, &a.get(), loop_a != nullptr ? &first : nullptr,
+                                     b != nullptr ? &b->get() : nullptr, loop_b != nullptr ? &second : nullptr,
+                                     &given));
     }
 
 private:
-    struct Destroy {
-        void operator()(gusset_stitch *stitch) const noexcept { gusset_stitch_destroy(stitch); }
-    };
-    MeshView view(gusset_status (*get)(const gusset_stitch *, gusset_mesh_view *)) const {
-        gusset_mesh_view view{};
-        view.struct_size = sizeof view;
-        detail::check(get(stitch_.get(), &view));
-        return MeshView(view);
-    }
-    gusset_stitch_view parts() const {
-        gusset_stitch_view parts{};
-        parts.struct_size = sizeof parts;
-        detail::check(gusset_stitch_get_view(stitch_.get(), &parts));
-        return parts;
-    }
+    gusset_stitch_view view() const { return detail::lent(gusset_stitch_get_view, stitch_.get()); }
 
-    std::unique_ptr<gusset_stitch, Destroy> stitch_;
+    detail::Handle<gusset_stitch, gusset_stitch_destroy> stitch_;
 };
 
 /// Joins the two loops of a and b that lie nearest to each other.

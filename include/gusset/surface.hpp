@@ -1,4 +1,4 @@
-// Smooth surfaces that answer: nearest points, lines, sections, silhouettes, intersections. Include gusset.hpp, not this.
+// Smooth surfaces and their queries. Include gusset.hpp, not this.
 #ifndef GUSSET_SURFACE_HPP
 #define GUSSET_SURFACE_HPP
 
@@ -6,26 +6,23 @@
 #include <gusset/surface_hits.hpp>
 #include <gusset/surface_points.hpp>
 
-#include <initializer_list>
-
 namespace gusset {
 
-/// What is between the points where a curve crosses the lines of the surface; see gusset_contour_options.
-class Between {
+/// The points of a curve between its crossings of cell edges; see gusset_contour_options.
+class PointSpacing {
 public:
     /// Points that keep chords within 1e-4 of the diagonal of the surface's box.
-    Between() = default;
+    PointSpacing() = default;
     /// Points that keep chords within a length.
-    static Between chord(double length) { return {GUSSET_POINT_SPACING_CHORD, length, 0}; }
-    /// The crossings alone.
-    static Between nothing() { return {GUSSET_POINT_SPACING_CELL_EDGES, 0.0, 0}; }
-    /// So many points of the paper's cubics.
-    static Between leus(uint32_t points) { return {GUSSET_POINT_SPACING_LEUS, 0.0, points}; }
+    static PointSpacing chord(double length) { return {GUSSET_POINT_SPACING_CHORD, length, 0}; }
+    /// The crossings of cell edges alone.
+    static PointSpacing cell_edges() { return {GUSSET_POINT_SPACING_CELL_EDGES, 0.0, 0}; }
+    /// A number of points of the paper's cubics.
+    static PointSpacing leus(uint32_t points) { return {GUSSET_POINT_SPACING_LEUS, 0.0, points}; }
 
-    /// What the C interface takes.
+    /// As the C interface takes it.
     gusset_contour_options as_c(bool unsigned_normals = false) const {
-        gusset_contour_options given{};
-        given.struct_size = sizeof given;
+        auto given = detail::sized<gusset_contour_options>();
         given.chord = chord_;
         given.between = kind_;
         given.points = points_;
@@ -34,43 +31,47 @@ public:
     }
 
 private:
-    Between(gusset_point_spacing kind, double chord, uint32_t points) : kind_(kind), chord_(chord), points_(points) {}
+    PointSpacing(gusset_point_spacing kind, double chord, uint32_t points)
+        : kind_(kind), chord_(chord), points_(points) {}
     gusset_point_spacing kind_ = GUSSET_POINT_SPACING_AUTO;
     double chord_ = 0.0;
     uint32_t points_ = 0;
 };
 
-/// Whether a normal and its opposite are the same.
+/// One side: a normal differs from its opposite. Both: they are the same.
 enum class NormalSide : uint32_t { one = 0, both = 1 };
 
-/// When the cones of normals are built: by the first question about angles, or with the surface.
-enum class NormalCones : uint32_t { later = 0, now = 1 };
+/// The time at which the cones of normals are built: by the first query of angles, or with the
+/// surface.
+enum class NormalCones : uint32_t { lazy = 0, eager = 1 };
 
-/// How intersections are wanted; see gusset_intersection_options.
-struct IntersectOptions {
-    /// The greatest distance from chords; 0: 1e-4 of the diagonal of the smaller surface's box; infinite: only where sides are crossed.
+/// The options of intersections; see gusset_intersection_options.
+struct IntersectionOptions {
+    /// The largest distance from chords; 0: 1e-4 of the diagonal of the smaller surface's box;
+    /// infinite: only the crossings of cell edges.
     double chord = 0.0;
-    /// Branches that are shorter may be lost; 0: the smaller tolerance of the two.
+    /// Shorter branches may be lost; 0: the smaller tolerance of the two.
     double tolerance = 0.0;
 };
 
 /// A cell of one surface and one of another; see gusset_cell_pair.
 using CellPair = gusset_cell_pair;
-/// What there is to know of a point of a surface; see gusset_surface_point.
+/// A point of a surface with derivatives, normal and curvatures; see gusset_surface_point.
 using SurfacePoint = gusset_surface_point;
 
-/// Pairs of cells that may meet: a range of CellPair. Spans and iterators live as long as this, and are not lent by a temporary.
+/// Pairs of cells that may meet: a range of CellPair. Spans and iterators live as long as this, and
+/// are not lent by a temporary.
 class CellPairs {
 public:
     using value_type = CellPair;
     using iterator = const CellPair *;
 
     explicit CellPairs(gusset_cell_pairs *owned) : pairs_(owned) {}
-    std::size_t size() const { return parts().count; }
+    std::size_t size() const { return view().count; }
     bool empty() const { return size() == 0; }
     /// Pair `i`; throws std::out_of_range.
     CellPair operator[](std::size_t i) const {
-        const gusset_cell_pairs_view all = parts();
+        const gusset_cell_pairs_view all = view();
         if (i >= all.count) {
             throw std::out_of_range("gusset: no such pair");
         }
@@ -82,181 +83,153 @@ public:
     iterator end() const && = delete;
     /// All pairs.
     Span<const CellPair> pairs() const & {
-        const gusset_cell_pairs_view all = parts();
+        const gusset_cell_pairs_view all = view();
         return {all.pairs, all.count};
     }
     Span<const CellPair> pairs() const && = delete;
 
 private:
-    struct Destroy {
-        void operator()(gusset_cell_pairs *pairs) const noexcept { gusset_cell_pairs_destroy(pairs); }
-    };
-    gusset_cell_pairs_view parts() const { return detail::lent(gusset_cell_pairs_get_view, pairs_.get()); }
-    std::unique_ptr<gusset_cell_pairs, Destroy> pairs_;
+    gusset_cell_pairs_view view() const { return detail::lent(gusset_cell_pairs_get_view, pairs_.get()); }
+    detail::Handle<gusset_cell_pairs, gusset_cell_pairs_destroy> pairs_;
 };
 
-/// A smooth surface of one or more sheets with an index. Immutable: it may be asked from many threads at the same time. It keeps what it
-/// needs of its sheets.
+/// A smooth surface of one or more sheets with an index. Immutable: many threads may query it at
+/// the same time. It keeps what it needs of its sheets.
 class Surface {
 public:
     explicit Surface(gusset_surface *owned) : surface_(owned) {}
-    /// tolerance: a length, to which answers are proved; 0: 1e-9 of the diagonal of the surface's box.
+    /// `tolerance`: a length, to which answers are proved; 0: 1e-9 of the diagonal of the surface's
+    /// box.
     explicit Surface(Span<const Sheet> sheets, double tolerance = 0.0, const Context &context = Context(),
-                     NormalCones cones = NormalCones::later) {
+                     NormalCones cones = NormalCones::lazy) {
         std::vector<const gusset_sheet *> handles;
         for (const Sheet &sheet : sheets) {
             handles.push_back(sheet.get());
         }
-        gusset_surface_options given{};
-        given.struct_size = sizeof given;
+        auto given = detail::sized<gusset_surface_options>();
         given.tolerance = tolerance;
         given.cones = static_cast<uint32_t>(cones);
-        gusset_surface *created = nullptr;
-        context.call([&](gusset_context *c) {
-            return gusset_surface_create(c, handles.data(), handles.size(), &given, &created);
-        });
-        surface_.reset(created);
+        surface_.reset(context.result(gusset_surface_create, handles.data(), handles.size(), &given));
     }
     /// The index of one sheet.
     explicit Surface(const Sheet &sheet, double tolerance = 0.0, const Context &context = Context(),
-                     NormalCones cones = NormalCones::later)
+                     NormalCones cones = NormalCones::lazy)
         : Surface(Span<const Sheet>(&sheet, 1), tolerance, context, cones) {}
 
     const gusset_surface *get() const noexcept { return surface_.get(); }
-    /// How large it is, and its box.
-    gusset_surface_report info() const { return detail::lent(gusset_surface_get_report, get()); }
-    /// What sheet k is: its cells, and where they begin among those of all sheets.
-    gusset_surface_sheet_report sheet(std::size_t k) const {
-        gusset_surface_sheet_report facts{};
-        facts.struct_size = sizeof facts;
-        detail::check(gusset_surface_get_sheet(get(), k, &facts));
-        return facts;
-    }
+    /// Its numbers of sheets and cells, and its box.
+    gusset_surface_report report() const { return detail::lent(gusset_surface_get_report, get()); }
+    /// The cells of sheet k, and the first of them among those of all sheets.
+    gusset_surface_sheet_report sheet(std::size_t k) const { return detail::lent(gusset_surface_get_sheet, get(), k); }
 
     /// The nearest point to each query.
-    std::vector<Closest> closest(Span<const Point3> queries, const ClosestOptions &options = {},
-                                 const Context &context = Context()) const {
-        std::vector<Closest> out(queries.size());
+    std::vector<NearestPoint> nearest(Points queries, const NearestOptions &options = {},
+                                      const Context &context = Context()) const {
+        std::vector<NearestPoint> out(queries.size());
         const gusset_nearest_options given = detail::as_c(options);
-        context.call([&](gusset_context *c) {
-            return gusset_surface_nearest(c, get(), detail::numbers(queries.data()), queries.size(), 0, &given, out.data());
-        });
+        context.call(gusset_surface_nearest, get(), detail::numbers(queries.data()), queries.size(), std::size_t{0},
+                     &given, out.data());
         return out;
     }
     /// The nearest point to a query; see gusset_surface_nearest.
-    Closest closest(const Point3 &query, const ClosestOptions &options = {}, const Context &context = Context()) const {
-        return closest(Span<const Point3>(&query, 1), options, context)[0];
+    NearestPoint nearest(const Point3 &query, const NearestOptions &options = {},
+                         const Context &context = Context()) const {
+        return nearest(Points(&query, 1), options, context)[0];
     }
-    /// The places where the distance from a query is locally least.
-    SurfacePoints minima(const Point3 &query, const ClosestOptions &options = {}, const Context &context = Context()) const {
+    /// The local minima of the distance from a query.
+    SurfacePoints minima(const Point3 &query, const NearestOptions &options = {},
+                         const Context &context = Context()) const {
         const gusset_nearest_options given = detail::as_c(options);
-        return found<SurfacePoints, gusset_surface_points>(context, [&](gusset_context *c, gusset_surface_points **out) {
-            return gusset_surface_minima_create(c, get(), query.data(), &given, out);
-        });
+        return SurfacePoints(context.result(gusset_surface_minima_create, get(), query.data(), &given));
     }
     /// The cells that have a point within a radius of a query.
     SurfaceRegion region(const Point3 &query, double radius, const Context &context = Context()) const {
-        return found<SurfaceRegion, gusset_surface_region>(context, [&](gusset_context *c, gusset_surface_region **out) {
-            return gusset_surface_region_create(c, get(), query.data(), radius, out);
-        });
+        return SurfaceRegion(context.result(gusset_surface_region_create, get(), query.data(), radius));
     }
 
-    /// Where lines, rays or segments meet the surface.
-    SurfaceHits lines(Span<const Line> lines, Which which = Which::all, const Context &context = Context()) const {
-        return found<SurfaceHits, gusset_surface_hits>(context, [&](gusset_context *c, gusset_surface_hits **out) {
-            return gusset_surface_line_hits_create(c, get(), lines.data(), lines.size(), static_cast<gusset_hit_selection>(which), out);
-        });
+    /// The hits of lines, rays or segments.
+    SurfaceHits lines(Span<const Line> lines, HitSelection selection = HitSelection::all,
+                      const Context &context = Context()) const {
+        return SurfaceHits(context.result(gusset_surface_line_hits_create, get(), lines.data(), lines.size(),
+                                          static_cast<gusset_hit_selection>(selection)));
     }
-    /// Where one line meets the surface; see gusset_surface_line_hits_create.
-    SurfaceHits line(const Line &line, Which which = Which::all, const Context &context = Context()) const {
-        return lines({&line, 1}, which, context);
+    /// The hits of one line; see gusset_surface_line_hits_create.
+    SurfaceHits line(const Line &line, HitSelection selection = HitSelection::all,
+                     const Context &context = Context()) const {
+        return lines({&line, 1}, selection, context);
     }
-    /// The first hit of each line; its kind is none where there is none.
+    /// The first hit of each line; HitKind::none for a line without a hit.
     std::vector<Hit> first_hits(Span<const Line> lines, const Context &context = Context()) const {
         std::vector<Hit> out(lines.size());
-        context.call([&](gusset_context *c) {
-            return gusset_surface_first_hits(c, get(), lines.data(), lines.size(), out.data());
-        });
+        context.call(gusset_surface_first_hits, get(), lines.data(), lines.size(), out.data());
         return out;
     }
-    /// Where a curve in space meets the surface.
-    SurfaceHits curve(const Curve &curve, Which which = Which::all, const Context &context = Context()) const {
-        return found<SurfaceHits, gusset_surface_hits>(context, [&](gusset_context *c, gusset_surface_hits **out) {
-            return gusset_surface_curve_hits_create(c, get(), curve.get(), static_cast<gusset_hit_selection>(which), out);
-        });
+    /// The hits of a curve in space.
+    SurfaceHits curve(const Curve &curve, HitSelection selection = HitSelection::all,
+                      const Context &context = Context()) const {
+        return SurfaceHits(context.result(gusset_surface_curve_hits_create, get(), curve.get(),
+                                          static_cast<gusset_hit_selection>(selection)));
     }
 
-    /// Where the plane through a point across a normal cuts the surface.
-    SurfacePaths section(const Point3 &point, const Point3 &normal, const Between &between = {},
+    /// The section by the plane through a point across a normal.
+    SurfacePaths section(const Point3 &point, const Point3 &normal, const PointSpacing &spacing = {},
                          const Context &context = Context()) const {
         const double here = 0.0;
-        return sections(point, normal, {&here, 1}, between, context);
+        return sections(point, normal, {&here, 1}, spacing, context);
     }
-    /// Where parallel planes do, at distances from the point along the normal, which rise.
-    SurfacePaths sections(const Point3 &point, const Point3 &normal, Span<const double> offsets, const Between &between = {},
+    /// The sections by parallel planes, at increasing distances from the point along the normal.
+    SurfacePaths sections(const Point3 &point, const Point3 &normal, Span<const double> offsets,
+                          const PointSpacing &spacing = {},
                           const Context &context = Context()) const {
-        const gusset_contour_options given = between.as_c();
-        return paths(context, [&](gusset_context *c, gusset_surface_paths **out) {
-            return gusset_surface_section_create(c, get(), point.data(), normal.data(), offsets.data(), offsets.size(), &given, out);
-        });
+        const gusset_contour_options given = spacing.as_c();
+        return SurfacePaths(context.result(gusset_surface_section_create, get(), point.data(), normal.data(),
+                                           offsets.data(), offsets.size(), &given));
     }
-    /// The contours of values that are given at the corners of all cells.
-    SurfacePaths contours(Span<const double> values, Span<const double> levels, const Between &between = {},
+    /// The contours of values given at the corners of all cells.
+    SurfacePaths contours(Span<const double> values, Span<const double> levels, const PointSpacing &spacing = {},
                           const Context &context = Context()) const {
-        const gusset_contour_options given = between.as_c();
-        return paths(context, [&](gusset_context *c, gusset_surface_paths **out) {
-            return gusset_surface_contours_create(c, get(), values.data(), values.size(), levels.data(), levels.size(), &given, out);
-        });
+        const gusset_contour_options given = spacing.as_c();
+        return SurfacePaths(context.result(gusset_surface_contours_create, get(), values.data(), values.size(),
+                                           levels.data(), levels.size(), &given));
     }
-    /// Where the normals make given angles, in radians and rising, with a direction.
+    /// The curves along which the normal makes given angles with a direction, in radians and
+    /// increasing.
     SurfacePaths isophotes(const Point3 &direction, Span<const double> angles, NormalSide side = NormalSide::one,
-                           const Between &between = {}, const Context &context = Context()) const {
-        const gusset_contour_options given = between.as_c(side == NormalSide::both);
-        return paths(context, [&](gusset_context *c, gusset_surface_paths **out) {
-            return gusset_surface_isophotes_create(c, get(), direction.data(), angles.data(), angles.size(), &given, out);
-        });
+                           const PointSpacing &spacing = {}, const Context &context = Context()) const {
+        const gusset_contour_options given = spacing.as_c(side == NormalSide::both);
+        return SurfacePaths(context.result(gusset_surface_isophotes_create, get(), direction.data(), angles.data(),
+                                           angles.size(), &given));
     }
     /// The silhouettes of the surface seen along a direction.
-    SurfacePaths silhouette(const Point3 &direction, const Between &between = {}, const Context &context = Context()) const {
+    SurfacePaths silhouette(const Point3 &direction, const PointSpacing &spacing = {},
+                            const Context &context = Context()) const {
         const double right = 1.57079632679489661923;
-        return isophotes(direction, {&right, 1}, NormalSide::one, between, context);
+        return isophotes(direction, {&right, 1}, NormalSide::one, spacing, context);
     }
-    /// Where a normal's angle with a direction is nearest to one that is given.
+    /// The point whose normal makes the angle with a direction that is nearest to a given one.
     gusset_nearest_angle_report nearest_angle(const Point3 &direction, double angle, NormalSide side = NormalSide::one,
                                        const Context &context = Context()) const {
-        const gusset_contour_options given = Between().as_c(side == NormalSide::both);
-        gusset_nearest_angle_report nearest{};
-        nearest.struct_size = sizeof nearest;
-        context.call([&](gusset_context *c) {
-            return gusset_surface_nearest_angle(c, get(), direction.data(), angle, &given, &nearest);
-        });
-        return nearest;
+        const gusset_contour_options given = PointSpacing().as_c(side == NormalSide::both);
+        return context.result(gusset_surface_nearest_angle, get(), direction.data(), angle, &given);
     }
 
-    /// The curves in which two surfaces meet, with places on both.
-    SurfacePaths intersect(const Surface &other, const IntersectOptions &options = {},
+    /// The curves of intersection of two surfaces, with places on both.
+    SurfacePaths intersect(const Surface &other, const IntersectionOptions &options = {},
                            const Context &context = Context()) const {
-        gusset_intersection_options given{};
-        given.struct_size = sizeof given;
+        auto given = detail::sized<gusset_intersection_options>();
         given.chord = options.chord;
         given.tolerance = options.tolerance;
-        return paths(context, [&](gusset_context *c, gusset_surface_paths **out) {
-            return gusset_surface_intersection_create(c, get(), other.get(), &given, out);
-        });
+        return SurfacePaths(context.result(gusset_surface_intersection_create, get(), other.get(), &given));
     }
-    /// The pairs of cells of two surfaces that may be as near to each other as `within`.
-    CellPairs candidates(const Surface &other, double within = 0.0, const Context &context = Context()) const {
-        return found<CellPairs, gusset_cell_pairs>(context, [&](gusset_context *c, gusset_cell_pairs **out) {
-            return gusset_surface_cell_pairs_create(c, get(), other.get(), within, out);
-        });
+    /// The pairs of cells of two surfaces that may be within a distance of each other.
+    CellPairs cell_pairs(const Surface &other, double within = 0.0, const Context &context = Context()) const {
+        return CellPairs(context.result(gusset_surface_cell_pairs_create, get(), other.get(), within));
     }
 
     /// Points, derivatives, normals and curvatures at places.
     std::vector<SurfacePoint> evaluate(Span<const SurfacePlace> places, const Context &context = Context()) const {
         std::vector<SurfacePoint> out(places.size());
-        context.call([&](gusset_context *c) {
-            return gusset_surface_evaluate(c, get(), places.data(), places.size(), out.data());
-        });
+        context.call(gusset_surface_evaluate, get(), places.data(), places.size(), out.data());
         return out;
     }
     /// One point; see gusset_surface_evaluate.
@@ -268,9 +241,7 @@ public:
                                      const Context &context = Context()) const {
         std::vector<SurfacePlace> out(parameters.size());
         const auto *numbers = reinterpret_cast<const double *>(parameters.data());
-        context.call([&](gusset_context *c) {
-            return gusset_surface_locate(c, get(), sheet, numbers, parameters.size(), out.data());
-        });
+        context.call(gusset_surface_locate, get(), sheet, numbers, parameters.size(), out.data());
         return out;
     }
     /// The place of one pair of parameters of a sheet; see gusset_surface_locate.
@@ -280,20 +251,7 @@ public:
     }
 
 private:
-    struct Destroy {
-        void operator()(gusset_surface *surface) const noexcept { gusset_surface_destroy(surface); }
-    };
-    template <class Found, class Handle, class Function>
-    static Found found(const Context &context, Function &&function) {
-        Handle *created = nullptr;
-        context.call([&](gusset_context *c) { return function(c, &created); });
-        return Found(created);
-    }
-    template <class Function>
-    static SurfacePaths paths(const Context &context, Function &&function) {
-        return found<SurfacePaths, gusset_surface_paths>(context, function);
-    }
-    std::unique_ptr<gusset_surface, Destroy> surface_;
+    detail::Handle<gusset_surface, gusset_surface_destroy> surface_;
 };
 
 } // namespace gusset

@@ -1,10 +1,10 @@
-// Lines, and where they meet surfaces. Include gusset.hpp, not this.
+// Lines, and their intersections with surfaces. Include gusset.hpp, not this.
 #ifndef GUSSET_SURFACE_HITS_HPP
 #define GUSSET_SURFACE_HITS_HPP
 
-#include <gusset/surface_paths.hpp>
+#include <gusset/curve.hpp>
 
-#include <limits>
+#include <cstring>
 
 namespace gusset {
 
@@ -15,7 +15,7 @@ struct Line : gusset_line {
         const double infinity = std::numeric_limits<double>::infinity();
         return {origin, direction, -infinity, infinity};
     }
-    /// A ray: from its origin on.
+    /// A ray from its origin.
     static Line ray(const Point3 &origin, const Point3 &direction) {
         return {origin, direction, 0.0, std::numeric_limits<double>::infinity()};
     }
@@ -23,19 +23,19 @@ struct Line : gusset_line {
     static Line segment(const Point3 &from, const Point3 &to) {
         return {from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]}, 0.0, 1.0};
     }
-    /// From parameter `least` to `greatest`.
-    Line(const Point3 &start, const Point3 &along, double least, double greatest) : gusset_line{} {
+    /// From parameter `min` to `max`.
+    Line(const Point3 &start, const Point3 &along, double min, double max) : gusset_line{} {
         std::memcpy(origin, start.data(), sizeof origin);
         std::memcpy(direction, along.data(), sizeof direction);
-        from = least;
-        to = greatest;
+        from = min;
+        to = max;
     }
 };
 static_assert(sizeof(Line) == sizeof(gusset_line), "a line is what C takes");
 
-/// Which hits are wanted.
-enum class Which : uint32_t { all = GUSSET_HITS_ALL, first = GUSSET_HITS_FIRST, any = GUSSET_HITS_ANY };
-/// What a hit is; see the constants.
+/// The hits that are wanted.
+enum class HitSelection : uint32_t { all = GUSSET_HITS_ALL, first = GUSSET_HITS_FIRST, any = GUSSET_HITS_ANY };
+/// The kind of a hit; see the constants.
 enum class HitKind : uint32_t {
     none = GUSSET_HIT_NONE,
     crossing = GUSSET_HIT_CROSSING,
@@ -45,21 +45,21 @@ enum class HitKind : uint32_t {
 
 /// A point that a line or a curve and a surface have in common; see gusset_surface_hit.
 struct Hit : gusset_surface_hit {
-    /// Nothing hit.
+    /// No hit.
     Hit() : gusset_surface_hit{} {}
     /// A hit as the C interface has it.
     explicit Hit(const gusset_surface_hit &hit) : gusset_surface_hit(hit) {}
-    /// What kind of hit it is.
-    HitKind what() const noexcept { return static_cast<HitKind>(kind); }
-    /// There is one.
+    /// The kind of the hit.
+    HitKind hit_kind() const noexcept { return static_cast<HitKind>(kind); }
+    /// The line or curve has a hit.
     bool is_found() const noexcept { return kind != GUSSET_HIT_NONE; }
 };
-static_assert(sizeof(Hit) == sizeof(gusset_surface_hit) && std::is_standard_layout_v<Hit>, "nothing added");
-/// Hits in somebody else's memory.
+static_assert(sizeof(Hit) == sizeof(gusset_surface_hit) && std::is_standard_layout_v<Hit>, "a hit is what C gives");
+/// Hits in memory that belongs to someone else.
 using Hits = Values<Hit, gusset_surface_hit>;
 
-/// The hits of lines, or of a curve: a range with the hits of each. It keeps nothing of the surface; hits and spans live as long as this,
-/// and are not lent by a temporary.
+/// The hits of lines, or of a curve: a range with the hits of each. It keeps nothing of the
+/// surface. Hits and spans live as long as this, and are not lent by a temporary.
 class SurfaceHits {
 public:
     using value_type = Hits;
@@ -67,11 +67,11 @@ public:
 
     explicit SurfaceHits(gusset_surface_hits *owned) : hits_(owned) {}
 
-    /// How many lines were asked for; 1 for a curve.
-    std::size_t size() const { return parts().line_count; }
-    /// Of line `i`, by rising t; throws std::out_of_range.
+    /// The number of lines; 1 for a curve.
+    std::size_t size() const { return view().line_count; }
+    /// Of line `i`, by increasing t; throws std::out_of_range.
     Hits operator[](std::size_t i) const & {
-        const gusset_surface_hits_view all = parts();
+        const gusset_surface_hits_view all = view();
         if (i >= all.line_count) {
             throw std::out_of_range("gusset: no such line");
         }
@@ -86,29 +86,24 @@ public:
 
     /// Of all lines, one line after the other.
     Hits hits() const & {
-        const gusset_surface_hits_view all = parts();
+        const gusset_surface_hits_view all = view();
         return {all.hits, all.hit_count};
     }
     Hits hits() const && = delete;
     /// Of a curve, three places on it for each hit: its own, and where its span begins and ends.
     Span<const Place> on_curve() const & {
-        const gusset_surface_hits_view all = parts();
+        const gusset_surface_hits_view all = view();
         return {all.on_curve, all.on_curve != nullptr ? 3 * all.hit_count : 0};
     }
     Span<const Place> on_curve() const && = delete;
 
 private:
-    struct Destroy {
-        void operator()(gusset_surface_hits *hits) const noexcept { gusset_surface_hits_destroy(hits); }
-    };
-    gusset_surface_hits_view parts() const { return detail::lent(gusset_surface_hits_get_view, hits_.get()); }
-    std::unique_ptr<gusset_surface_hits, Destroy> hits_;
+    gusset_surface_hits_view view() const { return detail::lent(gusset_surface_hits_get_view, hits_.get()); }
+    detail::Handle<gusset_surface_hits, gusset_surface_hits_destroy> hits_;
 };
 
-inline Places Curve::approach(const Line &line, double within, const Context &context) const {
-    return found(context, [&](gusset_context *c, gusset_places **places) {
-        return gusset_curve_line_near_misses_create(c, get(), &line, within, places);
-    });
+inline Places Curve::near_misses(const Line &line, double within, const Context &context) const {
+    return Places(context.result(gusset_curve_line_near_misses_create, get(), &line, within));
 }
 
 } // namespace gusset

@@ -1,0 +1,79 @@
+// Free boundary loops of meshes. Include gusset.hpp, not this.
+#ifndef GUSSET_BOUNDARY_HPP
+#define GUSSET_BOUNDARY_HPP
+
+#include <gusset/mesh.hpp>
+
+namespace gusset {
+
+/// One boundary loop or open chain; see gusset_loop_view.
+struct Loop {
+    Indices vertices;
+    Indices half_edges;
+    Indices faces;
+    Span<const uint8_t> edge_flags;
+    double length;
+    uint32_t flags;
+    uint32_t walk;
+    /// False for an open chain.
+    bool is_closed() const noexcept { return (flags & GUSSET_LOOP_OPEN) == 0; }
+};
+
+/// The treatment of edges with three or more faces.
+enum class NonManifold : uint32_t { cut = GUSSET_NON_MANIFOLD_CUT, stop = GUSSET_NON_MANIFOLD_STOP };
+
+/// The extent of the checks of the mesh.
+enum class Survey : uint32_t {
+    whole_mesh = GUSSET_SURVEY_WHOLE_MESH,
+    boundary_only = GUSSET_SURVEY_BOUNDARY_ONLY
+};
+
+/// The options of boundary loops; see gusset_boundary_options.
+struct BoundaryOptions {
+    NonManifold non_manifold = NonManifold::cut;
+    Survey survey = Survey::whole_mesh;
+};
+
+/// All free boundary loops of a mesh, surface on the left; a range of Loop. See
+/// gusset_boundary_create.
+class Boundary {
+public:
+    using value_type = Loop;
+    using iterator = detail::Iterator<Boundary>;
+
+    explicit Boundary(const MeshView &mesh, const BoundaryOptions &options = {}, const Context &context = Context()) {
+        auto given = detail::sized<gusset_boundary_options>();
+        given.non_manifold = static_cast<uint32_t>(options.non_manifold);
+        given.survey = static_cast<uint32_t>(options.survey);
+        boundary_.reset(context.result(gusset_boundary_create, &mesh.get(), &given));
+    }
+
+    std::size_t size() const noexcept { return gusset_boundary_loop_count(boundary_.get()); }
+    bool empty() const noexcept { return size() == 0; }
+    std::size_t walk_count() const noexcept { return gusset_boundary_walk_count(boundary_.get()); }
+
+    /// Loop `i`; throws Error (GUSSET_ERROR_NO_SUCH_ELEMENT) from size() on.
+    Loop operator[](std::size_t i) const {
+        const gusset_loop_view view = detail::lent(gusset_boundary_get_loop, boundary_.get(), i);
+        using detail::indices;
+        return {indices(view.vertices), indices(view.half_edges), indices(view.faces),
+                {view.edge_flags, view.half_edges.count}, view.length, view.flags, view.walk};
+    }
+
+    Span<const gusset_defect> defects() const {
+        const gusset_defect *data = nullptr;
+        std::size_t count = 0;
+        detail::check(gusset_boundary_get_defects(boundary_.get(), &data, &count));
+        return {data, count};
+    }
+
+    iterator begin() const noexcept { return {this, 0}; }
+    iterator end() const noexcept { return {this, size()}; }
+
+private:
+    detail::Handle<gusset_boundary, gusset_boundary_destroy> boundary_;
+};
+
+} // namespace gusset
+
+#endif // GUSSET_BOUNDARY_HPP

@@ -1,0 +1,74 @@
+// The effect of deformations on nets. Include gusset.hpp, not this.
+#ifndef GUSSET_NET_ANALYSIS_HPP
+#define GUSSET_NET_ANALYSIS_HPP
+
+#include <gusset/net.hpp>
+
+namespace gusset {
+
+/// The effect of a deformation on a net. It keeps nothing of nets and fields; spans live as long as
+/// this. See gusset_net_analysis_view.
+class NetAnalysis {
+public:
+    /// Of a net before and after.
+    NetAnalysis(const Net &before, const Net &after, double tolerance = 0.0, const Context &context = Context()) {
+        analysis_.reset(context.result(gusset_net_analysis_create, before.get(), after.get(), tolerance));
+    }
+    /// Of fields on a net, which stays as it is.
+    NetAnalysis(const Net &net, Span<const Field> fields, double time = 0.0, double tolerance = 0.0,
+                const Context &context = Context()) {
+        const std::vector<gusset_field> given = detail::as_c(fields);
+        analysis_.reset(context.result(gusset_net_analysis_of_fields_create, net.get(), given.data(), given.size(),
+                                       time, tolerance));
+    }
+    /// Of each link, its new length divided by its old one; NaN if it had none.
+    Span<const double> links() const {
+        const gusset_net_analysis_view found = view();
+        return {found.links, found.link_count};
+    }
+    /// Of each cell, its new area divided by its old one; negative where the surface is folded
+    /// over.
+    Span<const double> cells() const {
+        const gusset_net_analysis_view found = view();
+        return {found.cells, found.cell_count};
+    }
+    /// Of each cell, the determinant of the fields' Jacobian at its centre; empty if nets were
+    /// compared.
+    Span<const double> determinants() const {
+        const gusset_net_analysis_view found = view();
+        return {found.determinants, found.determinants != nullptr ? found.cell_count : 0};
+    }
+    /// The links that have shrunk to a point and are not glued: see Net::absorb.
+    Indices contracted() const {
+        const gusset_net_analysis_view found = view();
+        return {found.contracted, found.contracted_count};
+    }
+    /// Of contracted link `i`, the type of the star of its first node; throws std::out_of_range.
+    GluingType star(std::size_t i) const {
+        const gusset_net_analysis_view found = view();
+        if (i >= found.contracted_count) {
+            throw std::out_of_range("gusset: no such contracted link");
+        }
+        return static_cast<GluingType>(found.stars[i]);
+    }
+    /// The glued links whose ends have come apart.
+    Indices torn() const {
+        const gusset_net_analysis_view found = view();
+        return {found.torn, found.torn_count};
+    }
+    /// The cells oriented against most of the others.
+    Indices folded() const {
+        const gusset_net_analysis_view found = view();
+        return {found.folded, found.folded_count};
+    }
+    /// No node is newly glued, torn or folded.
+    bool is_soft() const { return view().soft != 0; }
+
+private:
+    gusset_net_analysis_view view() const { return detail::lent(gusset_net_analysis_get_view, analysis_.get()); }
+    detail::Handle<gusset_net_analysis, gusset_net_analysis_destroy> analysis_;
+};
+
+} // namespace gusset
+
+#endif // GUSSET_NET_ANALYSIS_HPP

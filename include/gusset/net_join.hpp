@@ -1,0 +1,102 @@
+// Replication of rows and columns, joins and bridges of nets. Include gusset.hpp, not this.
+#ifndef GUSSET_NET_JOIN_HPP
+#define GUSSET_NET_JOIN_HPP
+
+#include <gusset/context.hpp>
+
+namespace gusset {
+
+/// A direction within a net.
+enum class Direction : uint32_t { right = GUSSET_DIRECTION_RIGHT, down = GUSSET_DIRECTION_DOWN };
+
+/// The rows, or columns, that are replicated; see the constants.
+enum class Replication : uint32_t {
+    uniform = GUSSET_REPLICATE_UNIFORM,
+    first = GUSSET_REPLICATE_FIRST,
+    last = GUSSET_REPLICATE_LAST,
+    at = GUSSET_REPLICATE_AT,
+    at_poles = GUSSET_REPLICATE_AT_POLES,
+    /// For JoinOptions only.
+    refuse = GUSSET_REPLICATE_REFUSE
+};
+
+/// The options of a reformat; see gusset_reformat_options.
+struct ReformatOptions {
+    /// 0: as many as there are.
+    std::size_t rows = 0, columns = 0;
+    Replication row_replication = Replication::uniform, column_replication = Replication::uniform;
+    /// For Replication::at.
+    uint32_t row_index = 0, column_index = 0;
+};
+
+/// The treatment of the cells between two nets that were joined.
+enum class BridgeMode : uint32_t {
+    keep = GUSSET_BRIDGE_KEEP,
+    hide = GUSSET_BRIDGE_HIDE,
+    weld = GUSSET_BRIDGE_WELD
+};
+/// The topology of a bridge.
+enum class BridgeKind : uint32_t {
+    ribbon = GUSSET_BRIDGE_RIBBON,
+    tube = GUSSET_BRIDGE_TUBE,
+    thread = GUSSET_BRIDGE_THREAD
+};
+/// Data of the host, kept and not used.
+using BridgeProperties = gusset_bridge_properties;
+
+/// A bridge of a net; see gusset_bridge.
+struct Bridge {
+    /// The direction from the first net to the second.
+    Direction direction;
+    /// The first column (right) or row (down) of the second net.
+    uint32_t at;
+    /// The nodes along the side: start to end - 1.
+    uint32_t start, end;
+    BridgeKind kind;
+    BridgeMode mode;
+    BridgeProperties properties;
+};
+
+/// The options of joins; see gusset_join_options.
+struct JoinOptions {
+    Direction direction = Direction::right;
+    BridgeMode mode = BridgeMode::keep;
+    /// The largest distance of nodes that are welded.
+    double tolerance = 0.0;
+    Replication equalise = Replication::uniform;
+    /// For Replication::at.
+    uint32_t equalise_index = 0;
+    uint32_t twist = 0;
+    /// Nets that run the other way are flipped; else refused.
+    bool turn = false;
+    BridgeProperties properties{};
+};
+
+namespace detail {
+inline gusset_reformat_options as_c(const ReformatOptions &options) {
+    auto given = detail::sized<gusset_reformat_options>();
+    given.rows = options.rows;
+    given.columns = options.columns;
+    given.row_replication = static_cast<gusset_replication>(options.row_replication);
+    given.column_replication = static_cast<gusset_replication>(options.column_replication);
+    given.row_index = options.row_index;
+    given.column_index = options.column_index;
+    return given;
+}
+inline gusset_join_options as_c(const JoinOptions &options) {
+    auto given = detail::sized<gusset_join_options>();
+    given.tolerance = options.tolerance;
+    given.properties = options.properties;
+    given.direction = static_cast<gusset_direction>(options.direction);
+    given.mode = static_cast<gusset_bridge_mode>(options.mode);
+    given.equalise = static_cast<gusset_replication>(options.equalise);
+    given.equalise_index = options.equalise_index;
+    given.twist = options.twist;
+    given.turn = options.turn ? 1 : 0;
+    return given;
+}
+} // namespace detail
+
+} // namespace gusset
+
+#endif // GUSSET_NET_JOIN_HPP

@@ -1,0 +1,57 @@
+// Validation of nets. Include gusset.hpp, not this.
+#ifndef GUSSET_NET_VALIDATION_HPP
+#define GUSSET_NET_VALIDATION_HPP
+
+#include <gusset/net.hpp>
+
+namespace gusset {
+
+/// The kind of a finding; see the constants.
+enum class NetFindingKind : uint32_t {
+    link_apart = GUSSET_NET_FINDING_LINK_APART,
+    seam_apart = GUSSET_NET_FINDING_SEAM_APART,
+    loop = GUSSET_NET_FINDING_LOOP,
+    zero_length = GUSSET_NET_FINDING_ZERO_LENGTH,
+    few_nodes = GUSSET_NET_FINDING_FEW_NODES
+};
+/// One finding; kind is a NetFindingKind.
+using NetFinding = gusset_net_finding;
+inline bool operator==(const NetFinding &finding, NetFindingKind kind) {
+    return finding.kind == static_cast<uint32_t>(kind);
+}
+
+/// A check that glued nodes lie together, with warnings. It keeps nothing of the net; spans live as
+/// long as this.
+class NetValidation {
+public:
+    explicit NetValidation(const Net &net, double tolerance = 0.0, const Context &context = Context()) {
+        validation_.reset(context.result(gusset_net_validation_create, net.get(), tolerance));
+    }
+    /// No violations; there may be warnings.
+    bool is_valid() const { return view().violation_count == 0; }
+    /// Violations first, then warnings.
+    Span<const NetFinding> findings() const {
+        const gusset_net_validation_view found = view();
+        return {found.findings, found.count};
+    }
+    /// The errors.
+    Span<const NetFinding> violations() const {
+        const gusset_net_validation_view found = view();
+        return {found.findings, found.violation_count};
+    }
+    /// The warnings.
+    Span<const NetFinding> warnings() const {
+        const gusset_net_validation_view found = view();
+        // Without findings the pointer may not be added to.
+        const NetFinding *first = found.count == 0 ? nullptr : found.findings + found.violation_count;
+        return {first, found.count - found.violation_count};
+    }
+
+private:
+    gusset_net_validation_view view() const { return detail::lent(gusset_net_validation_get_view, validation_.get()); }
+    detail::Handle<gusset_net_validation, gusset_net_validation_destroy> validation_;
+};
+
+} // namespace gusset
+
+#endif // GUSSET_NET_VALIDATION_HPP

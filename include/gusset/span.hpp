@@ -1,0 +1,160 @@
+// Runs of elements in memory that belongs to someone else. Include gusset.hpp, not this.
+#ifndef GUSSET_SPAN_HPP
+#define GUSSET_SPAN_HPP
+
+#include <gusset.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace gusset {
+
+/// A run of elements in memory that belongs to someone else. An empty one has no pointer.
+template <class T>
+class Span {
+public:
+    /// No elements.
+    Span() = default;
+    /// `size` elements from `data` on.
+    Span(T *data, std::size_t size) : data_(size != 0 ? data : nullptr), size_(size) {}
+    /// From any container that keeps its elements side by side.
+    template <class Container, class = std::enable_if_t<std::is_convertible_v<
+                                   decltype(std::data(std::declval<Container &>())), T *>>>
+    Span(Container &&container) : Span(std::data(container), std::size(container)) {}
+
+    T *data() const noexcept { return data_; }
+    std::size_t size() const noexcept { return size_; }
+    bool empty() const noexcept { return size_ == 0; }
+    T &operator[](std::size_t i) const { return data_[i]; }
+    T *begin() const noexcept { return data_; }
+    T *end() const noexcept { return data_ + size_; }
+
+private:
+    T *data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+/// A run of C structures, each read as a Wrapper that is made of it, by value. Elements outlive the
+/// run; its iterators live as long as the memory.
+template <class Wrapper, class Data>
+class Values {
+public:
+    using value_type = Wrapper;
+    class iterator {
+        struct Arrow {
+            Wrapper value;
+            const Wrapper *operator->() const noexcept { return &value; }
+        };
+
+    public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = Wrapper;
+        using difference_type = std::ptrdiff_t;
+        using pointer = Arrow;
+        using reference = Wrapper;
+        iterator() = default;
+        explicit iterator(const Data *at) : at_(at) {}
+        Wrapper operator*() const { return Wrapper(*at_); }
+        Arrow operator->() const { return {Wrapper(*at_)}; }
+        iterator &operator++() {
+            ++at_;
+            return *this;
+        }
+        iterator operator++(int) {
+            iterator old = *this;
+            ++at_;
+            return old;
+        }
+        friend bool operator==(const iterator &a, const iterator &b) { return a.at_ == b.at_; }
+        friend bool operator!=(const iterator &a, const iterator &b) { return a.at_ != b.at_; }
+
+    private:
+        const Data *at_ = nullptr;
+    };
+
+    /// No elements.
+    Values() = default;
+    /// `size` elements from `data` on.
+    Values(const Data *data, std::size_t size) : data_(data, size) {}
+
+    /// The structures themselves.
+    const Data *data() const noexcept { return data_.data(); }
+    std::size_t size() const noexcept { return data_.size(); }
+    bool empty() const noexcept { return data_.empty(); }
+    /// Element `i` < size().
+    Wrapper operator[](std::size_t i) const { return Wrapper(data_[i]); }
+    iterator begin() const { return iterator(data_.begin()); }
+    iterator end() const { return iterator(data_.end()); }
+
+private:
+    Span<const Data> data_;
+};
+
+/// Vertex, face or half-edge indices.
+using Indices = Span<const uint32_t>;
+/// x, y, z.
+using Point3 = std::array<double, 3>;
+/// Points side by side.
+using Points = Span<const Point3>;
+
+namespace detail {
+template <class T>
+struct IsSpan : std::false_type {};
+template <class T>
+struct IsSpan<Span<T>> : std::true_type {};
+template <class T>
+inline constexpr bool is_span = IsSpan<std::remove_cv_t<T>>::value;
+
+inline Indices indices(const gusset_indices &lent) { return {lent.data, lent.count}; }
+inline Points points(const double *data, std::size_t count) {
+    static_assert(sizeof(Point3) == 3 * sizeof(double), "packed");
+    return {reinterpret_cast<const Point3 *>(data), count};
+}
+inline const double *numbers(const Point3 *points) { return reinterpret_cast<const double *>(points); }
+inline double *numbers(Point3 *points) { return reinterpret_cast<double *>(points); }
+
+/// A stride of numbers in bytes; one that is too large stays too large.
+template <class T>
+std::size_t stride_in_bytes(std::size_t stride) {
+    return stride > std::numeric_limits<std::size_t>::max() / sizeof(T) ? std::numeric_limits<std::size_t>::max()
+                                                                        : stride * sizeof(T);
+}
+
+/// Elements of a range by their number, for ranges whose operator[] makes its elements.
+template <class Range>
+class Iterator {
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = typename Range::value_type;
+    using difference_type = std::ptrdiff_t;
+    using pointer = void;
+    using reference = value_type;
+    Iterator() = default;
+    Iterator(const Range *range, std::size_t i) : range_(range), i_(i) {}
+    value_type operator*() const { return (*range_)[i_]; }
+    Iterator &operator++() {
+        ++i_;
+        return *this;
+    }
+    Iterator operator++(int) {
+        Iterator old = *this;
+        ++i_;
+        return old;
+    }
+    friend bool operator==(const Iterator &a, const Iterator &b) { return a.i_ == b.i_; }
+    friend bool operator!=(const Iterator &a, const Iterator &b) { return a.i_ != b.i_; }
+
+private:
+    const Range *range_ = nullptr;
+    std::size_t i_ = 0;
+};
+} // namespace detail
+
+} // namespace gusset
+
+#endif // GUSSET_SPAN_HPP

@@ -1,0 +1,50 @@
+// Winged-edge tables. Include gusset.hpp, not this.
+#ifndef GUSSET_WINGED_HPP
+#define GUSSET_WINGED_HPP
+
+#include <gusset/mesh.hpp>
+
+namespace gusset {
+
+/// The winding of faces, seen from outside.
+enum class Winding : uint32_t {
+    counter_clockwise = GUSSET_FACES_COUNTER_CLOCKWISE,
+    clockwise = GUSSET_FACES_CLOCKWISE
+};
+
+/// Winged-edge tables; see gusset_winged_create.
+class Winged {
+public:
+    explicit Winged(const MeshView &mesh, Winding winding = Winding::counter_clockwise,
+                    const Context &context = Context()) {
+        auto given = detail::sized<gusset_winged_options>();
+        given.winding = static_cast<uint32_t>(winding);
+        winged_.reset(context.result(gusset_winged_create, &mesh.get(), &given));
+    }
+    /// The edges; see gusset_winged_edge.
+    Span<const gusset_winged_edge> edges() const {
+        const gusset_winged_view found = view();
+        return {found.edges, found.edge_count};
+    }
+    /// Of each half-edge its edge.
+    Indices edge_of_half_edge() const { return detail::indices(view().edge_of_half_edge); }
+    /// Of each face its first edge.
+    Indices edge_of_face() const { return detail::indices(view().edge_of_face); }
+    /// Of each vertex an edge at it, or UINT32_MAX.
+    Indices edge_of_vertex() const { return detail::indices(view().edge_of_vertex); }
+    /// Loops of free edges, found on the tables: loop i has the vertices from loop_offsets()[i] to
+    /// loop_offsets()[i + 1].
+    Indices loop_vertices() const { return detail::indices(view().loop_vertices); }
+    /// The edges along the loops: edge i starts at vertex i.
+    Indices loop_edges() const { return detail::indices(view().loop_edges); }
+    /// The first vertex of each loop, then the number of vertices.
+    Indices loop_offsets() const { return detail::indices(view().loop_offsets); }
+
+private:
+    gusset_winged_view view() const { return detail::lent(gusset_winged_get_view, winged_.get()); }
+    detail::Handle<gusset_winged, gusset_winged_destroy> winged_;
+};
+
+} // namespace gusset
+
+#endif // GUSSET_WINGED_HPP
