@@ -5,5 +5,6 @@
 
 #include <cstddef>
 
-/// Pairs of intersecting triangles after CGAL has filled all holes: by triangulate_hole, or by triangulate_refine_and_fair_hole.
+/// Pairs of intersecting triangles after CGAL has filled all holes: by triangulate_hole, or by
+/// triangulate_refine_and_fair_hole.
 std::size_t cgal_fill(const Soup &soup, bool fair);

@@ -9,7 +9,8 @@ struct DataFile {
     /// The path from the data folder, as in the manifest.
     std::string name;
     std::string path;
-    /// Boundary loops walked fan by fan, or nothing where the manifest counts boundary components instead.
+    /// Boundary loops walked fan by fan, or nothing where the manifest counts boundary components
+    /// instead.
     std::optional<std::size_t> walks;
     std::size_t vertices = 0, faces = 0, components = 0, unused = 0;
     long euler = 0;
@@ -21,7 +22,8 @@ struct DataFile {
     std::vector<std::size_t> longest;
 };
 
-/// GUSSET_DATA, or ../shared/data beside the repository; nothing if there is no manifest, and then it says so.
+/// GUSSET_DATA, or ../shared/data beside the repository; nothing if there is no manifest, and then
+/// it says so.
 std::optional<std::string> data_folder();
 /// Every mesh of the manifest's folders meshes and pairs that has faces.
 std::vector<DataFile> data_files();

@@ -13,7 +13,8 @@
 
 using HostMesh = OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
 
-/// The soup as an OpenMesh mesh, vertex for vertex and face for face; nothing if OpenMesh refuses a face.
+/// The soup as an OpenMesh mesh, vertex for vertex and face for face; nothing if OpenMesh refuses a
+/// face.
 inline std::optional<HostMesh> host_mesh(const Soup &soup) {
     omerr().disable(); // It tells of each face that it refuses.
     HostMesh mesh;

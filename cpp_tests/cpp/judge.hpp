@@ -1,4 +1,4 @@
-// What CGAL says of a mesh.
+// Properties of a mesh by CGAL.
 #pragma once
 
 #include <gusset.hpp>
@@ -7,7 +7,8 @@
 #include <vector>
 
 struct Verdict {
-    /// Two-manifold and consistently oriented: CGAL takes the faces as a polygon mesh. The rest holds only if so.
+    /// Two-manifold and consistently oriented: CGAL takes the faces as a polygon mesh. The
+    /// other members are valid only then.
     bool is_mesh = false;
     bool closed = false;
     /// Closed, without self-intersections, faces outwards.

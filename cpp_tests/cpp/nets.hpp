@@ -1,4 +1,4 @@
-// What the tests of nets have in common.
+// Helpers of the tests of nets.
 #pragma once
 
 #include <gusset.hpp>

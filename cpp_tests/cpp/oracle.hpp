@@ -1,4 +1,4 @@
-// What CGAL says of the distance to a mesh, of lines through it and of plane sections of it.
+// Distances to a mesh, lines through it and plane sections of it by CGAL.
 #pragma once
 
 #include <gusset.hpp>

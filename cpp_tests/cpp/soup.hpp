@@ -1,4 +1,4 @@
-// A mesh as a list of points and a list of faces: what the tests read from files and hand to gusset and to the judges.
+// A mesh as a list of points and a list of faces, read from files for gusset and for the judges.
 #pragma once
 
 #include <gusset.hpp>
@@ -18,8 +18,8 @@ struct Soup {
     gusset::MeshView view() const { return gusset::MeshView::polygons(points, offsets, corners); }
 };
 
-/// The mesh in an OFF, OBJ, PLY or STL file, as CGAL reads it; points of an STL file that are exactly equal are one.
-/// Throws std::runtime_error.
+/// The mesh in an OFF, OBJ, PLY or STL file, as CGAL reads it; points of an STL file that are
+/// exactly equal are one. Throws std::runtime_error.
 Soup read_soup(const std::string &path);
 /// Writes an OBJ file. Throws std::runtime_error.
 void write_obj(const std::string &path, const gusset::MeshView &mesh);

@@ -32,7 +32,8 @@ inline Point3 sphere(double u, double v) {
     return {across * std::cos(2 * pi * v), across * std::sin(2 * pi * v), std::cos(pi * u)};
 }
 
-/// (rows + 1) x (columns + 1) nodes of a surface over the unit square; closed directions repeat their first line to the bit.
+/// (rows + 1) x (columns + 1) nodes of a surface over the unit square; closed directions repeat
+/// their first line to the bit.
 template <class Function>
 std::vector<Point3> nodes(std::size_t rows, std::size_t columns, bool closed_u, bool closed_v, Function &&surface) {
     std::vector<Point3> found;

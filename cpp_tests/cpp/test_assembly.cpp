@@ -34,7 +34,8 @@ std::vector<gusset::MeshView> views(const std::vector<Soup> &pieces) {
     return all;
 }
 
-/// Pairs of triangles that intersect for CGAL, the larger number first, one of them at least a new one.
+/// Pairs of triangles that intersect for CGAL, the larger number first, one of them at least a new
+/// one.
 Pairs cuts_by_cgal(const gusset::MeshView &view, std::size_t first_new, std::size_t new_count) {
     const CgalSoup<Kernel::Point_3> soup(view);
     CGAL::Surface_mesh<Kernel::Point_3> mesh;
@@ -109,7 +110,8 @@ Soup surface(uint32_t n, uint32_t m, bool both, const std::function<Point(double
     return soup;
 }
 
-/// Pieces by the colours of the faces, each with its own vertices, moved a little towards their middles.
+/// Pieces by the colours of the faces, each with its own vertices, moved a little towards their
+/// middles.
 std::vector<Soup> cut(const Soup &whole, double shrink, const std::function<int(Point)> &colour) {
     std::map<int, Soup> pieces;
     std::map<int, std::map<uint32_t, uint32_t>> numbers;
@@ -174,8 +176,8 @@ double volume(const gusset::MeshView &mesh) {
 
 int octant(Point p) { return (p[0] > 0) + 2 * (p[1] > 0) + 4 * (p[2] > 0); }
 
-/// The account fits the mesh: every face of a piece is there once, and every other face and vertex is made by one joint or hole. The mesh
-/// is one for CGAL, with the loops that the account says.
+/// The report fits the mesh: every face of a piece occurs once, and every other face and vertex is
+/// made by one joint or hole. The mesh is one for CGAL, with the loops that the account says.
 Verdict check_account(const gusset::Assembly &done, const std::vector<Soup> &pieces, bool intersections = true) {
     const gusset::MeshView mesh = done.mesh();
     const gusset_assembly_view parts = done.view();
@@ -256,7 +258,7 @@ TEST_CASE("cuts are those that CGAL finds") {
             }
         }
     }
-    // There is something to be compared, and in places to be taken back.
+    // The inputs have intersections to compare, and fairing avoids some of them.
     CHECK(cuts > 1000);
     CHECK(faired < cuts);
 }
@@ -360,7 +362,8 @@ std::optional<std::pair<gusset::Assembly, Verdict>> assembled(const std::vector<
     return std::pair(std::move(done), verdict);
 }
 
-/// Each loop of the result is a loop of the pieces that was left with its reason, or lies along a joint.
+/// Each loop of the result is a loop of the pieces that was left with its reason, or lies along a
+/// joint.
 void check_reasons(const gusset::Assembly &done) {
     CHECK(done.left().size() + done.joints().size() > 0);
     for (const gusset_left_loop &left : done.left()) {

@@ -1,4 +1,5 @@
-// Boundary loops from an OpenMesh host, on every real mesh, against OpenMesh's own walks, CGAL and the manifest.
+// Boundary loops from an OpenMesh host, on every real mesh, against OpenMesh's own walks, CGAL and
+// the manifest.
 #include "data.hpp"
 #include "host.hpp"
 #include "judge.hpp"
@@ -132,7 +133,8 @@ TEST_CASE("every real mesh: loops against OpenMesh, CGAL and the manifest") {
             CHECK(boundary.walk_count() == *file.walks);
         }
 
-        // OpenMesh, where it takes every face: the same cycles, the other way round, as it has the hole on the left.
+        // OpenMesh, where it takes every face: the same cycles, the other way round, as it has the
+        // hole on the left.
         if (const auto host = host_mesh(soup)) {
             ++by_openmesh;
             const gusset::openmesh::Input input(*host);

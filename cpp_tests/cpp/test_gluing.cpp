@@ -45,7 +45,7 @@ TEST_CASE("gluing and ungluing") {
         const auto found = type < 13 ? glued.classify_node(15) : glued.classify_cell(15);
         CHECK(found == static_cast<GluingType>(type));
     }
-    // What is counted is what is found one by one.
+    // The counts of the histogram are those of single elements.
     for (const auto &[name, shape, euler] : closed_shapes()) {
         CAPTURE(name);
         const Net closed = Net::from_primitive(shape);
@@ -228,7 +228,7 @@ TEST_CASE("nets glued by chance") {
         REQUIRE(mesh.mesh().face_count() - quads == complex.view().triangle_count);
         REQUIRE(mesh.wires().size() == complex.wires().size());
 
-        // There and back again.
+        // Matrix and seams restore the gluing.
         Gluing again;
         again.matrix = net.matrix();
         again.seams = net.seams();

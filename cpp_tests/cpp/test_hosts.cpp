@@ -81,7 +81,8 @@ void agree(const Soup &a, const Soup &b, const gusset::StitchOptions &options, s
     const auto om_a = host_mesh(a), om_b = host_mesh(b);
     REQUIRE((om_a && om_b));
     const CgalMesh cg_a = cgal_mesh(a), cg_b = cgal_mesh(b);
-    // A face may start at another corner in each host, so the loops are found in each; the strip is the same.
+    // A face may start at another corner in each host, so the loops are found in each; the strip is
+    // the same.
     const gusset::openmesh::Input in_a(*om_a), in_b(*om_b);
     const gusset::cgal::Input<Kernel::Point_3> input_a(cg_a), input_b(cg_b);
     const gusset::Stitch by_openmesh = gusset::stitch(in_a.view(), in_b.view(), options);

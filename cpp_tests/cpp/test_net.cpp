@@ -1,4 +1,5 @@
-// Nets from C++: the surfaces that they are and the meshes that they become, judged by CGAL and OpenMesh.
+// Nets from C++: the surfaces that they are and the meshes that they become, judged by CGAL and
+// OpenMesh.
 #include "cgal_soup.hpp"
 #include "data.hpp"
 #include "host.hpp"

@@ -1,4 +1,5 @@
-// Welding and orienting, with CGAL as judge: its own stitching of borders, and its check of what comes out.
+// Welding and orienting, with CGAL as judge: its own stitching of borders, and its check of
+// results.
 #include "cgal_soup.hpp"
 #include "data.hpp"
 #include "judge.hpp"
@@ -228,7 +229,8 @@ TEST_CASE("boeing: 122 sheets, some inside out, become one closed manifold") {
     CHECK(orient.one_sided_faces().empty());
     check_shape(copy_of(orient.mesh()), 1264, 2564, -18, {});
 
-    // CGAL's way: merge equal points of the soup, then turn faces; as it needs to cut nothing, the same faces come out.
+    // CGAL's way: merge equal points of the soup, then turn faces; as it needs to cut nothing, the
+    // same faces come out.
     auto [points, faces] = CgalSoup<Kernel::Point_3>(soup.view());
     PMP::merge_duplicate_points_in_polygon_soup(points, faces);
     CHECK(points.size() == 1264);
@@ -281,7 +283,8 @@ TEST_CASE("CGAL's own cases of stitching") {
     check_shape(repaired(mask), 1200, 2332, 2, {34, 30});
     check_shape(repaired(read_soup(pairs + "quads_to_stitch.off")), 15, 8, 1, {12});
 
-    // A border edge without length faces a vertex: what would collapse the face there is left and listed, unless it may collapse.
+    // A border edge without length faces a vertex: what would collapse the face there is left and
+    // listed, unless it may collapse.
     const Soup degenerate = read_soup(pairs + "deg_border.off");
     const gusset::Weld left(degenerate.view());
     CHECK(left.left_edges().size() == 2);
@@ -291,7 +294,8 @@ TEST_CASE("CGAL's own cases of stitching") {
     CHECK(gusset::Weld(degenerate.view(), collapse).dropped_faces() == 1);
     check_shape(repaired(degenerate, collapse), 6, 6, 1, {4});
 
-    // Two sheets on top of each other; all welded, their diagonals would make one edge of four faces.
+    // Two sheets on top of each other; all welded, their diagonals would make one edge of four
+    // faces.
     const Soup twice = read_soup(pairs + "non_manifold2.off");
     const gusset::Weld careful(twice.view());
     CHECK(gusset::Check(careful.mesh()).is_manifold());

@@ -135,7 +135,8 @@ TEST_CASE("fields of deformation") {
          [](Point3 p) { return Point3{p[0], p[1] + 0.5, p[2]}; });
     CHECK_THROWS_AS(Field::lattice({0, 0, 0}, {1, 1, 1}, {3, 3, 3}, std::vector<Point3>(26)), std::invalid_argument);
     CHECK(refusal([&] { deformed(net, Field::lattice({0, 0, 0}, {1, 1, 1}, {99, 3, 3}, {})); }).status != GUSSET_OK);
-    // Of the two axes that follow z, x becomes the arc, from the y axis on, and y the height above the cylinder.
+    // Of the two axes that follow z, x becomes the arc, from the y axis on, and y the height above
+    // the cylinder.
     CHECK(deviation(deformed(plane(), Field::wrap_cylinder(Axis::z, 3.0)), plane(), [](Point3 p) {
               return Point3{(3 + p[1]) * std::sin(p[0] / 3), (3 + p[1]) * std::cos(p[0] / 3), p[2]};
           }) < 1e-13);
@@ -259,7 +260,8 @@ TEST_CASE("enlarged, turned, and made smaller") {
         CHECK(net.part(1, 3, 2, 2).at(0, 1) == net.at(1, 3));
     }
     for (const Net &net : {plane(), torus()}) {
-        for (Replication which : {Replication::uniform, Replication::first, Replication::last, Replication::at, Replication::at_poles}) {
+        for (Replication which : {Replication::uniform, Replication::first, Replication::last, Replication::at,
+                                  Replication::at_poles}) {
             gusset::ReformatOptions options;
             options.rows = net.rows() + 4;
             options.columns = net.columns() + 3;
@@ -304,9 +306,11 @@ TEST_CASE("enlarged, turned, and made smaller") {
 }
 
 TEST_CASE("what was joined comes apart again, bit for bit") {
-    const Net sphere = Net::from_primitive(Primitive::sphere(1.0).with(9, 17)), tube = Net::from_primitive(Primitive::tube(1.0, 2.0).with(5, 13));
+    const Net sphere = Net::from_primitive(Primitive::sphere(1.0).with(9, 17));
+    const Net tube = Net::from_primitive(Primitive::tube(1.0, 2.0).with(5, 13));
     const Net box = Net::from_primitive(Primitive::box({1, 2, 3}, {3, 4, 5}));
-    const std::vector<Net> nets{plane(), torus(), sphere, tube, box, Net::from_primitive(Primitive::klein(2.0, 0.5).with(9, 11))};
+    const Net klein = Net::from_primitive(Primitive::klein(2.0, 0.5).with(9, 11));
+    const std::vector<Net> nets{plane(), torus(), sphere, tube, box, klein};
     for (Direction direction : {Direction::right, Direction::down}) {
         for (BridgeMode mode : {BridgeMode::keep, BridgeMode::hide}) {
             for (Replication equalise : {Replication::uniform, Replication::first, Replication::last, Replication::at_poles}) {
@@ -467,7 +471,7 @@ TEST_CASE("scenes") {
     CHECK(scene.report().instances == 3);
     CHECK(refusal([&] { Scene().flatten(); }).status == GUSSET_ERROR_EMPTY_SCENE);
 
-    // What is mirrored is turned round, so that the whole is still outwards.
+    // Mirrored nets are reversed: the whole still faces outwards.
     Scene mirror;
     const uint32_t twice = mirror.add_group(), other = mirror.add_group(), part = mirror.add(net);
     mirror.add_child(twice, part);

@@ -1,4 +1,4 @@
-// Pieces of surfaces from C++: what they are made of, what they are, meshes of them, the paper's search.
+// Sheets from C++: construction, properties, meshes, the paper's search.
 #include "host.hpp"
 #include "surfaces.hpp"
 
@@ -213,7 +213,8 @@ TEST_CASE("curves through points, on sheets, and near to each other") {
     const Curve ring = Curve::through(circle, true);
     CHECK(ring.is_closed());
     CHECK(std::abs(ring.length() - 2 * pi) < 1e-4);
-    // The axis of the ring is as near everywhere; a line beside it is nearest at one place, and one in space passes two.
+    // The axis of the ring is as near everywhere; a line beside it is nearest at one place, and one
+    // in space passes two.
     const gusset::Places met = ring.near_misses(gusset::Line::line({-2, 0.5, 0.01}, {1, 0, 0}), 0.05);
     REQUIRE(met.size() == 2);
     CHECK(std::abs(met.points()[0][1] - 0.5) < 1e-4);
@@ -232,7 +233,8 @@ TEST_CASE("meshes of sheets are closed where the surface is") {
         REQUIRE(mesh);
         CHECK(walks(*mesh).empty());
         CHECK(long(mesh->n_vertices()) - long(mesh->n_edges()) + long(mesh->n_faces()) == euler);
-        // Vertices are on the surface, with its normals; the middles of faces are as near as is said.
+        // Vertices are on the surface, with its normals; the middles of faces are within the stated
+        // deviation.
         const Surface surface(sheet);
         const std::vector<gusset::SurfacePoint> at = surface.evaluate(made.places());
         std::vector<Point3> middles;
@@ -346,7 +348,7 @@ TEST_CASE("masks are made by name") {
     CHECK(CellMask::from_words(1, 4, {1}).count() == 1);
     CHECK(CellMask::from_words(1, 4, {1})(0, 0));
     CHECK_FALSE(CellMask::from_words(1, 4, {1})(0, 1));
-    // What belongs to no cell is no part of it.
+    // Bits beyond the last cell are dropped.
     CHECK(CellMask::from_words(1, 4, {~uint64_t{0}, 5}).count() == 4);
     CHECK(CellMask::all(9, 13).count() == 9 * 13);
     CHECK(CellMask::all(8, 16).count() == 8 * 16);

@@ -71,7 +71,8 @@ Soup both(const Soup &a, const Soup &b) {
     return soup;
 }
 
-/// A tube round the z axis from z = low to z = high, of `n` sides and `rings` rings, faces outwards.
+/// A tube round the z axis from z = low to z = high, of `n` sides and `rings` rings, faces
+/// outwards.
 Soup tube(uint32_t n, uint32_t rings, double low, double high, double turn) {
     Soup soup;
     for (uint32_t r = 0; r < rings; ++r) {

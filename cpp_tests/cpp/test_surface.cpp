@@ -1,4 +1,5 @@
-// What smooth surfaces answer, from C++: against formulas, and against CGAL on a fine mesh of the same surface.
+// Queries of smooth surfaces from C++: against formulas, and against CGAL on a fine mesh of the
+// same surface.
 #include "data.hpp"
 #include "oracle.hpp"
 #include "surfaces.hpp"
@@ -44,7 +45,7 @@ private:
     }
 };
 
-// What is lent lives as long as the lender: a variable lends it, a temporary does not.
+// Spans live as long as their owner: a variable lends them, a temporary does not.
 #define GUSSET_LENDS(name, call)            \
     template <class T, class = void>        \
     struct name : std::false_type {};       \
@@ -125,7 +126,8 @@ TEST_CASE("limits, minima, regions") {
     CHECK_FALSE(none.is_found());
     CHECK(none.distance == std::numeric_limits<double>::infinity());
 
-    // From a point inside the ring and off its axis: the distance is least once in each half plane section, and on both sides.
+    // From a point inside the ring and off its axis: the distance has one local minimum in
+    // each half plane section, on both sides.
     const Point3 query{0.2, 0.05, 0.03};
     const gusset::SurfacePoints minima = torus.minima(query);
     CHECK(minima.complete());
@@ -340,7 +342,8 @@ TEST_CASE("stacks of planes, contours, angles") {
     CHECK(torus.isophotes({0, 0, 1}, angles).size() == 4);
     CHECK(torus.isophotes({0, 0, 1}, angles, gusset::NormalSide::both).size() == 8);
 
-    // On half a sphere normals are at most a right angle from the axis; on a flat sheet there is one.
+    // On half a sphere normals are at most a right angle from the axis; on a flat sheet there is
+    // one.
     const Surface flat(Sheet::from_nodes(4, 4, shapes::nodes(3, 3, false, false, [](double u, double v) { return Point3{u, v, 0}; })));
     const gusset_nearest_angle_report nearest = flat.nearest_angle({0, 0, 1}, 0.5);
     CHECK(std::abs(nearest.deviation - 0.5) < 1e-9);
@@ -412,7 +415,7 @@ TEST_CASE("several sheets, places, facts") {
     CHECK(both.report().cone_bytes == with_cones.report().cone_bytes);
     CHECK(both.nearest({0, 0, 2}).place.sheet == 1);
     CHECK(both.nearest({1.5, 0, 0}).place.sheet == 0);
-    // What was found stays when its surface is gone.
+    // Results outlive their surface.
     gusset::SurfacePaths kept(nullptr);
     {
         const Surface gone(shapes::torus_sheet());

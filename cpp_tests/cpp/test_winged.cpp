@@ -11,7 +11,8 @@
 namespace {
 constexpr uint32_t null = UINT32_MAX;
 
-/// The vertices of a face, walked through the tables over b and e (forwards) or d and c; empty if the cycle does not close.
+/// The vertices of a face, walked through the tables over b and e (forwards) or d and c; empty if
+/// the cycle does not close.
 std::vector<uint32_t> cycle(const gusset::Winged &winged, uint32_t face, bool forwards, std::size_t most) {
     const auto edges = winged.edges();
     const uint32_t first = winged.edge_of_face()[face];

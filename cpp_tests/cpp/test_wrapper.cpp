@@ -1,4 +1,5 @@
-// gusset.hpp by itself: exceptions that carry the report, callbacks that throw, cancel from another thread, ownership.
+// gusset.hpp by itself: exceptions that carry the report, callbacks that throw, cancel from another
+// thread, ownership.
 #include "soup.hpp"
 
 #include <doctest/doctest.h>
