@@ -1,9 +1,10 @@
-//! Cancellable sorting in place: parts are split at their medians until they are small enough to be
-//! sorted between two reports. O(n log n).
+//! Sorting: in place and cancellable, by counting, and of the part before a median.
 
+use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use std::cmp::Ordering;
+use std::ops::Range;
 
 /// Elements sorted between two progress reports.
 const PART: usize = 1 << 16;
@@ -37,10 +38,75 @@ pub(crate) fn sort<T>(
     Ok(())
 }
 
+/// Brings the number that `middle` numbers precede by key to its place, and those that precede it before it; of equal keys the
+/// smaller numbers come first. O(n).
+pub(crate) fn select(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f64) {
+    numbers.select_nth_unstable_by(middle, |&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)));
+}
+
+/// Items in numbered buckets: a counting sort. 4 bytes a bucket beside the items.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Buckets<T> {
+    /// Bucket k has the items from `start[k]` to `start[k + 1]`.
+    start: Vec<u32>,
+    items: Vec<T>,
+}
+
+impl<T: Copy> Buckets<T> {
+    /// Puts items, fewer than 2^32, each into the bucket named with it, of `count`; within a bucket they keep their order.
+    /// `blank` fills memory until then. O(items + count).
+    pub(crate) fn new(count: usize, blank: T, given: impl Iterator<Item = (usize, T)> + Clone) -> Result<Self> {
+        // Counted two buckets further on, so that the sums are the starts of buckets one further on while they are filled.
+        let mut start = alloc::filled(0u32, count + 2)?;
+        given.clone().for_each(|(bucket, _)| start[bucket + 2] += 1);
+        for bucket in 2..count + 2 {
+            start[bucket] += start[bucket - 1];
+        }
+        let mut items = alloc::filled(blank, start[count + 1] as usize)?;
+        for (bucket, item) in given {
+            let place = &mut start[bucket + 1];
+            items[*place as usize] = item;
+            *place += 1;
+        }
+        start.truncate(count + 1);
+        Ok(Buckets { start, items })
+    }
+
+    /// Where the items of a bucket are among all.
+    #[inline]
+    pub(crate) fn range(&self, bucket: usize) -> Range<usize> {
+        self.start[bucket] as usize..self.start[bucket + 1] as usize
+    }
+
+    /// The items of a bucket.
+    #[inline]
+    pub(crate) fn get(&self, bucket: usize) -> &[T] {
+        &self.items[self.range(bucket)]
+    }
+
+    /// The items of a bucket, to be changed.
+    #[inline]
+    pub(crate) fn get_mut(&mut self, bucket: usize) -> &mut [T] {
+        let range = self.range(bucket);
+        &mut self.items[range]
+    }
+
+    /// All items, bucket after bucket.
+    pub(crate) fn items(&self) -> &[T] {
+        &self.items
+    }
+
+    /// The ends of the buckets among the items, after a 0, and the items.
+    pub(crate) fn into_parts(self) -> (Vec<u32>, Vec<T>) {
+        (self.start, self.items)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::job::Progress;
+    use proptest::prelude::*;
     use std::cell::Cell;
     use std::ops::ControlFlow;
 
@@ -56,6 +122,36 @@ mod tests {
             sort(&mut ours, u64::cmp, &Job::default(), "sorting").unwrap();
             plain.sort_unstable();
             assert_eq!(ours, plain);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn buckets_are_a_stable_sort(keys in prop::collection::vec(0usize..7, 0..50)) {
+            let mut given: Vec<(usize, usize)> = keys.into_iter().zip(0..).collect();
+            let mut buckets = Buckets::new(7, 0, given.iter().copied()).unwrap();
+            given.sort_by_key(|&(key, _)| key);
+            prop_assert!(buckets.items().iter().eq(given.iter().map(|(_, item)| item)));
+            for bucket in 0..7 {
+                let expected: Vec<usize> = given.iter().filter(|&&(key, _)| key == bucket).map(|&(_, item)| item).collect();
+                prop_assert_eq!(buckets.get(bucket), &expected[..]);
+                prop_assert_eq!(buckets.get_mut(bucket), &expected[..]);
+            }
+            let (start, items) = buckets.into_parts();
+            prop_assert_eq!((start.len(), start[7] as usize), (8, items.len()));
+        }
+
+        #[test]
+        fn the_median_is_that_of_a_sort(keys in prop::collection::vec(0u8..9, 1..60)) {
+            let key = |i: u32| f64::from(keys[i as usize]);
+            let mut sorted: Vec<u32> = (0..keys.len() as u32).collect();
+            let mut selected = sorted.clone();
+            sorted.sort_by_key(|&i| keys[i as usize]);
+            let middle = keys.len() / 2;
+            select(&mut selected, middle, key);
+            prop_assert_eq!(selected[middle], sorted[middle]);
+            selected[..middle].sort_by_key(|&i| (keys[i as usize], i));
+            prop_assert_eq!(&selected[..middle], &sorted[..middle]);
         }
     }
 

@@ -9,6 +9,7 @@ use super::rings::Rings;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::Aabb;
+use crate::sort::select;
 use glam::DVec3;
 
 /// Parts of at most this many unknowns are not halved.
@@ -39,9 +40,7 @@ impl Halving<'_> {
         let axis = Aabb::of(order.iter().map(|&v| self.points[v as usize])).size().max_position();
         let middle = order.len() / 2;
         let points = self.points;
-        order.select_nth_unstable_by(middle, |&u, &v| {
-            points[u as usize][axis].total_cmp(&points[v as usize][axis]).then(u.cmp(&v))
-        });
+        select(order, middle, |v| points[v as usize][axis]);
 
         self.part += 1;
         for &v in &order[..middle] {

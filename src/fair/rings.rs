@@ -3,6 +3,8 @@
 
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::triangle::double_area;
+use crate::sort::Buckets;
 use glam::DVec3;
 
 /// The discrete Laplacian L x(v) = s(v) sum over neighbours w of weight(v, w) (x(w) - x(v)).
@@ -35,30 +37,25 @@ const MIN_AREA_SHARE: f64 = 1e-3;
 impl Rings {
     /// O(T) for T triangles, which may repeat vertices or be without area; extra memory: about 100 bytes a triangle.
     pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], weights: Weights) -> Result<Self> {
-        let mut start = alloc::filled(0u32, points.len() + 1)?;
         let proper = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
-        for &[a, b, c] in proper.clone() {
-            [a, b, c].iter().for_each(|&v| start[v as usize + 1] += 2);
-        }
-        for v in 0..points.len() {
-            start[v + 1] += start[v];
-        }
-        let mut entries = alloc::filled((0u32, 0.0), start[points.len()] as usize)?;
+        let double_area = |triangle: &[u32; 3]| {
+            let [a, b, c] = triangle.map(|v| points[v as usize]);
+            double_area(a, b, c)
+        };
+        let edges = proper.clone().flat_map(|triangle| {
+            let double_area = double_area(triangle);
+            (0..3).flat_map(move |k| {
+                let [from, u, v] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| triangle[k]);
+                let [p, q, r] = [from, u, v].map(|v| points[v as usize]);
+                let weight = cotangent((q - p).dot(r - p), double_area) / 2.0;
+                [(u as usize, (v, weight)), (v as usize, (u, weight))]
+            })
+        });
+        let (start, entries) = Buckets::new(points.len(), (0, 0.0), edges)?.into_parts();
         let mut area = alloc::filled(0.0, points.len())?;
-        let mut next = alloc::copied(&start[..points.len()])?;
-        for &triangle in proper {
-            let corner = triangle.map(|v| points[v as usize]);
-            let double_area = (corner[1] - corner[0]).cross(corner[2] - corner[0]).length();
-            for k in 0..3 {
-                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-                let cotangent = cotangent((corner[i] - corner[k]).dot(corner[j] - corner[k]), double_area);
-                for (u, v) in [(triangle[i], triangle[j]), (triangle[j], triangle[i])] {
-                    let place = &mut next[u as usize];
-                    entries[*place as usize] = (v, cotangent / 2.0);
-                    *place += 1;
-                }
-                area[triangle[k] as usize] += double_area / 6.0;
-            }
+        for triangle in proper {
+            let share = double_area(triangle) / 6.0;
+            triangle.iter().for_each(|&v| area[v as usize] += share);
         }
         let mut rings = Rings { start, entries, middle: Vec::new(), scale: area };
         rings.merge();

@@ -11,6 +11,7 @@
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
+use crate::sort::Buckets;
 use glam::{DVec2, DVec3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -98,7 +99,7 @@ impl Ring {
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
         let blocks =
             |&v: &u32| self.reflex[v as usize] && self.is_left(v) && !ear.contains(&v) && holds(self.flat[v as usize]);
-        !self.grid.rows(low, high).any(|row| self.grid.vertices[row].iter().any(blocks))
+        !self.grid.rows(low, high).any(|row| self.grid.vertices.items()[row].iter().any(blocks))
     }
 
     fn remove(&mut self, v: u32) {
@@ -138,8 +139,7 @@ struct Grid {
     low: DVec2,
     cell: f64,
     columns: usize,
-    start: Vec<u32>,
-    vertices: Vec<u32>,
+    vertices: Buckets<u32>,
 }
 
 impl Grid {
@@ -150,23 +150,12 @@ impl Grid {
         let cell = (size.max_element() / cells).max(f64::MIN_POSITIVE);
         let columns = (size.x / cell) as usize + 1;
         let rows = (size.y / cell) as usize + 1;
-        let mut grid = Grid { low, cell, columns, start: alloc::filled(0, rows * columns + 1)?, vertices: Vec::new() };
-        let inside = |v: &usize| reflex[*v];
-        for v in (0..flat.len()).filter(inside) {
+        let mut grid = Grid { low, cell, columns, vertices: Buckets::default() };
+        let inside = (0..flat.len()).filter(|&v| reflex[v]).map(|v| {
             let (column, row) = grid.cell_of(flat[v]);
-            grid.start[row * columns + column + 1] += 1;
-        }
-        for i in 0..rows * columns {
-            grid.start[i + 1] += grid.start[i];
-        }
-        grid.vertices = alloc::filled(0, grid.start[rows * columns] as usize)?;
-        let mut place = alloc::copied(&grid.start)?;
-        for v in (0..flat.len()).filter(inside) {
-            let (column, row) = grid.cell_of(flat[v]);
-            let place = &mut place[row * columns + column];
-            grid.vertices[*place as usize] = v as u32;
-            *place += 1;
-        }
+            (row * columns + column, v as u32)
+        });
+        grid.vertices = Buckets::new(rows * columns, 0, inside)?;
         Ok(grid)
     }
 
@@ -179,8 +168,8 @@ impl Grid {
     fn rows(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = Range<usize>> + '_ {
         let ((left, bottom), (right, top)) = (self.cell_of(low), self.cell_of(high));
         (bottom..=top).map(move |row| {
-            let at = |column: usize| self.start[row * self.columns + column] as usize;
-            at(left)..at(right + 1)
+            let at = |column: usize| self.vertices.range(row * self.columns + column);
+            at(left).start..at(right).end
         })
     }
 }

@@ -106,6 +106,12 @@ impl Aabb {
         (self.low - other.high).max(other.low - self.high)
     }
 
+    /// True if the boxes come within `slack` of each other along every axis.
+    #[inline]
+    pub(crate) fn is_within(&self, other: &Aabb, slack: f64) -> bool {
+        self.separation(other).max_element() <= slack
+    }
+
     /// The distance between the boxes, 0 if they overlap.
     #[inline]
     pub(crate) fn distance(&self, other: &Aabb) -> f64 {

@@ -8,6 +8,7 @@ use crate::error::Result;
 use crate::geom::Aabb;
 use crate::geom::scale::common_unit;
 use crate::job::Job;
+use crate::sort::select;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -266,9 +267,7 @@ fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
 fn split_once<'a>(points: &[DVec3], order: &'a mut [u32], axes: &'a mut [u8]) -> [(&'a mut [u32], &'a mut [u8]); 2] {
     let axis = Aabb::of(order.iter().map(|&i| points[i as usize])).size().max_position();
     let middle = order.len() / 2;
-    order.select_nth_unstable_by(middle, |&i, &j| {
-        points[i as usize][axis].total_cmp(&points[j as usize][axis]).then(i.cmp(&j))
-    });
+    select(order, middle, |i| points[i as usize][axis]);
     axes[middle] = axis as u8;
     let (left, right) = order.split_at_mut(middle);
     let (left_axes, right_axes) = axes.split_at_mut(middle);

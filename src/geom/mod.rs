@@ -4,7 +4,7 @@
 //! * [`bernstein`]: polynomials in Bernstein form, scalar, vectorial and tensor.
 //! * [`linear`]: systems of linear equations.
 //! * [`disjoint_sets`], [`bit_set`]: sets of numbered things.
-//! * [`kd_tree`]: nearest point of a set.
+//! * [`kd_tree`], [`box_tree`]: nearest points of a set, boxes that overlap a box.
 //! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of what is left.
 //! * [`triangle`]: area, angles and aspect ratio of one triangle.
 //! * [`scale`]: a power of two as unit of length, so that products of coordinates neither overflow nor vanish whatever
@@ -15,6 +15,7 @@
 pub(crate) mod aabb;
 pub(crate) mod bernstein;
 pub(crate) mod bit_set;
+pub(crate) mod box_tree;
 pub(crate) mod disjoint_sets;
 pub(crate) mod kd_tree;
 pub(crate) mod linear;

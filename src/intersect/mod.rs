@@ -2,10 +2,8 @@
 //!
 //! * `predicates`: two triangles, decided exactly by the signs of determinants (Shewchuk's
 //!   adaptive arithmetic).
-//! * `box_tree`: boxes that overlap a box.
 //! * [`pairs`]: all intersecting pairs of new triangles with each other and with old ones.
 
-mod box_tree;
 mod pairs;
 mod predicates;
 

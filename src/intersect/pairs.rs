@@ -1,13 +1,16 @@
 //! All pairs of intersecting triangles of which at least one is new.
 
-use super::box_tree::BoxTree;
 use super::predicates::triangles_intersect;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::Aabb;
+use crate::geom::box_tree::{BoxTree, spatial_order};
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
+
+/// New triangles in a leaf of the tree of boxes.
+const LEAF: usize = 4;
 
 /// Triangles that one thread looks at at a time, and between two progress reports.
 const CHUNK: usize = 1 << 9;
@@ -37,30 +40,24 @@ pub(crate) fn intersecting_pairs(
     job.step(0.0, "looking for intersections")?;
     let around = |t: &[u32; 3]| Aabb::of(t.map(&soup.at));
     let boxes = alloc::collect(soup.new.iter().map(around))?;
-    let tree = BoxTree::new(&boxes)?;
+    let order = spatial_order(&boxes, LEAF)?;
+    let leaf_box = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
+    let tree = BoxTree::new(order.chunks(LEAF).map(leaf_box))?;
     let n = soup.new.len();
     let look = |range: std::ops::Range<usize>| -> Result<Vec<[u32; 2]>> {
         let mut found = Vec::new();
-        let mut near = Vec::new();
         for k in range {
             let (triangle, query) =
                 if k < n { (soup.new[k], boxes[k]) } else { (soup.old[k - n], around(&soup.old[k - n])) };
-            if !tree.whole().overlaps(&query) {
-                continue;
-            }
-            near.clear();
-            let mut failed = Ok(());
-            tree.overlapping(&query, &mut |i| {
-                if k >= n || (i as usize) < k {
-                    failed = failed.and_then(|()| alloc::push(&mut near, i));
-                }
-            });
-            failed?;
-            for &i in &near {
-                if triangles_intersect(soup.new[i as usize], triangle, &soup.at) {
-                    alloc::push(&mut found, [i, k as u32])?;
-                }
-            }
+            tree.overlapping(&query, 0.0, |leaf| {
+                let of_leaf = &order[LEAF * leaf..n.min(LEAF * (leaf + 1))];
+                let met = |&&i: &&u32| {
+                    (i as usize) < k
+                        && boxes[i as usize].overlaps(&query)
+                        && triangles_intersect(soup.new[i as usize], triangle, &soup.at)
+                };
+                of_leaf.iter().filter(met).try_for_each(|&i| alloc::push(&mut found, [i, k as u32]))
+            })?;
         }
         Ok(found)
     };

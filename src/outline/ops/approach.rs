@@ -15,9 +15,9 @@ use super::super::segment;
 use super::evaluate::derive;
 use super::frame::Frame;
 use super::split::{Controls, split_segment};
-use super::tree::{Aabb, Tree};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
 use glam::{DVec2, DVec3};
 
@@ -95,7 +95,7 @@ impl CurveView<'_> {
         let frame = Frame::of(self.points().iter().chain(other.points()));
         let mut search = Search { within: frame.length(within).max(NOISE), ..Search::default() };
         let sides = [Side::new(self, &frame)?, Side::new(other, &frame)?];
-        let tree = Tree::new(sides[1].parts.iter().map(|part| Aabb::of(part.controls())))?;
+        let tree = BoxTree::new(sides[1].parts.iter().map(|part| Aabb::of(part.controls())))?;
         for (i, a) in sides[0].parts.iter().enumerate() {
             if i % 16 == 0 {
                 job.step(i as f64 / sides[0].parts.len() as f64, "approaches of curves")?;
@@ -161,7 +161,7 @@ impl Search {
                 }
                 Verdict::Open => {}
             }
-            let sizes = [&p, &q].map(|part| Aabb::of(part.controls()).size());
+            let sizes = [&p, &q].map(|part| Aabb::of(part.controls()).size().max_element());
             let short = [&p, &q].map(|part| part.to - part.from <= SHORT);
             if looked > PATIENCE || (short[0] && short[1]) {
                 let middle = DVec2::new(p.from + p.to, q.from + q.to) * 0.5;
@@ -316,7 +316,7 @@ impl Part {
     }
 
     fn size(&self) -> f64 {
-        Aabb::of(self.controls()).size()
+        Aabb::of(self.controls()).size().max_element()
     }
 
     fn halves(mut self) -> [Part; 2] {
@@ -348,7 +348,7 @@ fn point(part: &Part, t: f64) -> DVec3 {
 /// True if the hulls are farther apart than `within`.
 fn apart(p: &Part, q: &Part, within: f64) -> bool {
     let (a, b) = (p.controls(), q.controls());
-    if !Aabb::of(a).near(&Aabb::of(b), within) {
+    if !Aabb::of(a).is_within(&Aabb::of(b), within) {
         return true;
     }
     let chord = |c: &[DVec3]| (c[c.len() - 1] - c[0]).normalize_or_zero();

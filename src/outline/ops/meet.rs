@@ -4,9 +4,9 @@ use super::super::curve::{CurveView, Place};
 use super::frame::Frame;
 use super::pair::{COMMON, Found, Joined, SAME, SLACK, advances, meet};
 use super::split::split_segment;
-use super::tree::{Aabb, Tree};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
 use glam::DVec3;
 
@@ -75,7 +75,7 @@ impl CurveView<'_> {
         other.check_plane()?;
         let frame = Frame::of(self.points().iter().chain(other.points()));
         let (ours, theirs) = (self.pieces(&frame, 0)?, other.pieces(&frame, 0)?);
-        let tree = Tree::new(theirs.iter().map(|piece| Aabb::of(piece.controls())))?;
+        let tree = BoxTree::new(theirs.iter().map(|piece| Aabb::of(piece.controls())))?;
         let mut meetings = Meetings::default();
         let mut found = Found::default();
         for (k, piece) in ours.iter().enumerate() {
@@ -101,7 +101,7 @@ impl CurveView<'_> {
         let frame = Frame::of(self.points());
         let pieces = self.pieces(&frame, DEEPEST)?;
         let last = pieces.len().saturating_sub(1);
-        let tree = Tree::new(pieces.iter().map(|piece| Aabb::of(piece.controls())))?;
+        let tree = BoxTree::new(pieces.iter().map(|piece| Aabb::of(piece.controls())))?;
         let mut meetings = Meetings::default();
         let mut found = Found::default();
         for (k, piece) in pieces.iter().enumerate() {
@@ -149,7 +149,7 @@ impl CurveView<'_> {
 
 /// Appends a piece, or its halves; what is smaller than rounding can tell is one piece.
 fn simple(mut piece: Piece, depth: u32, pieces: &mut Vec<Piece>) -> Result<()> {
-    if depth == 0 || advances(piece.controls()) || Aabb::of(piece.controls()).size() <= COMMON {
+    if depth == 0 || advances(piece.controls()) || Aabb::of(piece.controls()).size().max_element() <= COMMON {
         return alloc::push(pieces, piece);
     }
     let mut before = alloc::filled(DVec3::ZERO, piece.controls.len())?;

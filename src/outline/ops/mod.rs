@@ -37,7 +37,6 @@ mod offset;
 mod pair;
 mod resample;
 mod split;
-mod tree;
 
 pub use approach::{Approach, Approaches, Beside};
 pub use area::Moments;

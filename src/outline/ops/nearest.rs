@@ -8,10 +8,10 @@ use super::super::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use super::super::segment;
 use super::cubic;
 use super::frame::Frame;
-use super::tree::{Aabb, Tree};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::{MAX_COEFFICIENTS, add_product, roots};
+use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
@@ -107,7 +107,7 @@ struct Finder<'a> {
     curve: CurveView<'a>,
     frame: Frame,
     points: Vec<DVec3>,
-    tree: Tree,
+    tree: BoxTree,
 }
 
 impl<'a> Finder<'a> {
@@ -115,7 +115,7 @@ impl<'a> Finder<'a> {
         let frame = Frame::of(curve.points());
         let points = alloc::collect(curve.points().iter().map(|&p| frame.point(p)))?;
         let boxes = CurveView::trusted(&points, curve.ends(), false);
-        let tree = Tree::new(boxes.segments().map(Aabb::of))?;
+        let tree = BoxTree::new(boxes.segments().map(Aabb::of))?;
         Ok(Finder { curve: *curve, frame, points, tree })
     }
 
@@ -161,7 +161,7 @@ struct Family<'a> {
     /// The curves and their numbers.
     finders: Vec<(usize, Finder<'a>)>,
     frame: Frame,
-    tree: Tree,
+    tree: BoxTree,
 }
 
 impl<'a> Family<'a> {
@@ -178,7 +178,7 @@ impl<'a> Family<'a> {
             let Aabb { low, high } = Aabb::of(curve.points());
             Aabb { low: frame.point(low) - PLAY, high: frame.point(high) + PLAY }
         };
-        let tree = Tree::new(finders.iter().map(|(_, finder)| around(&finder.curve)))?;
+        let tree = BoxTree::new(finders.iter().map(|(_, finder)| around(&finder.curve)))?;
         Ok(Family { finders, frame, tree })
     }
 

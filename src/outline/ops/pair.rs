@@ -18,9 +18,9 @@ use super::super::segment;
 use super::evaluate::derive;
 use super::nearest::nearest_on;
 use super::split::{Controls, split_segment};
-use super::tree::Aabb;
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::Aabb;
 use glam::DVec3;
 
 /// Boxes nearer than this are not apart, in a frame of size 1.
@@ -122,7 +122,7 @@ pub(super) fn meet(a: &[DVec3], b: &[DVec3], joined: Joined, found: &mut Found) 
             found.add(at)?;
             continue;
         }
-        let sizes = [Aabb::of(p.controls()).size(), Aabb::of(q.controls()).size()];
+        let sizes = [Aabb::of(p.controls()).size().max_element(), Aabb::of(q.controls()).size().max_element()];
         if sizes[0].max(sizes[1]) <= SHORT {
             if !joint && let Some(at) = touch(a, b, &p, &q) {
                 found.add(at)?;
@@ -192,7 +192,7 @@ impl Found {
 
 /// Whether the hulls are apart along the axes or along or across a chord.
 fn apart(a: &[DVec3], b: &[DVec3]) -> bool {
-    if !Aabb::of(a).near(&Aabb::of(b), SLACK) {
+    if !Aabb::of(a).is_within(&Aabb::of(b), SLACK) {
         return true;
     }
     [a, b].into_iter().any(|of| {

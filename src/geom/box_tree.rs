@@ -1,0 +1,147 @@
+//! Bounding volume hierarchy over boxes in an order in which neighbours are near each other.
+//!
+//! The tree is the complete binary one over the order, without pointers: node k has the children 2 k and 2 k + 1, and the leaves
+//! are the last nodes, padded by empty boxes to a power of two. Consecutive parts of a curve are neighbours as they come; boxes
+//! without an order get one from [`spatial_order`].
+
+use super::Aabb;
+use crate::alloc;
+use crate::error::Result;
+use crate::sort::select;
+
+/// The tree; 48 bytes a node, and at most four nodes for each leaf.
+pub(crate) struct BoxTree {
+    nodes: Vec<Aabb>,
+    leaves: usize,
+}
+
+impl BoxTree {
+    /// O(n).
+    pub(crate) fn new(boxes: impl ExactSizeIterator<Item = Aabb>) -> Result<Self> {
+        let leaves = boxes.len().next_power_of_two();
+        let mut nodes = alloc::filled(Aabb::EMPTY, 2 * leaves)?;
+        for (node, b) in nodes[leaves..].iter_mut().zip(boxes) {
+            *node = b;
+        }
+        for k in (1..leaves).rev() {
+            nodes[k] = nodes[2 * k].union(nodes[2 * k + 1]);
+        }
+        Ok(BoxTree { nodes, leaves })
+    }
+
+    /// Descends to the leaves whose boxes are nearer to `p` than the best so far, the nearer child first. `leaf` is given the
+    /// leaf, and returns the square of the best distance.
+    pub(crate) fn nearest(&self, p: glam::DVec3, mut best: f64, leaf: &mut impl FnMut(usize) -> f64) {
+        // At most one node a level waits, beside the one at work.
+        let mut waiting = [(0usize, 0.0); 64];
+        let mut len = 1;
+        waiting[0] = (1, self.nodes[1].distance_squared(p));
+        while len > 0 {
+            len -= 1;
+            let (node, distance) = waiting[len];
+            if distance >= best {
+                continue;
+            }
+            if node >= self.leaves {
+                best = leaf(node - self.leaves);
+                continue;
+            }
+            let [a, b] = [2 * node, 2 * node + 1].map(|k| (k, self.nodes[k].distance_squared(p)));
+            let (near, far) = if a.1 <= b.1 { (a, b) } else { (b, a) };
+            waiting[len] = far;
+            waiting[len + 1] = near;
+            len += 2;
+        }
+    }
+
+    /// Calls `leaf` for the leaves whose boxes come within `slack` of `b` along every axis, in ascending order.
+    pub(crate) fn overlapping(&self, b: &Aabb, slack: f64, mut leaf: impl FnMut(usize) -> Result<()>) -> Result<()> {
+        let mut waiting = [0usize; 64];
+        let mut len = 1;
+        waiting[0] = 1;
+        while len > 0 {
+            len -= 1;
+            let node = waiting[len];
+            if !self.nodes[node].is_within(b, slack) {
+                continue;
+            }
+            if node >= self.leaves {
+                leaf(node - self.leaves)?;
+                continue;
+            }
+            waiting[len] = 2 * node + 1;
+            waiting[len + 1] = 2 * node;
+            len += 2;
+        }
+        Ok(())
+    }
+}
+
+/// An order of boxes in which consecutive runs of `group`, of twice as many and so on lie close together: each part is split
+/// by its boxes' centres along its widest axis, at a multiple of what makes the tree over the groups complete. O(n log n).
+pub(crate) fn spatial_order(boxes: &[Aabb], group: usize) -> Result<Vec<u32>> {
+    let mut order = alloc::collect((0..boxes.len()).map(|i| i as u32))?;
+    split(boxes, &mut order, group);
+    Ok(order)
+}
+
+fn split(boxes: &[Aabb], order: &mut [u32], group: usize) {
+    if order.len() <= group {
+        return;
+    }
+    let whole = order.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
+    let axis = whole.size().max_position();
+    let middle = group * (order.len().div_ceil(group).next_power_of_two() / 2);
+    select(order, middle, |i| boxes[i as usize].low[axis] + boxes[i as usize].high[axis]);
+    let (first, second) = order.split_at_mut(middle);
+    split(boxes, first, group);
+    split(boxes, second, group);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn equals_brute_force(
+            corners in prop::collection::vec((0u8..9, 0u8..9, 0u8..9, 0u8..3, 0u8..3, 0u8..3), 1..80),
+            group in 1usize..5,
+        ) {
+            let boxes: Vec<Aabb> = corners.iter().map(|&(x, y, z, u, v, w)| {
+                let low = DVec3::new(x.into(), y.into(), z.into());
+                Aabb { low, high: low + DVec3::new(u.into(), v.into(), w.into()) }
+            }).collect();
+            let order = spatial_order(&boxes, group).unwrap();
+            let around = |group: &[u32]| group.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
+            let tree = BoxTree::new(order.chunks(group).map(around)).unwrap();
+            for (k, query) in boxes.iter().enumerate() {
+                for slack in [0.0, 1.0] {
+                    let (mut leaves, mut found) = (Vec::new(), Vec::<u32>::new());
+                    tree.overlapping(query, slack, |leaf| {
+                        leaves.push(leaf);
+                        found.extend(order.chunks(group).nth(leaf).into_iter().flatten().copied());
+                        Ok(())
+                    }).unwrap();
+                    prop_assert!(leaves.is_sorted());
+                    found.retain(|&i| boxes[i as usize].is_within(query, slack));
+                    found.sort_unstable();
+                    let near = |&i: &u32| boxes[i as usize].is_within(query, slack);
+                    prop_assert_eq!(found, (0..boxes.len() as u32).filter(near).collect::<Vec<_>>());
+                }
+                let point = query.high + k as f64 / 7.0;
+                let mut best = f64::INFINITY;
+                tree.nearest(point, best, &mut |leaf| {
+                    let group = order.chunks(group).nth(leaf).unwrap();
+                    let distance = |&i: &u32| boxes[i as usize].distance_squared(point);
+                    best = group.iter().map(distance).fold(best, f64::min);
+                    best
+                });
+                let truth = boxes.iter().map(|b| b.distance_squared(point)).fold(f64::INFINITY, f64::min);
+                prop_assert_eq!(best, truth);
+            }
+        }
+    }
+}
