@@ -57,11 +57,12 @@ impl DisjointSets {
         i
     }
 
-    /// Makes one set of two.
+    /// Makes one set of two; false if it was one already.
     #[inline]
-    pub(crate) fn union(&mut self, i: u32, j: u32) {
+    pub(crate) fn union(&mut self, i: u32, j: u32) -> bool {
         let (i, j) = (self.find(i), self.find(j));
         self.parents[i.max(j) as usize] = i.min(j);
+        i != j
     }
 
     /// The roots, ascending.
@@ -140,8 +141,8 @@ mod tests {
             let mut sets = DisjointSets::new(20).unwrap();
             let mut labels: Vec<u32> = (0..20).collect();
             for &(i, j) in &pairs {
-                sets.union(i, j);
                 let (a, b) = (labels[i as usize], labels[j as usize]);
+                prop_assert_eq!(sets.union(i, j), a != b);
                 labels.iter_mut().filter(|label| **label == a.max(b)).for_each(|label| *label = a.min(b));
             }
             prop_assert_eq!((0..20).map(|i| sets.find(i)).collect::<Vec<_>>(), labels.clone());

@@ -10,7 +10,9 @@ pub(crate) fn vertex_components(mesh: &MeshView<'_>) -> Result<DisjointSets> {
     for f in 0..mesh.faces().len() {
         let mut corners = mesh.face(f);
         if let Some(first) = corners.next() {
-            corners.for_each(|v| sets.union(first, v));
+            corners.for_each(|v| {
+                sets.union(first, v);
+            });
         }
     }
     Ok(sets)

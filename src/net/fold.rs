@@ -8,10 +8,10 @@
 //! Folds then partition the cells into two sides by union-find with parity. O(nodes).
 
 use super::hidden_cells::HiddenCells;
-use super::topology::Forest;
 use super::{Classes, Net, Planes, Real, Shape, each};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::disjoint_sets::ParitySets;
 use crate::job::Job;
 use crate::mesh::Scalar;
 use crate::par;
@@ -109,8 +109,7 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
     fn partition(&self, job: &Job<'_>) -> Result<Vec<i8>> {
         let count = self.shape.cell_count();
         let cells = || (0..count as u32).map(|cell| self.shape.cell_place(cell));
-        // Each cell twice: as it is, and turned over.
-        let (mut forest, over) = (Forest::new(2 * count)?, count as u32);
+        let mut sides = ParitySets::new(count)?;
         let mut folded = Vec::new();
         let step = |cell: u32, from: f64| match cell as usize % BLOCK {
             0 => job.step(from + 0.4 * f64::from(cell) / count as f64, STAGE),
@@ -121,30 +120,30 @@ impl<A: Real, B: Real> FoldSearch<'_, A, B> {
             step(a, 0.0)?;
             match self.is_folded(pair) {
                 Some(true) => alloc::push(&mut folded, [a, b])?,
-                Some(false) => [[a, b], [a + over, b + over]].into_iter().for_each(|cells| forest.join(cells)),
+                Some(false) => {
+                    sides.union(a, b, false);
+                }
                 None => {}
             }
         }
         let mut at_ends = Vec::new();
         for [a, b] in folded {
-            if forest.find(a) == forest.find(b) {
+            if !sides.union(a, b, true) {
                 alloc::append(&mut at_ends, &[a, b])?;
-            } else {
-                [[a, b + over], [a + over, b]].into_iter().for_each(|cells| forest.join(cells));
             }
         }
-        // A part is known by its first cell as it is, whose side is 1.
+        // A part is known by its first cell, whose side is 1.
         let mut side = |cell: u32| {
-            let (root, turned) = (forest.find(cell), forest.find(cell + over));
-            (root.min(turned) as usize, if root < turned { 1i8 } else { -1 })
+            let (root, opposed) = sides.find(cell);
+            (root as usize, if opposed { -1i8 } else { 1 })
         };
         let mut balance: Vec<i32> = alloc::zeroed(count)?;
-        for cell in 0..over {
+        for cell in 0..count as u32 {
             let (part, sign) = side(cell);
             balance[part] += i32::from(sign);
         }
         let mut signs = alloc::with_capacity(count)?;
-        signs.extend((0..over).map(|cell| {
+        signs.extend((0..count as u32).map(|cell| {
             let (part, sign) = side(cell);
             if balance[part] < 0 { -sign } else { sign }
         }));

@@ -14,6 +14,7 @@ use super::topology::{Groups, Reduced};
 use super::{Classes, Coordinates, Net, Planes, Real};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::bit_set::BitSet;
 use crate::job::Job;
 use crate::par;
 use crate::simd::{self, Kernel};
@@ -75,7 +76,7 @@ struct CornerSums<'a, T> {
     classes: Classes,
     groups: Groups,
     /// A bit for each node that is glued to another.
-    is_glued: Vec<u64>,
+    is_glued: BitSet,
     sign: f64,
 }
 
@@ -83,10 +84,8 @@ impl<'a, T: Real> CornerSums<'a, T> {
     fn new(net: &'a Net<'_>, planes: &'a Planes<'_, T>) -> Result<Self> {
         let classes = Classes::of(net.topology())?;
         let groups = classes.groups()?;
-        let mut is_glued = alloc::zeroed(net.shape().node_count().div_ceil(64))?;
-        for &node in groups.members() {
-            is_glued[node as usize / 64] |= 1u64 << (node % 64);
-        }
+        let mut is_glued = BitSet::new(net.shape().node_count())?;
+        groups.members().iter().for_each(|&node| is_glued.insert(node));
         Ok(CornerSums {
             planes,
             matrices: planes.matrices(),
@@ -99,8 +98,7 @@ impl<'a, T: Real> CornerSums<'a, T> {
     }
 
     fn is_glued(&self, i: usize, j: usize) -> bool {
-        let node = self.planes.shape().node(i, j);
-        self.is_glued[node as usize / 64] >> (node % 64) & 1 != 0
+        self.is_glued.contains(self.planes.shape().node(i, j))
     }
 
     fn point(&self, i: usize, j: usize) -> DVec3 {

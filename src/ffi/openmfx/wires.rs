@@ -5,40 +5,25 @@ use crate::alloc;
 use crate::error::Result;
 use crate::filters::data::Curves;
 use crate::mesh::NONE;
+use crate::sort::Buckets;
 use glam::DVec3;
 
 /// Edges, and those at each vertex.
 struct Graph<'a> {
     edges: &'a [[u32; 2]],
-    /// For each vertex where its edges start in `at`; one entry more.
-    starts: Vec<u32>,
-    /// Edges, vertex after vertex.
-    at: Vec<u32>,
+    /// The edges at each vertex.
+    at: Buckets<u32>,
     used: Vec<bool>,
 }
 
 impl<'a> Graph<'a> {
     fn new(edges: &'a [[u32; 2]], vertex_count: usize) -> Result<Self> {
-        let mut starts = alloc::filled(0u32, vertex_count + 1)?;
-        for vertex in edges.as_flattened() {
-            starts[*vertex as usize + 1] += 1;
-        }
-        for vertex in 0..vertex_count {
-            starts[vertex + 1] += starts[vertex];
-        }
-        let mut next = alloc::copied(&starts)?;
-        let mut at = alloc::filled(NONE, 2 * edges.len())?;
-        for (edge, ends) in edges.iter().enumerate() {
-            for &vertex in ends {
-                at[next[vertex as usize] as usize] = edge as u32;
-                next[vertex as usize] += 1;
-            }
-        }
-        Ok(Graph { edges, starts, at, used: alloc::filled(false, edges.len())? })
+        let ends = edges.iter().zip(0..).flat_map(|(ends, edge)| ends.map(|vertex| (vertex as usize, edge)));
+        Ok(Graph { edges, at: Buckets::new(vertex_count, NONE, ends)?, used: alloc::filled(false, edges.len())? })
     }
 
     fn edges_at(&self, vertex: u32) -> &[u32] {
-        &self.at[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize]
+        self.at.get(vertex as usize)
     }
 
     /// Curves go on through a vertex of two edges.

@@ -1,7 +1,11 @@
 //! Scalar polynomials in Bernstein form: values in O(n), binomial coefficients, products and integrals (Farouki and Rajan
 //! 1988).
 
-use super::MAX_DEGREE;
+/// The highest degree of a curve's segments.
+pub(crate) const MAX_DEGREE: usize = 64;
+
+/// The most coefficients that are searched for roots: (C - q) . C' of a segment C has degree 2 n - 1.
+pub(crate) const MAX_COEFFICIENTS: usize = 2 * MAX_DEGREE;
 
 /// f(t) and f'(t). The sum runs from the nearer end by a scheme like Horner's, so that no power overflows its binomial.
 pub(crate) fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
@@ -78,7 +82,7 @@ pub(crate) fn integral_of_product(f: &[f64], g: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{MAX_COEFFICIENTS, halve};
+    use super::super::casteljau::halve;
     use super::*;
 
     #[test]

@@ -9,7 +9,8 @@
 //! polynomial, or else one of its first two derivatives, changes its sign, or else the middle. So a root of multiplicity m is
 //! found once; places that come closer to 0 than the noise without reaching it count as double roots.
 
-use super::{MAX_COEFFICIENTS, halve, value_and_slope};
+use super::casteljau::halve;
+use super::polynomial::{MAX_COEFFICIENTS, value_and_slope};
 
 /// Roots in ascending order.
 #[derive(Clone, Copy)]
@@ -285,7 +286,7 @@ pub(crate) fn bracketed_root(mut low: f64, mut high: f64, at_low: f64, f: impl F
 
 #[cfg(test)]
 mod tests {
-    use super::super::add_product;
+    use super::super::polynomial::add_product;
     use super::*;
     use proptest::prelude::*;
 

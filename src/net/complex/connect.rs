@@ -5,7 +5,8 @@ use super::presence::Presence;
 use super::row_scan::{RowScan, Side};
 use crate::alloc;
 use crate::error::Result;
-use crate::net::topology::{Classes, Forest};
+use crate::geom::disjoint_sets::{DisjointSets, ParitySets};
+use crate::net::topology::Classes;
 
 /// The number of connected components; 1 if all cells exist. O(nodes).
 pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> {
@@ -13,7 +14,7 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
         return Ok(1);
     }
     let shape = classes.shape();
-    let mut forest = Forest::new(shape.node_count())?;
+    let mut sets = DisjointSets::new(shape.node_count())?;
     let mut touched: Vec<bool> = alloc::filled(false, shape.node_count())?;
     let mut row: Vec<u8> = alloc::zeroed(shape.columns() + 1)?;
     for i in 0..shape.rows() - 1 {
@@ -21,7 +22,7 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
         for j in (0..shape.columns() - 1).filter(|&j| row[j + 1] == 1) {
             let [a, b, c, d] = shape.corners(i, j);
             for node in [b, c, d] {
-                forest.join([a, node]);
+                sets.union(a, node);
             }
             [a, b, c, d].into_iter().for_each(|node| touched[node as usize] = true);
         }
@@ -35,13 +36,14 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
         for node in [representative, node].into_iter().filter(|&node| touched[node as usize]) {
             match &mut first[representative as usize] {
                 first if *first == u32::MAX => *first = node,
-                first => forest.join([*first, node]),
+                first => {
+                    sets.union(*first, node);
+                }
             }
         }
         Ok(())
     })?;
-    let roots = (0..shape.node_count()).filter(|&node| touched[node] && forest.find(node as u32) == node as u32);
-    Ok(roots.count() as u64)
+    Ok(sets.roots().filter(|&root| touched[root as usize]).count() as u64)
 }
 
 /// True if the faces can be oriented so that no two traverse an edge in the same direction; edges
@@ -49,7 +51,7 @@ pub(super) fn components(classes: &Classes, presence: &Presence) -> Result<u64> 
 pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &Classes, presence: &Presence) -> Result<bool> {
     let shape = classes.shape();
     let (h, w) = (shape.rows(), shape.columns());
-    let mut signs = ParityForest::new(shape.cell_count())?;
+    let mut signs = ParitySets::new(shape.cell_count())?;
     let mut row: Vec<u8> = alloc::zeroed(w + 1)?;
     let mut next: Vec<u8> = alloc::zeroed(w + 1)?;
     let plain = |a: u32, b: u32| !scan.is_glued(a) && !scan.is_glued(b);
@@ -59,10 +61,10 @@ pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &Classes, presence: &Pr
         for j in (0..w - 1).filter(|&j| row[j + 1] == 1) {
             let [_, b, c, d] = shape.corners(i, j);
             if row[j + 2..].first() == Some(&1) && plain(b, c) {
-                signs.join(shape.cell(i, j), shape.cell(i, j + 1), false);
+                signs.union(shape.cell(i, j), shape.cell(i, j + 1), false);
             }
             if next[j + 1] == 1 && plain(c, d) {
-                signs.join(shape.cell(i, j), shape.cell(i + 1, j), false);
+                signs.union(shape.cell(i, j), shape.cell(i + 1, j), false);
             }
         }
         std::mem::swap(&mut row, &mut next);
@@ -72,43 +74,6 @@ pub(super) fn is_orientable(scan: &RowScan<'_>, classes: &Classes, presence: &Pr
         _ => None,
     });
     let mut orientable = true;
-    pairs.for_each(|(a, b, opposed)| orientable &= signs.join(a, b, opposed));
+    pairs.for_each(|(a, b, opposed)| orientable &= signs.union(a, b, opposed));
     Ok(orientable)
-}
-
-/// Disjoint sets of cells with the sign of each relative to its root.
-struct ParityForest {
-    /// Twice the parent, plus 1 if the signs differ.
-    parents: Vec<u32>,
-}
-
-impl ParityForest {
-    fn new(count: usize) -> Result<Self> {
-        Ok(ParityForest { parents: alloc::collect((0..count).map(|cell| 2 * cell as u32))? })
-    }
-
-    /// Twice the root, plus 1 if the signs differ.
-    fn find(&mut self, cell: u32) -> u32 {
-        let mut at = 2 * cell;
-        loop {
-            let parent = self.parents[at as usize / 2];
-            if parent / 2 == at / 2 {
-                return at;
-            }
-            let above = self.parents[parent as usize / 2] ^ parent & 1;
-            self.parents[at as usize / 2] = above;
-            at = above ^ at & 1;
-        }
-    }
-
-    /// Requires opposite or equal signs; false if that contradicts earlier requirements.
-    fn join(&mut self, a: u32, b: u32, opposed: bool) -> bool {
-        let (a, b) = (self.find(a), self.find(b));
-        if a / 2 == b / 2 {
-            return (a ^ b) & 1 == u32::from(opposed);
-        }
-        let (min, max) = (a.min(b), a.max(b));
-        self.parents[max as usize / 2] = min & !1 | (min ^ max ^ u32::from(opposed)) & 1;
-        true
-    }
 }

@@ -7,6 +7,7 @@ use super::row_scan::{Corner, RowScan, Sense, Side};
 use super::vertex_sort;
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::disjoint_sets::DisjointSets;
 
 /// Groups sides of faces to edges, and adds boundary edges to the scan's.
 pub(super) fn edges(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> {
@@ -53,12 +54,12 @@ pub(super) fn fans(scan: &mut RowScan<'_>, complex: &mut Complex) -> Result<()> 
 struct VertexLink {
     /// The other ends of the edges, in order.
     points: Vec<u32>,
-    /// The union-find parent of each.
-    parents: Vec<usize>,
+    /// The components that they make.
+    components: DisjointSets,
     /// The number of faces of each.
     degrees: Vec<u32>,
     /// The points with one face, each with the root of its component.
-    ends: Vec<(usize, u32)>,
+    ends: Vec<(u32, u32)>,
 }
 
 impl VertexLink {
@@ -69,18 +70,17 @@ impl VertexLink {
         self.points.dedup();
         let count = self.points.len();
         refill(&mut self.degrees, std::iter::repeat_n(0, count), count)?;
-        refill(&mut self.parents, 0..count, count)?;
+        self.components.reset(count)?;
         for &[_, before, after] in corners {
             let [a, b] = [before, after].map(|point| self.points.partition_point(|&other| other < point));
             self.degrees[a] += 1;
             self.degrees[b] += 1;
-            let (a, b) = (self.root(a), self.root(b));
-            self.parents[a.max(b)] = a.min(b);
+            self.components.union(a as u32, b as u32);
         }
         self.ends.clear();
         for point in 0..count {
             if self.degrees[point] == 1 {
-                let root = self.root(point);
+                let root = self.components.find(point as u32);
                 alloc::push(&mut self.ends, (root, self.points[point]))?;
             }
         }
@@ -92,15 +92,7 @@ impl VertexLink {
                 alloc::push(ends, [corners[0][0], pair[0].1, pair[1].1])?;
             }
         }
-        Ok((0..count).filter(|&point| self.parents[point] == point).count())
-    }
-
-    fn root(&mut self, mut point: usize) -> usize {
-        while self.parents[point] != point {
-            self.parents[point] = self.parents[self.parents[point]];
-            point = self.parents[point];
-        }
-        point
+        Ok(self.components.roots().count())
     }
 }
 

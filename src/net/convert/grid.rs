@@ -7,9 +7,10 @@
 
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
 use crate::mesh::{Across, MeshView, NONE, Topology as Pairing};
-use crate::net::topology::{Forest, Links, Run, Seam};
+use crate::net::topology::{Links, Run, Seam};
 use crate::net::{Net, Shape, Sides, Topology};
 
 /// A net recognised in a mesh.
@@ -362,20 +363,21 @@ impl Grid {
         }
         let closed = Topology::new(shape, Links::Sides(sides), &seams)?;
         // Nodes of one vertex that are not glued yet: a surface that touches itself there.
-        let mut forest = Forest::new(shape.node_count())?;
+        let mut sets = DisjointSets::new(shape.node_count())?;
         closed.each_contracted(|link| {
             let [a, b] = shape.ends(link);
-            forest.join([a, b]);
+            sets.union(a, b);
         });
-        seams.iter().flat_map(|seam| seam.pairs(shape)).for_each(|[a, b]| forest.join([a, b]));
+        seams.iter().flat_map(|seam| seam.pairs(shape)).for_each(|[a, b]| {
+            sets.union(a, b);
+        });
         let mut first = alloc::filled(NONE, vertex_count)?;
         let mut touches = false;
         for (node, &vertex) in (0..).zip(vertices) {
             let first = &mut first[vertex as usize];
             if *first == NONE {
                 *first = node;
-            } else if forest.find(*first) != forest.find(node) {
-                forest.join([*first, node]);
+            } else if sets.union(*first, node) {
                 let place = |node: u32| {
                     let (i, j) = shape.place(node);
                     Run::at(i, j)

@@ -7,9 +7,10 @@
 //! merge nothing are dropped. Invariant: the result depends on the partition alone, not on the
 //! seams it came from. O(pairs log pairs) for each of 80 directions.
 
-use super::{Forest, Run, Seam};
+use super::{Run, Seam};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::disjoint_sets::DisjointSets;
 use crate::net::Shape;
 
 /// Rows and columns from one node to the next.
@@ -33,13 +34,12 @@ pub(super) fn seams(shape: Shape, table: &[u32], pieces: &[u32]) -> Result<Vec<S
         }
     }
     found.sort_unstable_by_key(|seam| (u32::MAX - seam.count, *seam));
-    let mut forest = Forest::of(alloc::copied(pieces)?);
+    let mut sets = DisjointSets::from_parents(alloc::copied(pieces)?);
     let mut seams = alloc::with_capacity(found.len())?;
     for seam in found {
         let mut merges = false;
         for [a, b] in seam.pairs(shape) {
-            merges |= forest.find(a) != forest.find(b);
-            forest.join([a, b]);
+            merges |= sets.union(a, b);
         }
         if merges {
             seams.push(seam);

@@ -8,6 +8,7 @@
 use super::{Links, Matrix, Sides, Topology};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
 use crate::net::shape::{Shape, corner_places};
 
@@ -46,13 +47,13 @@ impl Classes {
             return Ok(Classes { shape, map: ClassMap::Sides(SideClasses::new(shape, *sides)) });
         }
         let nodes = (0..shape.node_count()).map(|node| node as u32);
-        let mut forest = Forest::of(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
+        let mut sets = DisjointSets::from_parents(alloc::collect_cancellable(nodes, &job.part(0.0, 0.3), stage)?);
         match &topology.links {
-            Links::Sides(sides) => sides.links(shape).for_each(|link| forest.join(shape.ends(link))),
-            Links::Matrix(matrix) => forest.contract(shape, matrix, &job.part(0.3, 0.8), stage)?,
+            Links::Sides(sides) => sides.links(shape).for_each(|link| join(&mut sets, shape.ends(link))),
+            Links::Matrix(matrix) => contract(&mut sets, shape, matrix, &job.part(0.3, 0.8), stage)?,
         }
-        topology.seams().iter().flat_map(|seam| seam.pairs(shape)).for_each(|pair| forest.join(pair));
-        Ok(Classes { shape, map: ClassMap::Table(forest.flattened(&job.part(0.8, 1.0), stage)?) })
+        topology.seams().iter().flat_map(|seam| seam.pairs(shape)).for_each(|pair| join(&mut sets, pair));
+        Ok(Classes { shape, map: ClassMap::Table(sets.into_roots(&job.part(0.8, 1.0), stage)?) })
     }
 
     /// The size of the net.
@@ -250,80 +251,42 @@ const NODES_PER_REPORT: usize = 1 << 18;
 /// The even bits of a word: links to the west, once bits are shifted to their ends.
 const WEST: u64 = 0x5555_5555_5555_5555;
 
-/// Disjoint sets of nodes whose roots are their smallest members.
-pub(crate) struct Forest {
-    parents: Vec<u32>,
+fn join(sets: &mut DisjointSets, [a, b]: [u32; 2]) {
+    sets.union(a, b);
 }
 
-impl Forest {
-    pub(crate) fn new(count: usize) -> Result<Self> {
-        Ok(Forest { parents: alloc::collect((0..count).map(|node| node as u32))? })
-    }
-
-    /// A forest in which every node is a child of its entry, or a root.
-    pub(super) fn of(representatives: Vec<u32>) -> Self {
-        Forest { parents: representatives }
-    }
-
-    pub(crate) fn find(&mut self, mut node: u32) -> u32 {
-        while self.parents[node as usize] != node {
-            let parent = self.parents[node as usize];
-            self.parents[node as usize] = self.parents[parent as usize];
-            node = parent;
+/// Joins the ends of all links of a matrix, in sets that have joined nothing yet.
+///
+/// Nodes are taken in order, 32 at a time, and those without links to the west or north are
+/// passed over. A node with one of the two becomes a child of its neighbour's parent, without a
+/// search for the root; only where both lead to different parents are trees joined.
+fn contract(sets: &mut DisjointSets, shape: Shape, matrix: &Matrix, job: &Job<'_>, stage: &'static str) -> Result<()> {
+    let (h, w) = (shape.rows(), shape.columns());
+    let often = (NODES_PER_REPORT / w).max(1);
+    for (i, j) in (0..h).flat_map(|i| (0..w).step_by(32).map(move |j| (i, j))) {
+        if j == 0 && i % often == 0 {
+            job.step(i as f64 / h as f64, stage)?;
         }
-        node
-    }
-
-    pub(crate) fn join(&mut self, [a, b]: [u32; 2]) {
-        let (a, b) = (self.find(a), self.find(b));
-        self.parents[a.max(b) as usize] = a.min(b);
-    }
-
-    /// Joins the ends of all links of a matrix, in a forest that has joined nothing yet.
-    ///
-    /// Nodes are taken in order, 32 at a time, and those without links to the west or north are
-    /// passed over. A node with one of the two becomes a child of its neighbour's parent, without a
-    /// search for the root; only where both lead to different parents are trees joined.
-    fn contract(&mut self, shape: Shape, matrix: &Matrix, job: &Job<'_>, stage: &'static str) -> Result<()> {
-        let (h, w) = (shape.rows(), shape.columns());
-        let often = (NODES_PER_REPORT / w).max(1);
-        for (i, j) in (0..h).flat_map(|i| (0..w).step_by(32).map(move |j| (i, j))) {
-            if j == 0 && i % often == 0 {
-                job.step(i as f64 / h as f64, stage)?;
-            }
-            let first = i * w + j;
-            // Bit 2k: the link west of node k of these; bit 2k + 1: north. Closing links are done
-            // last.
-            let west = if j > 0 { matrix.bits(2 * (first - 1)) } else { matrix.bits(2 * first) << 2 };
-            let north = if i > 0 { matrix.bits(2 * (first - w)) } else { 0 };
-            let here = (west & WEST) | (north & !WEST);
-            let mut left = if w - j < 32 { here & ((1 << (2 * (w - j))) - 1) } else { here };
-            while left != 0 {
-                let k = left.trailing_zeros() / 2;
-                let (west, north) = (left >> (2 * k) & 1, left >> (2 * k + 1) & 1);
-                left &= !(3 << (2 * k));
-                let node = first + k as usize;
-                let [a, b] = [node - west as usize, node - w * north as usize].map(|other| self.parents[other]);
-                self.parents[node] = a.min(b);
-                if west & north != 0 && a != b {
-                    self.join([a, b]);
-                }
+        let first = i * w + j;
+        // Bit 2k: the link west of node k of these; bit 2k + 1: north. Closing links are done
+        // last.
+        let west = if j > 0 { matrix.bits(2 * (first - 1)) } else { matrix.bits(2 * first) << 2 };
+        let north = if i > 0 { matrix.bits(2 * (first - w)) } else { 0 };
+        let here = (west & WEST) | (north & !WEST);
+        let mut left = if w - j < 32 { here & ((1 << (2 * (w - j))) - 1) } else { here };
+        while left != 0 {
+            let k = left.trailing_zeros() / 2;
+            let (west, north) = (left >> (2 * k) & 1, left >> (2 * k + 1) & 1);
+            left &= !(3 << (2 * k));
+            let node = first + k as usize;
+            let [a, b] = [node - west as usize, node - w * north as usize].map(|other| sets.parent(other as u32));
+            sets.attach(node as u32, a.min(b));
+            if west & north != 0 && a != b {
+                sets.union(a, b);
             }
         }
-        let closing =
-            (0..h).map(|i| shape.horizontal_link(i, w - 1)).chain((0..w).map(|j| shape.vertical_link(h - 1, j)));
-        closing.filter(|&link| matrix.get(link)).for_each(|link| self.join(shape.ends(link)));
-        Ok(())
     }
-
-    /// The root of every node. Parents come before their children: one pass is enough.
-    pub(crate) fn flattened(mut self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
-        job.ranges(stage, self.parents.len(), |range| {
-            for node in range {
-                self.parents[node] = self.parents[self.parents[node] as usize];
-            }
-            Ok(())
-        })?;
-        Ok(self.parents)
-    }
+    let closing = (0..h).map(|i| shape.horizontal_link(i, w - 1)).chain((0..w).map(|j| shape.vertical_link(h - 1, j)));
+    closing.filter(|&link| matrix.get(link)).for_each(|link| join(sets, shape.ends(link)));
+    Ok(())
 }

@@ -22,7 +22,6 @@ mod sides;
 mod structure;
 
 pub use cell::Reduced;
-pub(crate) use classes::Forest;
 pub use classes::{Classes, Groups};
 pub use gluing::{Diagonal, Gluing};
 pub(crate) use local_gluing::star_links;

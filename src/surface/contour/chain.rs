@@ -5,6 +5,7 @@ use super::search::{Arc, Found};
 use crate::alloc;
 use crate::error::Result;
 use crate::par;
+use crate::sort::Buckets;
 use glam::DVec2;
 use std::collections::VecDeque;
 
@@ -89,16 +90,8 @@ fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
         return Ok(());
     }
     let count = arcs.iter().map(|arc| arc.level as usize + 1).max().unwrap_or(0);
-    let mut next = alloc::filled(0, count + 1)?;
-    arcs.iter().for_each(|arc| next[arc.level as usize + 1] += 1);
-    (0..count).for_each(|level| next[level + 1] += next[level]);
-    let mut sorted = alloc::filled(arcs[0], arcs.len())?;
-    for arc in arcs.iter() {
-        let at = &mut next[arc.level as usize];
-        sorted[*at] = *arc;
-        *at += 1;
-    }
-    *arcs = sorted;
+    let of_levels = Buckets::new(count, arcs[0], arcs.iter().map(|arc| (arc.level as usize, *arc)))?;
+    *arcs = of_levels.into_parts().1;
     Ok(())
 }
 
