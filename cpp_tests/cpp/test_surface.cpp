@@ -187,7 +187,7 @@ TEST_CASE("lines meet the surface where they meet a fine mesh") {
         for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
             lines.push_back(Line::line(ends[k], shapes::minus(ends[k + 1], ends[k])));
         }
-        const gusset::SurfaceHits hits = fine.surface.lines(lines);
+        const gusset::SurfaceHits hits = fine.surface.line_hits(lines);
         REQUIRE(hits.size() == lines.size());
         std::size_t differing = 0, met = 0;
         for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -216,24 +216,24 @@ TEST_CASE("lines meet the surface where they meet a fine mesh") {
 TEST_CASE("which hits, and what they are") {
     const Surface torus(shapes::torus_sheet());
     const Line across = Line::line({-3, 0.1, 0.05}, {1, 0, 0});
-    const gusset::SurfaceHits all = torus.line(across);
+    const gusset::SurfaceHits all = torus.line_hits(across);
     REQUIRE(all[0].size() == 4);
     for (const gusset::Hit &hit : all.hits()) {
         CHECK(hit.hit_kind() == gusset::HitKind::crossing);
         CHECK(hit.span[0] == hit.t);
     }
-    const gusset::SurfaceHits first = torus.line(across, gusset::HitSelection::first);
+    const gusset::SurfaceHits first = torus.line_hits(across, gusset::HitSelection::first);
     REQUIRE(first[0].size() == 1);
     CHECK(first[0][0].t == all[0][0].t);
-    const gusset::SurfaceHits any = torus.line(across, gusset::HitSelection::any);
+    const gusset::SurfaceHits any = torus.line_hits(across, gusset::HitSelection::any);
     CHECK(any[0].size() == 1);
-    const gusset::SurfaceHits ray = torus.line(Line::ray({0, 0.1, 0.05}, {1, 0, 0}));
+    const gusset::SurfaceHits ray = torus.line_hits(Line::ray({0, 0.1, 0.05}, {1, 0, 0}));
     CHECK(ray[0].size() == 2);
-    const gusset::SurfaceHits segment = torus.line(Line::segment({0, 0.1, 0.05}, {1, 0.1, 0.05}));
+    const gusset::SurfaceHits segment = torus.line_hits(Line::segment({0, 0.1, 0.05}, {1, 0.1, 0.05}));
     CHECK(segment[0].size() == 1);
     // A range over a temporary keeps it to the end.
     std::size_t met = 0;
-    for (const gusset::Hits &own : torus.line(across)) {
+    for (const gusset::Hits &own : torus.line_hits(across)) {
         met += own.size();
     }
     CHECK(met == 4);
@@ -251,7 +251,7 @@ TEST_CASE("which hits, and what they are") {
 
     // The plane z = 0 of a flat sheet, and a line in it.
     const Surface flat(Sheet::from_nodes(4, 4, shapes::nodes(3, 3, false, false, [](double u, double v) { return Point3{u, v, 0}; })));
-    const gusset::SurfaceHits inside = flat.line(Line::line({-1, 0.4, 0}, {1, 0, 0}));
+    const gusset::SurfaceHits inside = flat.line_hits(Line::line({-1, 0.4, 0}, {1, 0, 0}));
     REQUIRE(inside[0].size() == 1);
     CHECK(inside[0][0].hit_kind() == gusset::HitKind::inside);
     CHECK(std::abs(inside[0][0].span[1] - inside[0][0].span[0] - 1) < 1e-6);
@@ -259,7 +259,7 @@ TEST_CASE("which hits, and what they are") {
     // A curve: the parabola z = x^2 - 1/4 over the sheet.
     const std::vector<std::array<double, 3>> points{{0.1, 0.5, -0.24}, {0.5, 0.5, 0.25 - 0.4}, {0.9, 0.5, 0.56}};
     const std::vector<uint32_t> ends{0, 2};
-    const gusset::SurfaceHits curve = flat.curve(gusset::Curve::from_points(points, ends, false));
+    const gusset::SurfaceHits curve = flat.curve_hits(gusset::Curve::from_points(points, ends, false));
     REQUIRE(curve.size() == 1);
     REQUIRE(curve[0].size() == 1);
     CHECK(curve.on_curve().size() == 3);
@@ -452,7 +452,7 @@ TEST_CASE("errors say which") {
     };
     CHECK(status_of([&] { torus.nearest(queries); }) == std::make_pair(int32_t(GUSSET_ERROR_NOT_FINITE), uint64_t(3)));
     const std::vector<Line> lines{Line::line({0, 0, 0}, {1, 0, 0}), Line::line({0, 0, 0}, {0, 0, 0})};
-    CHECK(status_of([&] { torus.lines(lines); }).first == GUSSET_ERROR_OUT_OF_RANGE);
+    CHECK(status_of([&] { torus.line_hits(lines); }).first == GUSSET_ERROR_OUT_OF_RANGE);
     CHECK(status_of([&] { torus.section({0, 0, 0}, {0, 0, 0}); }).first == GUSSET_ERROR_OUT_OF_RANGE);
     const std::vector<double> falling{1, 0};
     CHECK(status_of([&] { torus.sections({0, 0, 0}, {0, 0, 1}, falling); }).first == GUSSET_ERROR_OUT_OF_RANGE);

@@ -64,7 +64,7 @@ class CellMask {
 public:
     /// All cells of a number of rows and columns.
     static CellMask all(std::size_t rows, std::size_t columns) { return {rows, columns, ~uint64_t{0}}; }
-    /// None of them.
+    /// No cell of a number of rows and columns.
     static CellMask none(std::size_t rows, std::size_t columns) { return {rows, columns, 0}; }
     /// Bit k % 64 of word k / 64 is that of cell (i, j), k = i * columns + j. Words and bits beyond
     /// the last cell are dropped.

@@ -77,13 +77,13 @@ private:
 
 /// A direction of a B-spline; see gusset_spline.
 struct SplineAxis {
-    /// Control points.
+    /// The number of control points.
     std::size_t count;
-    /// 1 to 7.
+    /// The degree, 1 to 7.
     uint32_t degree;
     /// The knots; see gusset_spline.
     Span<const double> knots;
-    /// The last knots continue into the first.
+    /// A closed direction; see gusset_spline.
     bool closed = false;
 };
 
@@ -156,7 +156,7 @@ public:
     static Sheet borrow(std::size_t rows, std::size_t columns, Container &&points, const SheetOptions &options = {},
                         const Context &context = Context()) = delete;
 
-    /// With given tangents, one a node, row after row.
+    /// With given tangents, one for each node, row after row.
     static Sheet from_tangents(const NodesView &nodes, Points u, Points v, Twists twists = Twists::differences,
                                const Context &context = Context()) {
         return hermite(nodes, u, v, static_cast<gusset_twists>(twists), {}, context);

@@ -148,15 +148,15 @@ public:
     }
 
     /// The hits of lines, rays or segments.
-    SurfaceHits lines(Span<const Line> lines, HitSelection selection = HitSelection::all,
-                      const Context &context = Context()) const {
+    SurfaceHits line_hits(Span<const Line> lines, HitSelection selection = HitSelection::all,
+                          const Context &context = Context()) const {
         return SurfaceHits(context.result(gusset_surface_line_hits_create, get(), lines.data(), lines.size(),
                                           static_cast<gusset_hit_selection>(selection)));
     }
     /// The hits of one line; see gusset_surface_line_hits_create.
-    SurfaceHits line(const Line &line, HitSelection selection = HitSelection::all,
-                     const Context &context = Context()) const {
-        return lines({&line, 1}, selection, context);
+    SurfaceHits line_hits(const Line &line, HitSelection selection = HitSelection::all,
+                          const Context &context = Context()) const {
+        return line_hits(Span<const Line>(&line, 1), selection, context);
     }
     /// The first hit of each line; HitKind::none for a line without a hit.
     std::vector<Hit> first_hits(Span<const Line> lines, const Context &context = Context()) const {
@@ -165,8 +165,8 @@ public:
         return out;
     }
     /// The hits of a curve in space.
-    SurfaceHits curve(const Curve &curve, HitSelection selection = HitSelection::all,
-                      const Context &context = Context()) const {
+    SurfaceHits curve_hits(const Curve &curve, HitSelection selection = HitSelection::all,
+                           const Context &context = Context()) const {
         return SurfaceHits(context.result(gusset_surface_curve_hits_create, get(), curve.get(),
                                           static_cast<gusset_hit_selection>(selection)));
     }
@@ -179,8 +179,7 @@ public:
     }
     /// The sections by parallel planes, at increasing distances from the point along the normal.
     SurfacePaths sections(const Point3 &point, const Point3 &normal, Span<const double> offsets,
-                          const PointSpacing &spacing = {},
-                          const Context &context = Context()) const {
+                          const PointSpacing &spacing = {}, const Context &context = Context()) const {
         const gusset_contour_options given = spacing.as_c();
         return SurfacePaths(context.result(gusset_surface_section_create, get(), point.data(), normal.data(),
                                            offsets.data(), offsets.size(), &given));
@@ -208,7 +207,7 @@ public:
     }
     /// The point whose normal makes the angle with a direction that is nearest to a given one.
     gusset_nearest_angle_report nearest_angle(const Point3 &direction, double angle, NormalSide side = NormalSide::one,
-                                       const Context &context = Context()) const {
+                                              const Context &context = Context()) const {
         const gusset_contour_options given = PointSpacing().as_c(side == NormalSide::both);
         return context.result(gusset_surface_nearest_angle, get(), direction.data(), angle, &given);
     }

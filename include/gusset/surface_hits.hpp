@@ -69,7 +69,7 @@ public:
 
     /// The number of lines; 1 for a curve.
     std::size_t size() const { return view().line_count; }
-    /// Of line `i`, by increasing t; throws std::out_of_range.
+    /// The hits of line `i`, by increasing t; throws std::out_of_range.
     Hits operator[](std::size_t i) const & {
         const gusset_surface_hits_view all = view();
         if (i >= all.line_count) {
@@ -84,13 +84,13 @@ public:
     iterator end() const & { return {this, size()}; }
     iterator end() const && = delete;
 
-    /// Of all lines, one line after the other.
+    /// The hits of all lines, one line after the other.
     Hits hits() const & {
         const gusset_surface_hits_view all = view();
         return {all.hits, all.hit_count};
     }
     Hits hits() const && = delete;
-    /// Of a curve, three places on it for each hit: its own, and where its span begins and ends.
+    /// Of a curve, three places on it for each hit: its own, and the ends of its span.
     Span<const Place> on_curve() const & {
         const gusset_surface_hits_view all = view();
         return {all.on_curve, all.on_curve != nullptr ? 3 * all.hit_count : 0};
