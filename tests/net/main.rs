@@ -12,6 +12,7 @@ mod concat;
 mod convert;
 mod duplicates;
 mod field;
+mod golden;
 mod grids;
 mod measure;
 mod nets;

@@ -246,11 +246,9 @@ fn lines_of_the_surface_and_tangent_planes() {
     for (normal, offset) in [(villarceau, 0.0), (DVec3::Z, 0.4), (DVec3::X, 0.6), (DVec3::X, 1.4)] {
         for shift in [0.0, 1e-9, -1e-9, 1e-5, -1e-5, 1e-15] {
             let planes = Planes { point: DVec3::ZERO, normal, offsets: &[offset + shift] };
-            let start = std::time::Instant::now();
             let paths = surface.section(&planes, Between::Auto, &job).unwrap();
             check(&surface, &paths, "tangent");
             assert!(paths.closed.iter().all(|&closed| closed), "{normal} {offset} {shift}");
-            assert!(start.elapsed().as_secs() < 20, "{normal} {offset} {shift}");
         }
     }
     // A plane sheet in the plane itself.

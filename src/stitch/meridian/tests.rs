@@ -227,17 +227,55 @@ proptest! {
             }).collect()
         };
         let (a, b) = (closed(&rim(n, 0.0, 0.0)), closed(&rim((ratio * n as f64) as usize, 0.3, shift)));
-        let rails = RimPair { a: &a, b: &b, closed: true, forbidden: &[], sides: None };
-        let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
-        for metric in [Metric::area(&a, &b, &paper), Metric::Diagonal, Metric::Quad] {
-            let job = Job::default();
-            let find = |rails: &RimPair<'_>, band: &Band, job: &Job<'_>| lattice::cheapest(rails, metric, band, job);
-            let coarse = coarse::coarse_to_fine(&rails, &find, &job).unwrap().unwrap();
-            let exact = find(&rails, &Band::full(a.len() - 1, b.len() - 1).unwrap(), &job).unwrap().unwrap();
-            let (coarse, exact) = (metric.of_path(&a, &b, &coarse), metric.of_path(&a, &b, &exact));
-            prop_assert!(coarse >= exact * (1.0 - 1e-12) && coarse <= exact * 1.0005, "{metric:?} {coarse} {exact}");
-        }
+        let lost = lost_by_coarse_search(&a, &b, &[]);
+        prop_assert!(lost <= 0.0005, "{lost}");
     }
+
+    /// Rims as a cut through a mesh leaves them: teeth of some edges each, as high as edges are long.
+    #[test]
+    fn coarse_to_fine_is_nearly_the_best_on_jagged_rims(
+        n in 1500usize..2500,
+        ratio in 0.3f64..1.0,
+        seed in any::<u64>(),
+        barred in prop::collection::vec((0.0f64..1.0, 0.0f64..1.0), 0..20),
+    ) {
+        let mut random = fastrand::Rng::with_seed(seed);
+        let mut rim = |count: usize, lift: f64| -> Vec<DVec3> {
+            let edge = std::f64::consts::TAU / count as f64;
+            let (mut up, mut points) = (false, Vec::new());
+            for i in 0..count {
+                up ^= random.f64() < 0.6;
+                let tooth = if up { 0.9 * edge } else { 0.0 };
+                let (t, radius) = (edge * (i as f64 + 0.4 * random.f64()), 1.0 + 0.2 * edge * random.f64());
+                points.push(DVec3::new(radius * t.cos(), radius * t.sin(), lift + tooth));
+            }
+            points
+        };
+        let (a, b) = (closed(&rim(n, 0.0)), closed(&rim((ratio * n as f64) as usize, 0.3)));
+        let (n, m) = (a.len() as u32 - 1, b.len() as u32 - 1);
+        let place = |share: f64, count: u32| 1 + (share * f64::from(count - 2)) as u32;
+        let barred = barred.iter().map(|&(i, j)| [place(i, n), place(j, m)]);
+        let lost = lost_by_coarse_search(&a, &b, &forbidden_nodes(barred, n, m, true).unwrap());
+        prop_assert!(lost <= 0.0005, "{lost}");
+    }
+}
+
+/// By how much of the least cost the coarse-to-fine search is dearer than the exact one, at most, over all costs of steps.
+fn lost_by_coarse_search(a: &[DVec3], b: &[DVec3], forbidden: &[Pair]) -> f64 {
+    let rails = RimPair { a, b, closed: true, forbidden, sides: None };
+    let paper = index_meridians(a.len() as u32 - 1, b.len() as u32 - 1).unwrap();
+    let mut most = 0.0f64;
+    for metric in [Metric::area(a, b, &paper), Metric::Diagonal, Metric::Quad] {
+        let job = Job::default();
+        let find = |rails: &RimPair<'_>, band: &Band, job: &Job<'_>| lattice::cheapest(rails, metric, band, job);
+        let coarse = coarse::coarse_to_fine(&rails, &find, &job).unwrap().unwrap();
+        let exact = find(&rails, &Band::full(a.len() - 1, b.len() - 1).unwrap(), &job).unwrap().unwrap();
+        assert!(coarse.iter().all(|node| !forbidden.contains(node)));
+        let (coarse, exact) = (metric.of_path(a, b, &coarse), metric.of_path(a, b, &exact));
+        assert!(coarse >= exact * (1.0 - 1e-12), "{metric:?} {coarse} {exact}");
+        most = most.max(coarse / exact - 1.0);
+    }
+    most
 }
 
 #[test]
