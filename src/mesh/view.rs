@@ -2,6 +2,7 @@
 
 use crate::alloc;
 use crate::error::{Element, Error, Result};
+use crate::geom::strided::Strided;
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
@@ -35,9 +36,7 @@ impl Scalar {
 /// Positions as they lie in memory: `x, y, z` at the start of every `stride` bytes, at any alignment.
 #[derive(Debug, Clone, Copy)]
 pub struct Positions<'a> {
-    bytes: &'a [u8],
-    stride: usize,
-    count: usize,
+    points: Strided<'a>,
     scalar: Scalar,
 }
 
@@ -48,13 +47,8 @@ impl<'a> Positions<'a> {
     /// # Errors
     /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`], [`Error::ArrayTooShort`].
     pub fn strided(bytes: &'a [u8], stride: usize, count: usize, scalar: Scalar) -> Result<Self> {
-        let needed = Self::bytes_needed(stride, count, scalar)?;
-        if bytes.len() < needed {
-            let (needed, given) = (needed as u64, bytes.len() as u64);
-            return Err(Error::ArrayTooShort { what: "positions", needed, given });
-        }
-        let stride = if stride == 0 { scalar.position_size() } else { stride };
-        Ok(Positions { bytes: &bytes[..needed], stride, count, scalar })
+        check_count(count)?;
+        Ok(Positions { points: Strided::new(bytes, count, stride, scalar.position_size(), "positions")?, scalar })
     }
 
     /// The number of bytes that `count` positions span.
@@ -62,31 +56,18 @@ impl<'a> Positions<'a> {
     /// # Errors
     /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`].
     pub fn bytes_needed(stride: usize, count: usize, scalar: Scalar) -> Result<usize> {
-        let size = scalar.position_size();
-        if count as u64 > MAX_ELEMENTS {
-            return Err(Error::TooLarge { what: "vertices", count: count as u64, limit: MAX_ELEMENTS });
-        }
-        if stride != 0 && stride < size {
-            return Err(Error::StrideTooSmall { stride: stride as u64, min: size as u64 });
-        }
-        let stride = if stride == 0 { size } else { stride };
-        if count == 0 {
-            return Ok(0);
-        }
-        let bytes = (count - 1).checked_mul(stride).and_then(|n| n.checked_add(size));
-        bytes
-            .filter(|&n| n <= isize::MAX as usize)
-            .ok_or(Error::SizeOverflow { what: "positions", count: count as u64 })
+        check_count(count)?;
+        Strided::span(count, stride, scalar.position_size(), "positions")
     }
 
     /// The number of positions.
     pub fn len(&self) -> usize {
-        self.count
+        self.points.len()
     }
 
     /// True if there are none.
     pub fn is_empty(&self) -> bool {
-        self.count == 0
+        self.len() == 0
     }
 
     /// The type of the coordinates.
@@ -96,13 +77,12 @@ impl<'a> Positions<'a> {
 
     /// Position `v` in double precision, which is exact.
     pub fn get(&self, v: u32) -> DVec3 {
-        let at = v as usize * self.stride;
         match self.scalar {
             Scalar::F32 => {
-                let p: [f32; 3] = bytemuck::pod_read_unaligned(&self.bytes[at..at + 12]);
+                let p: [f32; 3] = self.points.get(v as usize);
                 DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))
             }
-            Scalar::F64 => DVec3::from_array(bytemuck::pod_read_unaligned(&self.bytes[at..at + 24])),
+            Scalar::F64 => DVec3::from_array(self.points.get(v as usize)),
         }
     }
 
@@ -129,26 +109,33 @@ impl<'a> Positions<'a> {
 
     /// Position `v` as stored, bit for bit.
     pub(super) fn bits(&self, v: usize) -> &'a [u8] {
-        &self.bytes[v * self.stride..][..self.scalar.position_size()]
+        self.points.bytes(v)
     }
 
     /// True if nothing lies between the positions.
     pub(super) fn packed_bytes(&self) -> Option<&'a [u8]> {
-        (self.stride == self.scalar.position_size()).then_some(self.bytes)
+        self.points.without_gaps()
+    }
+}
+
+/// # Errors
+/// [`Error::TooLarge`].
+fn check_count(count: usize) -> Result<()> {
+    match count as u64 {
+        0..=MAX_ELEMENTS => Ok(()),
+        count => Err(Error::TooLarge { what: "vertices", count, limit: MAX_ELEMENTS }),
     }
 }
 
 impl<'a> From<&'a [[f32; 3]]> for Positions<'a> {
     fn from(points: &'a [[f32; 3]]) -> Self {
-        let bytes = bytemuck::cast_slice(points);
-        Positions { bytes, stride: 12, count: points.len(), scalar: Scalar::F32 }
+        Positions { points: Strided::packed(points), scalar: Scalar::F32 }
     }
 }
 
 impl<'a> From<&'a [[f64; 3]]> for Positions<'a> {
     fn from(points: &'a [[f64; 3]]) -> Self {
-        let bytes = bytemuck::cast_slice(points);
-        Positions { bytes, stride: 24, count: points.len(), scalar: Scalar::F64 }
+        Positions { points: Strided::packed(points), scalar: Scalar::F64 }
     }
 }
 

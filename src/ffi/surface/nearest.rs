@@ -1,8 +1,8 @@
 //! Nearest points of surfaces, places where the distance is locally least, regions of cells, as C sees them.
 
 use crate::ffi::prelude::*;
-use crate::ffi::status::gusset_status::GUSSET_ERROR_BAD_STRIDE;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
+use crate::geom::strided::Strided;
 use crate::surface::{Closest, Minima, Region};
 use glam::DVec3;
 
@@ -179,20 +179,12 @@ impl TryFrom<Region> for gusset_surface_region {
 
 /// The caller's points, `stride` bytes apart, 0 for none between; at any alignment.
 pub(crate) fn queries(data: *const f64, count: usize, stride: usize) -> Result<Vec<DVec3>, Failure> {
-    let stride = if stride == 0 { 24 } else { stride };
-    if stride < 24 {
-        let message = "the stride of queries is less than three numbers";
-        return Err(Failure { value: stride as f64, ..Failure::new(GUSSET_ERROR_BAD_STRIDE, message) });
-    }
     if count as u64 > u64::from(u32::MAX) {
         return Err(Error::TooLarge { what: "queries", count: count as u64, limit: u32::MAX.into() }.into());
     }
-    // The last one has no gap behind it.
-    let overflow = || Error::SizeOverflow { what: "queries", count: count as u64 };
-    let before = count.saturating_sub(1).checked_mul(stride).and_then(|n| n.checked_add(24)).ok_or_else(overflow)?;
-    let bytes = input::bytes(data.cast(), if count == 0 { 0 } else { before }, 1, "queries")?;
-    let point = |k: usize| DVec3::from_array(bytemuck::pod_read_unaligned(&bytes[k * stride..k * stride + 24]));
-    Ok(alloc::collect((0..count).map(point))?)
+    let bytes = input::bytes(data.cast(), Strided::span(count, stride, 24, "queries")?, 1, "queries")?;
+    let queries = Strided::new(bytes, count, stride, 24, "queries")?;
+    Ok(alloc::collect((0..count).map(|k| DVec3::from_array(queries.get(k))))?)
 }
 
 /// The nearest points of a surface to queries, one or many.
