@@ -1518,7 +1518,7 @@ typedef struct gusset_constraint {
      */
     uint32_t point;
     /**
-     * GUSSET_DEMAND_...
+     * GUSSET_CONSTRAINT_...
      */
     uint32_t demand;
     /**
@@ -1946,7 +1946,7 @@ typedef struct gusset_outline_report {
     /**
      * How many points have another status than GUSSET_POINT_OK.
      */
-    uint32_t not_ok;
+    uint32_t not_ok_count;
     /**
      * 0.
      */
@@ -4351,13 +4351,13 @@ typedef struct gusset_contour_options {
     size_t struct_size;
     /**
      * With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the surface. Otherwise not read. (In
-     * gusset_intersection_options, which has no `between`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
+     * gusset_intersection_options, which has no `spacing`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
      */
     double chord;
     /**
-     * GUSSET_BETWEEN_...
+     * GUSSET_POINT_SPACING_...
      */
-    gusset_point_spacing between;
+    gusset_point_spacing spacing;
     /**
      * With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
      */
@@ -4585,7 +4585,7 @@ typedef struct gusset_nearest_options {
     /**
      * Of minima: as many of the nearest; 0: all.
      */
-    size_t most;
+    size_t max_count;
     /**
      * 1: limit is read.
      */
@@ -4621,7 +4621,7 @@ typedef struct gusset_surface_nearest_point {
      */
     double bound;
     /**
-     * GUSSET_SURFACE_CLOSEST_...
+     * GUSSET_NEAREST_...
      */
     uint32_t flags;
     /**
@@ -4759,13 +4759,13 @@ typedef struct gusset_reference_task {
      */
     size_t struct_size;
     /**
-     * GUSSET_MASK_...
+     * GUSSET_REFERENCE_...
      */
     gusset_reference_object object;
     /**
      * 0: cells that may have something within `within`. 1: cells that may have the nearest.
      */
-    uint32_t least;
+    uint32_t find_nearest;
     /**
      * A point of the object; not read for angles.
      */
@@ -4832,7 +4832,7 @@ typedef struct gusset_reference_report {
     /**
      * The least distance of the nodes that were looked at; of the nearest task: of all nodes.
      */
-    double least;
+    double min_distance;
     /**
      * The row of that node.
      */
@@ -5113,11 +5113,11 @@ typedef struct gusset_sheet_mesh_options {
     /**
      * The fewest parts of each cell in u; 0 stands for 1.
      */
-    uint32_t least_u;
+    uint32_t min_u;
     /**
      * The fewest parts of each cell in v; 0 stands for 1.
      */
-    uint32_t least_v;
+    uint32_t min_v;
     /**
      * 1: triangles only; 0: quads, and triangles at poles.
      */
@@ -7791,7 +7791,7 @@ gusset_status gusset_net_grid_get_view(const struct gusset_net_grid *grid,
  *
  * x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row
  * after row without gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each
- * has room for. without: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
+ * has room for. missing_count: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
  * cells have no area or cancel out; may be NULL. Columns go with the fingers of the right hand towards rows, and the
  * normal with the thumb; the other way for nets that are reversed. Nodes that are glued get the same bits, poles and
  * seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there decide.
@@ -7807,7 +7807,7 @@ gusset_status gusset_net_normals(const struct gusset_context *context,
                                  void *y,
                                  void *z,
                                  size_t capacity,
-                                 uint64_t *without);
+                                 uint64_t *missing_count);
 
 /**
  * Makes a net of a standard shape, centred at the origin, its axis along z.
@@ -8467,7 +8467,7 @@ gusset_status gusset_surface_locate(const struct gusset_context *context,
  *
  * A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
  * touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
- * which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+ * selection: GUSSET_HITS_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
  * MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
  * SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
  * threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
@@ -8478,7 +8478,7 @@ gusset_status gusset_surface_line_hits_create(const struct gusset_context *conte
                                               const struct gusset_surface *surface,
                                               const struct gusset_line *lines,
                                               size_t count,
-                                              gusset_hit_selection which,
+                                              gusset_hit_selection selection,
                                               struct gusset_surface_hits **hits);
 
 /**
@@ -8499,7 +8499,7 @@ gusset_status gusset_surface_first_hits(const struct gusset_context *context,
 /**
  * Where a curve in space meets a surface, in the order of the curve.
  *
- * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
+ * As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. selection: GUSSET_HITS_... hits:
  * receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
  * UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
  * comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
@@ -8509,7 +8509,7 @@ GUSSET_MUST_USE
 gusset_status gusset_surface_curve_hits_create(const struct gusset_context *context,
                                                const struct gusset_surface *surface,
                                                const struct gusset_curve *curve,
-                                               gusset_hit_selection which,
+                                               gusset_hit_selection selection,
                                                struct gusset_surface_hits **hits);
 
 /**
@@ -8537,7 +8537,7 @@ GUSSET_API void gusset_surface_hits_destroy(struct gusset_surface_hits *hits);
  * several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
  * no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
  * TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
- * for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Surfaces on smooth
+ * for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Carcasses on smooth
  * surfaces", task a, by branch and bound.
  */
 GUSSET_API
@@ -8558,7 +8558,7 @@ gusset_status gusset_surface_nearest(const struct gusset_context *context,
  * is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_NEAREST_PROVEN and
  * with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places count from which no way on the surface leads nearer.
  * Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
- * CANCELLED. O(cells within the limit); with most, those no farther than the last. From any thread.
+ * CANCELLED. O(cells within the limit); with max_count, those no farther than the last. From any thread.
  */
 GUSSET_API
 GUSSET_MUST_USE
@@ -8617,7 +8617,7 @@ GUSSET_API void gusset_surface_region_destroy(struct gusset_surface_region *regi
  *
  * euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
  * of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
- * room for; either may be NULL, both with capacity 0. written: receives the number of cells. greatest: receives two
+ * room for; either may be NULL, both with capacity 0. written: receives the number of cells. max: receives two
  * numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
  * MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
  * for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
@@ -8630,7 +8630,7 @@ gusset_status gusset_sheet_diameters(const struct gusset_context *context,
                                      double *intrinsic,
                                      size_t capacity,
                                      size_t *written,
-                                     double *greatest);
+                                     double *max);
 
 /**
  * Bounds the principal curvatures of a sheet in absolute terms, from control nets: the paper's K.

@@ -70,7 +70,7 @@ public:
     void plane(const Plane &plane, Polylines &curves) override {
         gusset_contour_options options{};
         options.struct_size = sizeof options;
-        options.between = chord_ > 0 ? GUSSET_POINT_SPACING_CHORD : GUSSET_POINT_SPACING_CELL_EDGES;
+        options.spacing = chord_ > 0 ? GUSSET_POINT_SPACING_CHORD : GUSSET_POINT_SPACING_CELL_EDGES;
         options.chord = chord_;
         const double offset = 0;
         gusset_surface_paths *found = nullptr;

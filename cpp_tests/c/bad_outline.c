@@ -193,11 +193,11 @@ static void results(void) {
     EXPECT(GUSSET_ERROR_BAD_STRUCT_SIZE, gusset_outline_get_report(outline, 0, &report));
     report.struct_size = sizeof report;
     EXPECT(GUSSET_OK, gusset_outline_get_report(outline, 0, &report));
-    CHECK(report.fit == GUSSET_FIT_OK && report.size == 1.0 && report.max_residual < 1e-15 && report.not_ok == 0);
+    CHECK(report.fit == GUSSET_FIT_OK && report.size == 1.0 && report.max_residual < 1e-15 && report.not_ok_count == 0);
     EXPECT(GUSSET_OK, gusset_outline_get_report(outline, 1, &report));
     CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.size == 0.0);
     EXPECT(GUSSET_OK, gusset_outline_get_report(outline, 2, &report));
-    CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.not_ok == 1);
+    CHECK(report.fit == GUSSET_FIT_TOO_FEW_POINTS && report.not_ok_count == 1);
     EXPECT(GUSSET_ERROR_NO_SUCH_ELEMENT, gusset_outline_get_report(outline, 3, &report));
     EXPECT(GUSSET_OK, gusset_outline_curve_create(context, outline, 0, &curve));
     EXPECT(GUSSET_OK, gusset_curve_length(context, curve, &length));

@@ -116,9 +116,9 @@ static void masks(gusset_sheet *sheet) {
     CHECK(written == 1 && report.cells > 0 && report.evaluations > 0);
     EXPECT(GUSSET_OK, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
     CHECK((words[0] >> (2 * (COLUMNS - 1) + 3) & 1) == 1 && report.cells < CELLS);
-    task.least = 1;
+    task.find_nearest = 1;
     EXPECT(GUSSET_OK, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
-    CHECK(fabs(report.least - sqrt(0.5)) < 1e-12);
+    CHECK(fabs(report.min_distance - sqrt(0.5)) < 1e-12);
     task = task_of(GUSSET_REFERENCE_POINT, 0.0, 0.0, 1e3);
     EXPECT(GUSSET_OK, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
     CHECK(report.cells == 0 && words[0] == 0 && report.evaluations == 1 && report.dropped > 0);
@@ -154,9 +154,9 @@ static void masks(gusset_sheet *sheet) {
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
     task.within = 0.0, task.object = 5;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
-    task.object = GUSSET_REFERENCE_POINT, task.least = 2;
+    task.object = GUSSET_REFERENCE_POINT, task.find_nearest = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
-    task.least = 0, task.point[1] = NAN;
+    task.find_nearest = 0, task.point[1] = NAN;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE, gusset_sheet_reference_mask(context, sheet, &task, words, 1, &written, &report));
     task.point[1] = 0.0;
     EXPECT(GUSSET_ERROR_NULL_ARGUMENT, gusset_sheet_reference_mask(context, NULL, &task, words, 1, &written, &report));

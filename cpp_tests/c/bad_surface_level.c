@@ -92,7 +92,7 @@ static void sections(const gusset_surface *surface) {
     CHECK(closed_curves(paths) == 6);
     EXPECT(GUSSET_OK, gusset_surface_section_create(context, surface, origin, up, NULL, 0, NULL, &paths));
     CHECK(closed_curves(paths) == 0);
-    options.between = GUSSET_POINT_SPACING_CHORD;
+    options.spacing = GUSSET_POINT_SPACING_CHORD;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
            gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
     CHECK(paths == NULL);
@@ -102,20 +102,20 @@ static void sections(const gusset_surface *surface) {
     options.chord = 1e-5;
     EXPECT(GUSSET_OK, gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
-    options.between = GUSSET_POINT_SPACING_LEUS;
+    options.spacing = GUSSET_POINT_SPACING_LEUS;
     options.points = 1001;
     EXPECT(GUSSET_ERROR_OUT_OF_RANGE,
            gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
     options.points = 3;
     EXPECT(GUSSET_OK, gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
-    options.between = GUSSET_POINT_SPACING_CELL_EDGES;
+    options.spacing = GUSSET_POINT_SPACING_CELL_EDGES;
     EXPECT(GUSSET_OK, gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
     CHECK(closed_curves(paths) == 6);
-    options.between = 4;
+    options.spacing = 4;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE,
            gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
-    options.between = 0, options.unsigned_normals = 2;
+    options.spacing = 0, options.unsigned_normals = 2;
     EXPECT(GUSSET_ERROR_UNKNOWN_VALUE,
            gusset_surface_section_create(context, surface, origin, up, offsets, 3, &options, &paths));
     options.unsigned_normals = 0, options.reserved = 1;

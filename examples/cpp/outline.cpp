@@ -177,7 +177,7 @@ int main(int argc, char **argv) try {
             throw std::runtime_error("too few points for a curve");
         }
         std::cout << style.name << ": " << drawn.curve.segment_count() << " segments, length " << drawn.curve.length()
-                  << ", " << drawn.report.not_ok << " points with a status of their own, largest miss "
+                  << ", " << drawn.report.not_ok_count << " points with a status of their own, largest miss "
                   << drawn.report.max_residual << " of the size\n";
     }
     std::ofstream svg(output);

@@ -202,7 +202,7 @@ static void what_a_surface_is(const gusset_surface *surface) {
 //! [surface_closest]
 static void nearest_points(const gusset_surface *surface) {
     const double queries[2][3] = {{3, 0, 2}, {0, 0.5, 1}};
-    const gusset_nearest_options options = {.struct_size = sizeof options, .most = 2};
+    const gusset_nearest_options options = {.struct_size = sizeof options, .max_count = 2};
     gusset_surface_nearest_point found[2];
     gusset_surface_points *points = NULL;
     gusset_surface_points_view all = {.struct_size = sizeof all};

@@ -38,13 +38,13 @@ struct ReferenceTask : gusset_reference_task {
     ReferenceTask up_to(double distance) const {
         ReferenceTask made = *this;
         made.within = distance;
-        made.least = 0;
+        made.find_nearest = 0;
         return made;
     }
     /// Cells that may hold the nearest: the default.
     ReferenceTask nearest() const {
         ReferenceTask made = *this;
-        made.least = 1;
+        made.find_nearest = 1;
         return made;
     }
 
@@ -52,7 +52,7 @@ private:
     ReferenceTask(gusset_reference_object kind, const Point3 &place, const Point3 &along) : gusset_reference_task{} {
         struct_size = sizeof(gusset_reference_task);
         object = kind;
-        least = 1;
+        find_nearest = 1;
         std::memcpy(point, place.data(), sizeof point);
         std::memcpy(direction, along.data(), sizeof direction);
     }

@@ -24,8 +24,8 @@ public:
     explicit SheetMesh(const Sheet &sheet, const SheetMeshOptions &options = {}, const Context &context = Context()) {
         auto given = detail::sized<gusset_sheet_mesh_options>();
         given.tolerance = options.tolerance;
-        given.least_u = options.min_u;
-        given.least_v = options.min_v;
+        given.min_u = options.min_u;
+        given.min_v = options.min_v;
         given.triangles = options.triangles ? 1 : 0;
         mesh_.reset(context.result(gusset_sheet_mesh_create, sheet.get(), &given));
     }

@@ -24,7 +24,7 @@ public:
     gusset_contour_options as_c(bool unsigned_normals = false) const {
         auto given = detail::sized<gusset_contour_options>();
         given.chord = chord_;
-        given.between = kind_;
+        given.spacing = kind_;
         given.points = points_;
         given.unsigned_normals = unsigned_normals ? 1 : 0;
         return given;

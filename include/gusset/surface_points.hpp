@@ -39,7 +39,7 @@ inline gusset_nearest_options as_c(const NearestOptions &options) {
     auto given = detail::sized<gusset_nearest_options>();
     given.limit = options.limit.value_or(0.0);
     given.limited = options.limit ? 1 : 0;
-    given.most = options.max_count;
+    given.max_count = options.max_count;
     return given;
 }
 } // namespace detail

@@ -150,6 +150,38 @@ pub(crate) fn bytes<'a>(
     Ok(unsafe { std::slice::from_raw_parts(pointer.cast(), length) })
 }
 
+/// `count` elements of plain numbers of the caller's, at any alignment.
+pub(crate) fn items<'a, T: bytemuck::AnyBitPattern>(
+    pointer: *const T,
+    count: usize,
+    name: &'static str,
+) -> Result<impl ExactSizeIterator<Item = T> + use<'a, T>, Failure> {
+    let bytes: &'a [u8] = bytes(pointer.cast(), count, size_of::<T>(), name)?;
+    Ok(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned))
+}
+
+/// As [`items`], copied.
+pub(crate) fn list<T: bytemuck::AnyBitPattern>(
+    pointer: *const T,
+    count: usize,
+    name: &'static str,
+) -> Result<Vec<T>, Failure> {
+    Ok(crate::alloc::collect(items(pointer, count, name)?)?)
+}
+
+/// `count` handles of the caller's that stay as they are, in an array at any alignment; each failure with its number.
+pub(crate) fn references<'a, T: 'a>(
+    handles: *const *const T,
+    count: usize,
+    name: &'static str,
+) -> Result<impl ExactSizeIterator<Item = Result<&'a T, Failure>>, Failure> {
+    bytes(handles.cast(), count, size_of::<*const T>(), name)?;
+    Ok((0..count).map(move |k| {
+        // SAFETY: within the bytes that were checked; any alignment will do.
+        reference(unsafe { handles.add(k).read_unaligned() }, name).map_err(|failure| failure.of_item(k))
+    }))
+}
+
 /// A flag of the caller's.
 pub(crate) fn flag(value: u32, name: &'static str) -> Result<bool, Failure> {
     match value {
@@ -198,6 +230,20 @@ pub(crate) fn fill<T: bytemuck::Pod>(
         return Err(Failure { value: needed as f64, ..Failure::new(GUSSET_ERROR_BUFFER_TOO_SMALL, message) });
     }
     write(results(buffer, needed, name)?)
+}
+
+/// As [`fill`], with a copy of what the library has.
+pub(crate) fn copy<T: bytemuck::Pod>(
+    buffer: *mut T,
+    capacity: usize,
+    from: &[T],
+    written: &mut usize,
+    name: &'static str,
+) -> Result<(), Failure> {
+    fill(buffer, capacity, from.len(), written, name, |to| {
+        to.copy_from_slice(from);
+        Ok(())
+    })
 }
 
 /// A struct of plain numbers and pointers that begins with `size_t struct_size`.

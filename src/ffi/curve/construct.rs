@@ -90,11 +90,7 @@ pub unsafe extern "C" fn gusset_curve_split_create(
 ) -> gusset_status {
     create(context, part, "part", |_| {
         let [first, second] = view(curve, "curve")?.split(at.checked()?)?;
-        match after {
-            0 => Ok(gusset_curve(first)),
-            1 => Ok(gusset_curve(second)),
-            other => Err(Failure::unknown("after", other.into())),
-        }
+        Ok(gusset_curve(if flag(after, "after")? { second } else { first }))
     })
 }
 

@@ -2,7 +2,6 @@
 
 use crate::ffi::curve::{gusset_curve, gusset_place, places, points, times, view, write};
 use crate::ffi::prelude::*;
-use libc::c_void;
 
 /// The nearest point of a curve.
 #[repr(C)]
@@ -166,8 +165,7 @@ pub unsafe extern "C" fn gusset_curve_places_at(
 ) -> gusset_status {
     guard(context, |_| {
         let measured = view(curve, "curve")?.lengths()?;
-        let bytes = input::bytes(lengths.cast::<c_void>(), count, 8, "lengths")?;
-        let lengths: Vec<f64> = alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned))?;
+        let lengths = input::list(lengths, count, "lengths")?;
         for (to, length) in input::results(out, count, "out")?.iter_mut().zip(lengths) {
             *to = measured.place(length)?.into();
         }

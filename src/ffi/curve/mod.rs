@@ -70,10 +70,10 @@ impl gusset_place {
 
 /// The caller's places, at any alignment.
 pub(crate) fn places(data: *const gusset_place, count: usize, name: &'static str) -> Result<Vec<Place>, Failure> {
-    let bytes = input::bytes(data.cast::<c_void>(), count, size_of::<gusset_place>(), name)?;
+    let given = input::items(data, count, name)?;
     let mut places = alloc::with_capacity(count)?;
-    for bytes in bytes.chunks_exact(size_of::<gusset_place>()) {
-        places.push(bytemuck::pod_read_unaligned::<gusset_place>(bytes).checked()?);
+    for place in given {
+        places.push(place.checked()?);
     }
     Ok(places)
 }
@@ -117,12 +117,8 @@ pub unsafe extern "C" fn gusset_curve_create(
 ) -> gusset_status {
     create(context, curve, "curve", |_| {
         let points = self::points(points, point_count, dimension as usize)?;
-        let bytes = input::bytes(ends.cast::<c_void>(), end_count, 4, "ends")?;
-        let ends = alloc::collect(bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned))?;
-        match closed {
-            0 | 1 => Ok(gusset_curve(CurveView::new(&points, &ends, closed == 1)?.to_owned()?)),
-            other => Err(Failure::unknown("closed", other.into())),
-        }
+        let ends = input::list(ends, end_count, "ends")?;
+        Ok(gusset_curve(CurveView::new(&points, &ends, flag(closed, "closed")?)?.to_owned()?))
     })
 }
 
@@ -140,18 +136,16 @@ pub unsafe extern "C" fn gusset_curve_get_view(
     curve: *const gusset_curve,
     parts: *mut gusset_curve_view,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(parts, "parts")?;
-        let view = view(curve, "curve")?;
-        out.write(gusset_curve_view {
+    lend!(curve, parts, |curve| {
+        let view = curve.0.view();
+        gusset_curve_view {
             struct_size: size_of::<gusset_curve_view>(),
             points: view.points().as_ptr().cast(),
             point_count: view.points().len(),
             ends: gusset_indices::lend(view.ends()),
             closed: view.is_closed().into(),
             reserved: 0,
-        });
-        Ok(())
+        }
     })
 }
 

@@ -19,7 +19,7 @@ pub const GUSSET_CONSTRAINT_CORNER: u32 = 1;
 pub struct gusset_constraint {
     /// The point, counted over all outlines.
     pub point: u32,
-    /// GUSSET_DEMAND_...
+    /// GUSSET_CONSTRAINT_...
     pub demand: u32,
     /// x, y, z, for GUSSET_CONSTRAINT_TANGENT; z is 0 for plane outlines.
     pub tangent: [f64; 3],
@@ -107,7 +107,7 @@ pub struct gusset_outline_report {
     /// The farthest move of a control point in the last iteration.
     pub last_move: f64,
     /// How many points have another status than GUSSET_POINT_OK.
-    pub not_ok: u32,
+    pub not_ok_count: u32,
     /// 0.
     pub reserved: u32,
 }
@@ -165,8 +165,7 @@ impl Given<'_> {
         let offsets = if given.offsets.is_null() && given.outline_count == 0 {
             None
         } else {
-            let bytes = input::bytes(given.offsets.cast(), given.outline_count + 1, 4, "offsets")?;
-            Some(alloc::collect(bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned))?)
+            Some(input::list(given.offsets, given.outline_count + 1, "offsets")?)
         };
         let size = size_of::<gusset_constraint>();
         let bytes = input::bytes(given.constraints.cast(), given.constraint_count, size, "constraints")?;
@@ -272,7 +271,7 @@ pub unsafe extern "C" fn gusset_outline_get_report(
             max_residual: report.max_residual,
             max_joint_sine: report.max_joint_sine,
             last_move: report.last_move,
-            not_ok: report.not_ok,
+            not_ok_count: report.not_ok,
             reserved: 0,
         }
     })

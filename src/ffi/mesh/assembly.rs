@@ -197,12 +197,8 @@ fn pairs(data: *const gusset_loop_pair, count: usize, name: &'static str) -> Res
     if count as u64 > MAX_ELEMENTS {
         return Err(Error::TooLarge { what: name, count: count as u64, limit: MAX_ELEMENTS }.into());
     }
-    let bytes = input::bytes(data.cast(), count, size_of::<gusset_loop_pair>(), name)?;
-    let pair = |bytes: &[u8]| {
-        let [p, q, v, w]: [u32; 4] = bytemuck::pod_read_unaligned(bytes);
-        [Selector { piece: p, vertex: v }, Selector { piece: q, vertex: w }]
-    };
-    Ok(alloc::collect(bytes.chunks_exact(size_of::<gusset_loop_pair>()).map(pair))?)
+    let pair = |[p, q, v, w]: [u32; 4]| [Selector { piece: p, vertex: v }, Selector { piece: q, vertex: w }];
+    Ok(alloc::collect(input::items(data.cast(), count, name)?.map(pair))?)
 }
 
 c_enum! {

@@ -9,7 +9,6 @@ use crate::mesh::MAX_ELEMENTS;
 use crate::stitch::facing::{Arc, Facing, Options, facing};
 use crate::stitch::meridian::index_rule::index_rule;
 use glam::DVec3;
-use libc::c_void;
 
 /// Which vertices of two loops face each other. Opaque and immutable; it keeps nothing of the points.
 pub struct gusset_facing {
@@ -68,9 +67,7 @@ pub(crate) fn points(data: *const f64, count: usize, name: &'static str) -> Resu
     if count as u64 > MAX_ELEMENTS {
         return Err(Error::TooLarge { what: name, count: count as u64, limit: MAX_ELEMENTS }.into());
     }
-    let bytes = input::bytes(data.cast::<c_void>(), count, 24, name)?;
-    let point = |bytes| DVec3::from_array(bytemuck::pod_read_unaligned(bytes));
-    Ok(alloc::collect(bytes.chunks_exact(24).map(point))?)
+    Ok(alloc::collect(input::items(data.cast(), count, name)?.map(DVec3::from_array))?)
 }
 
 /// Finds which vertices of two loops face each other.

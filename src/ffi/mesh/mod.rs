@@ -173,9 +173,7 @@ pub(crate) fn indices(given: *const gusset_indices, name: &'static str) -> Resul
     if given.count as u64 > MAX_ELEMENTS {
         return Err(Error::TooLarge { what: name, count: given.count as u64, limit: MAX_ELEMENTS }.into());
     }
-    let bytes = input::bytes(given.data.cast(), given.count, 4, name)?;
-    let indices = alloc::collect(bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned::<u32>))?;
-    Ok(Some(indices))
+    input::list(given.data, given.count, name).map(Some)
 }
 
 c_enum! { scalar: Scalar { GUSSET_F32 => F32, GUSSET_F64 => F64 } }

@@ -165,9 +165,9 @@ pub unsafe extern "C" fn gusset_net_absorb(
     count: usize,
 ) -> gusset_status {
     guard(context, |_| {
-        let bytes = input::bytes(links.cast(), count, 4, "links")?;
+        let links = input::items(links, count, "links")?;
         let net = edit(net)?;
-        let glued = absorb(net.topology(), bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned))?;
+        let glued = absorb(net.topology(), links)?;
         net.set_topology(glued);
         Ok(())
     })

@@ -132,9 +132,7 @@ pub(crate) fn fields(fields: *const gusset_field, count: usize, time: f64) -> Re
 
 /// Groups of N numbers of the caller's, at any alignment.
 fn groups<const N: usize>(data: *const f64, count: usize, name: &'static str) -> Result<Vec<[f64; N]>, Failure> {
-    let bytes = input::bytes(data.cast(), count, 8 * N, name)?;
-    let group = |bytes: &[u8]| std::array::from_fn(|k| bytemuck::pod_read_unaligned(&bytes[8 * k..8 * k + 8]));
-    Ok(alloc::collect(bytes.chunks_exact(8 * N).map(group))?)
+    input::list(data.cast(), count, name)
 }
 
 c_enum! { easing: Easing { GUSSET_EASING_LINEAR => Linear, GUSSET_EASING_SMOOTH => Smooth, GUSSET_EASING_HOLD => Hold } }

@@ -110,10 +110,9 @@ impl gusset_gluing {
 
 /// The caller's, at any alignment.
 fn gluings(data: *const gusset_gluing, count: usize) -> Result<Vec<Gluing>, Failure> {
-    let bytes = input::bytes(data.cast(), count, size_of::<gusset_gluing>(), "gluings")?;
+    let given = input::items(data, count, "gluings")?;
     let mut gluings = alloc::with_capacity(count)?;
-    for (k, bytes) in bytes.chunks_exact(size_of::<gusset_gluing>()).enumerate() {
-        let gluing: gusset_gluing = bytemuck::pod_read_unaligned(bytes);
+    for (k, gluing) in given.enumerate() {
         gluings.push(gluing.checked().map_err(|failure| failure.of_item(k))?);
     }
     Ok(gluings)

@@ -122,10 +122,10 @@ pub(crate) fn seam(seam: &gusset_seam) -> Result<Seam, Failure> {
 
 /// Seams of the caller's, at any alignment.
 pub(crate) fn seams(data: *const gusset_seam, count: usize) -> Result<Vec<Seam>, Failure> {
-    let bytes = input::bytes(data.cast(), count, size_of::<gusset_seam>(), "seams")?;
+    let given = input::items(data, count, "seams")?;
     let mut seams = alloc::with_capacity(count)?;
-    for bytes in bytes.chunks_exact(size_of::<gusset_seam>()) {
-        seams.push(seam(&bytemuck::pod_read_unaligned(bytes))?);
+    for given in given {
+        seams.push(seam(&given)?);
     }
     Ok(seams)
 }

@@ -142,11 +142,10 @@ fn nets<'a>(handles: *const *const gusset_net, count: usize) -> Result<Vec<&'a N
     if count as u64 > MAX_NODES {
         return Err(Error::TooLarge { what: "nets", count: count as u64, limit: MAX_NODES }.into());
     }
-    let bytes = input::bytes(handles.cast(), count, size_of::<*const gusset_net>(), "nets")?;
+    let handles = input::references(handles, count, "net")?;
     let mut nets = alloc::with_capacity(count)?;
-    for k in 0..bytes.len() / size_of::<*const gusset_net>() {
-        // SAFETY: within the bytes that were checked; any alignment will do.
-        nets.push(read(unsafe { handles.add(k).read_unaligned() })?);
+    for handle in handles {
+        nets.push(handle?.net());
     }
     Ok(nets)
 }
@@ -221,11 +220,9 @@ pub unsafe extern "C" fn gusset_net_get_bridge(
     index: usize,
     bridge: *mut gusset_bridge,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(bridge, "bridge")?;
+    lend!(net, bridge, |net| {
         let no_such = Error::NoSuch { element: Element::Bridge, index: index as u64 };
-        out.write(read(net)?.bridges().get(index).ok_or(no_such)?.into());
-        Ok(())
+        net.net().bridges().get(index).ok_or(no_such)?.into()
     })
 }
 

@@ -160,10 +160,7 @@ pub unsafe extern "C" fn gusset_net_planarity(
         let written = written?;
         let out = out?;
         let found = planarity(read(net)?, tolerance, job)?;
-        fill(cells, capacity, found.cells.len(), written, "cells", |buffer| {
-            buffer.copy_from_slice(&found.cells);
-            Ok(())
-        })?;
+        input::copy(cells, capacity, &found.cells, written, "cells")?;
         out.write((&found).into());
         Ok(())
     })

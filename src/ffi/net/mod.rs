@@ -318,11 +318,7 @@ fn lend_all(net: &Net<'_>) -> gusset_net_view {
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_net_get_view(net: *const gusset_net, arrays: *mut gusset_net_view) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(arrays, "arrays")?;
-        out.write(lend_all(read(net)?));
-        Ok(())
-    })
+    lend!(net, arrays, |net| lend_all(net.net()))
 }
 
 /// Lends the coordinates to be written, valid until the next call with this net. Nodes that are glued must be kept equal: see

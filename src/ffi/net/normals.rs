@@ -51,7 +51,7 @@ impl Buffers {
 ///
 /// x, y, z: receive the coordinates of the normals, float or double as the net's are, rows x columns numbers each, row
 /// after row without gaps, aligned, and apart from each other and from the net's own. capacity: the numbers that each
-/// has room for. without: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
+/// has room for. missing_count: receives the number of nodes that have no normal and get zeros: missing ones, and those whose
 /// cells have no area or cancel out; may be NULL. Columns go with the fingers of the right hand towards rows, and the
 /// normal with the thumb; the other way for nets that are reversed. Nodes that are glued get the same bits, poles and
 /// seams their true normals; at rims, beside missing nodes and beside hidden bridges the cells that are there decide.
@@ -67,18 +67,18 @@ pub unsafe extern "C" fn gusset_net_normals(
     y: *mut c_void,
     z: *mut c_void,
     capacity: usize,
-    without: *mut u64,
+    missing_count: *mut u64,
 ) -> gusset_status {
-    let without = input::optional_output(without, 0, "without");
+    let missing_count = input::optional_output(missing_count, 0, "missing_count");
     guard(context, |job| {
-        let without = without?;
+        let missing_count = missing_count?;
         let (net, buffers) = (read(net)?, Buffers { starts: [x, y, z], capacity });
         let mut out = match net.coordinates().scalar() {
             Scalar::F32 => Coordinates::F32(buffers.planes(net)?),
             Scalar::F64 => Coordinates::F64(buffers.planes(net)?),
         };
         let count = normals_into(net, &mut out, job)?;
-        without.into_iter().for_each(|without| *without = count);
+        missing_count.into_iter().for_each(|missing_count| *missing_count = count);
         Ok(())
     })
 }

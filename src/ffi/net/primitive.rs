@@ -99,8 +99,7 @@ impl gusset_net_primitive {
         if self.shape != GUSSET_NET_LATHE {
             return Ok(Vec::new());
         }
-        let bytes = input::bytes(self.profile.cast(), self.profile_count, 16, "profile")?;
-        Ok(alloc::collect(bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned::<[f64; 2]>))?)
+        input::list(self.profile.cast(), self.profile_count, "profile")
     }
 
     fn primitive<'a>(&self, profile: &'a [[f64; 2]]) -> Result<Primitive<'a>, Failure> {

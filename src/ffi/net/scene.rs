@@ -258,22 +258,20 @@ pub unsafe extern "C" fn gusset_scene_get_entry(
     entry: u32,
     out: *mut gusset_scene_entry_report,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(out, "out")?;
-        let scene = self::scene(scene)?;
+    lend!(scene, out, |scene| {
+        let scene = &scene.0;
         let (kind, child_count) = match scene.content(entry)? {
             Content::Net(_) => (GUSSET_SCENE_NET, 0),
             Content::Group(children) => (GUSSET_SCENE_GROUP, children.len()),
         };
         let (transform, visible) = (scene.transform(entry)?.into(), scene.is_visible(entry)?.into());
-        out.write(gusset_scene_entry_report {
+        gusset_scene_entry_report {
             struct_size: size_of::<gusset_scene_entry_report>(),
             transform,
             child_count,
             kind,
             visible,
-        });
-        Ok(())
+        }
     })
 }
 
@@ -308,10 +306,7 @@ pub unsafe extern "C" fn gusset_scene_get_children(
     guard(context, |_| {
         let written = written?;
         let list = self::scene(scene)?.children(group)?;
-        fill(children, capacity, list.len(), written, "children", |to| {
-            to.copy_from_slice(list);
-            Ok(())
-        })
+        input::copy(children, capacity, list, written, "children")
     })
 }
 
@@ -323,10 +318,9 @@ pub unsafe extern "C" fn gusset_scene_get_report(
     scene: *const gusset_scene,
     counts: *mut gusset_scene_report,
 ) -> gusset_status {
-    guard(ptr::null(), |_| {
-        let out = input::output_struct(counts, "counts")?;
-        let counts = self::scene(scene)?.counts()?;
-        out.write(gusset_scene_report {
+    lend!(scene, counts, |scene| {
+        let counts = scene.0.counts()?;
+        gusset_scene_report {
             struct_size: size_of::<gusset_scene_report>(),
             instances: counts.instances,
             net_instances: counts.net_instances,
@@ -334,8 +328,7 @@ pub unsafe extern "C" fn gusset_scene_get_report(
             groups: counts.groups,
             levels: counts.levels,
             reserved: 0,
-        });
-        Ok(())
+        }
     })
 }
 

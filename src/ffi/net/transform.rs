@@ -79,10 +79,8 @@ impl gusset_operation {
 
 /// The operations of the caller's, one after the other, as one map.
 fn chain(operations: *const gusset_operation, count: usize) -> Result<Affine, Failure> {
-    let size = size_of::<gusset_operation>();
-    let bytes = input::bytes(operations.cast(), count, size, "operations")?;
-    bytes.chunks_exact(size).enumerate().try_fold(Affine::IDENTITY, |chain, (k, bytes)| {
-        let operation: gusset_operation = bytemuck::pod_read_unaligned(bytes);
+    let operations = input::items(operations, count, "operations")?;
+    operations.enumerate().try_fold(Affine::IDENTITY, |chain, (k, operation)| {
         let then = |next: Affine| Ok(chain.then(&next)?);
         operation.affine().and_then(then).map_err(|failure: Failure| failure.of_item(k))
     })

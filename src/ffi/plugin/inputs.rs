@@ -1,19 +1,18 @@
 //! What a host gives: meshes, curves, values, callbacks.
 
 use super::descriptor::{
-    GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_PLUGIN_F32, GUSSET_PLUGIN_F64, gusset_host, gusset_input,
-    gusset_plugin_curves, gusset_plugin_mesh,
+    GUSSET_PLUGIN_F32, GUSSET_PLUGIN_F64, gusset_host, gusset_input, gusset_plugin_curves, gusset_plugin_mesh,
 };
 use super::run::Fault;
 use crate::alloc;
 use crate::error::{Element, Error};
-use crate::ffi::input;
+use crate::ffi::input::{self, choice};
 use crate::ffi::mesh::{GUSSET_F32, GUSSET_F64, gusset_mesh_view};
 use crate::ffi::status::Failure;
 use crate::filters::Filter;
 use crate::filters::data::{Curves, Input, InputKind};
 use crate::job::{Job, Progress};
-use crate::mesh::{MAX_ELEMENTS, MeshView, Positions, Scalar};
+use crate::mesh::{MAX_ELEMENTS, MeshView, Positions};
 use std::cell::Cell;
 use std::ffi::CString;
 use std::ops::ControlFlow;
@@ -61,11 +60,7 @@ pub(super) fn inputs<'a>(
 
 fn read<'a>(filter: &Filter, given: *const gusset_input, place: u32, job: &Job<'_>) -> Result<Given<'a>, Fault> {
     let given = input::read(given, false, "inputs")?;
-    let kind = match given.kind {
-        GUSSET_KIND_MESH => InputKind::Mesh,
-        GUSSET_KIND_CURVES => InputKind::Curves,
-        other => return Err(Failure::unknown("kind", other.into()).into()),
-    };
+    let kind = choice(given.kind)?;
     filter.check_input_kind(place as usize, kind)?;
     Ok(match kind {
         InputKind::Mesh => mesh(given.view.cast(), job).map(Given::Mesh)?,
@@ -93,11 +88,7 @@ fn mesh<'a>(view: *const gusset_plugin_mesh, job: &Job<'_>) -> Result<MeshView<'
 
 fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Failure> {
     let view = input::read(view, false, "view")?;
-    let scalar = match view.scalar {
-        GUSSET_PLUGIN_F32 => Scalar::F32,
-        GUSSET_PLUGIN_F64 => Scalar::F64,
-        other => return Err(Failure::unknown("scalar", other.into())),
-    };
+    let scalar = choice(view.scalar)?;
     for (what, count) in [("points", view.point_count), ("curves", view.curve_count)] {
         if count as u64 > MAX_ELEMENTS {
             return Err(Error::TooLarge { what, count: count as u64, limit: MAX_ELEMENTS }.into());
@@ -122,8 +113,7 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
         found.points.push(point);
     }
     if view.curve_count > 0 {
-        let offsets = input::bytes(view.offsets, view.curve_count + 1, 4, "offsets")?;
-        found.offsets = alloc::collect(offsets.chunks_exact(4).map(bytemuck::pod_read_unaligned::<u32>))?;
+        found.offsets = input::list(view.offsets.cast(), view.curve_count + 1, "offsets")?;
         if !view.closed.is_null() {
             let closed = input::bytes(view.closed.cast(), view.curve_count, 1, "closed")?;
             if let Some(&other) = closed.iter().find(|&&byte| byte > 1) {
@@ -139,8 +129,7 @@ fn curves(view: *const gusset_plugin_curves, job: &Job<'_>) -> Result<Curves, Fa
 /// The host's values, copied as they may have any alignment; no more of them are read than the filter has.
 pub(super) fn values(filter: &Filter, given: *const f64, count: u32) -> Result<Vec<f64>, Failure> {
     filter.check_value_count(count as usize)?;
-    let bytes = input::bytes(given.cast(), count as usize, 8, "values")?;
-    Ok(alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned::<f64>))?)
+    input::list(given, count as usize, "values")
 }
 
 /// The host's callbacks, as the core calls them.

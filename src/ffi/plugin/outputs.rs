@@ -1,10 +1,10 @@
 //! What a run leaves, and how a host reads it.
 
 use super::descriptor::{
-    GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_F64, GUSSET_PLUGIN_NONE, gusset_failure, gusset_plugin_curves, gusset_plugin_mesh,
+    GUSSET_KIND_CURVES, GUSSET_KIND_MESH, GUSSET_KIND_TEXT, GUSSET_PLUGIN_DONE, GUSSET_PLUGIN_F64, GUSSET_PLUGIN_NONE,
+    gusset_failure, gusset_plugin_curves, gusset_plugin_mesh,
 };
 use super::run::Fault;
-use super::table;
 use crate::ffi::input;
 use crate::ffi::mesh::lend;
 use crate::ffi::status::{Failure, gusset_status};
@@ -84,13 +84,10 @@ pub(super) unsafe extern "C" fn count(outputs: *const gusset_outputs) -> u32 {
 }
 
 pub(super) unsafe extern "C" fn kind(outputs: *const gusset_outputs, index: u32) -> u32 {
-    use crate::filters::data::OutputKind;
-    held(outputs, index).map_or(0, |held| {
-        table::output_kind(match held {
-            Held::Mesh(_) => OutputKind::Mesh,
-            Held::Curves(_) => OutputKind::Curves,
-            Held::Text(_) => OutputKind::Text,
-        })
+    held(outputs, index).map_or(0, |held| match held {
+        Held::Mesh(_) => GUSSET_KIND_MESH,
+        Held::Curves(_) => GUSSET_KIND_CURVES,
+        Held::Text(_) => GUSSET_KIND_TEXT,
     })
 }
 

@@ -7,6 +7,8 @@ use super::descriptor::{
     gusset_param_info, gusset_plugin,
 };
 use super::{outputs, run};
+use crate::ffi::glue::c_enum;
+use crate::ffi::input::Choice;
 use crate::filters::data::{InputKind, OutputKind};
 use crate::filters::param::{Param, ParamKind};
 use crate::filters::{FILTERS, Filter};
@@ -91,8 +93,8 @@ impl Entry {
             category: text(of.category),
             help: text(of.help),
             reference: text(of.reference),
-            input_kinds: kept(of.inputs.iter().map(|&kind| input_kind(kind)).collect()),
-            output_kinds: kept(of.outputs.iter().map(|&kind| output_kind(kind)).collect()),
+            input_kinds: kept(of.inputs.iter().map(|&kind| kind.number()).collect()),
+            output_kinds: kept(of.outputs.iter().map(|&kind| kind.number()).collect()),
             input_kind_count: of.inputs.len() as u32,
             min_inputs: of.min_inputs as u32,
             max_inputs: u32::try_from(of.max_inputs).unwrap_or(u32::MAX),
@@ -119,7 +121,7 @@ fn param(of: &'static Param, value_count: &mut u32) -> gusset_param_info {
         id: text(of.id),
         label: text(of.label),
         help: text(of.help),
-        kind: param_kind(of.kind),
+        kind: of.kind.number(),
         arity,
         min: of.min,
         max: of.max,
@@ -131,33 +133,20 @@ fn param(of: &'static Param, value_count: &mut u32) -> gusset_param_info {
     }
 }
 
-fn param_kind(kind: ParamKind) -> u32 {
-    match kind {
-        ParamKind::Bool => GUSSET_PARAM_BOOL,
-        ParamKind::Int => GUSSET_PARAM_INT,
-        ParamKind::Real => GUSSET_PARAM_REAL,
-        ParamKind::Choice => GUSSET_PARAM_CHOICE,
-        ParamKind::Length => GUSSET_PARAM_LENGTH,
-        ParamKind::Angle => GUSSET_PARAM_ANGLE,
-        ParamKind::Point => GUSSET_PARAM_POINT,
-        ParamKind::Direction => GUSSET_PARAM_DIRECTION,
-        ParamKind::Plane => GUSSET_PARAM_PLANE,
+c_enum! {
+    kind: ParamKind {
+        GUSSET_PARAM_BOOL => Bool,
+        GUSSET_PARAM_INT => Int,
+        GUSSET_PARAM_REAL => Real,
+        GUSSET_PARAM_CHOICE => Choice,
+        GUSSET_PARAM_LENGTH => Length,
+        GUSSET_PARAM_ANGLE => Angle,
+        GUSSET_PARAM_POINT => Point,
+        GUSSET_PARAM_DIRECTION => Direction,
+        GUSSET_PARAM_PLANE => Plane,
     }
-}
-
-fn input_kind(kind: InputKind) -> u32 {
-    match kind {
-        InputKind::Mesh => GUSSET_KIND_MESH,
-        InputKind::Curves => GUSSET_KIND_CURVES,
-    }
-}
-
-pub(super) fn output_kind(kind: OutputKind) -> u32 {
-    match kind {
-        OutputKind::Mesh => GUSSET_KIND_MESH,
-        OutputKind::Curves => GUSSET_KIND_CURVES,
-        OutputKind::Text => GUSSET_KIND_TEXT,
-    }
+    kind: InputKind { GUSSET_KIND_MESH => Mesh, GUSSET_KIND_CURVES => Curves }
+    kind: OutputKind { GUSSET_KIND_MESH => Mesh, GUSSET_KIND_CURVES => Curves, GUSSET_KIND_TEXT => Text }
 }
 
 unsafe extern "C" fn filter(index: u32) -> *const gusset_filter {

@@ -23,10 +23,10 @@ pub struct gusset_contour_options {
     /// sizeof(gusset_contour_options), set by the caller.
     pub struct_size: usize,
     /// With GUSSET_POINT_SPACING_CHORD: a length above 0 and finite; no smaller one counts than the tolerance of the surface. Otherwise not read. (In
-    /// gusset_intersection_options, which has no `between`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
+    /// gusset_intersection_options, which has no `spacing`, a chord of 0 stands for GUSSET_POINT_SPACING_AUTO and INFINITY for GUSSET_POINT_SPACING_CELL_EDGES.)
     pub chord: f64,
-    /// GUSSET_BETWEEN_...
-    pub between: gusset_point_spacing,
+    /// GUSSET_POINT_SPACING_...
+    pub spacing: gusset_point_spacing,
     /// With GUSSET_POINT_SPACING_LEUS: how many, at most 1000. Otherwise not read.
     pub points: u32,
     /// Of isophotes and the nearest angle. 1: a normal and its opposite are the same.
@@ -60,20 +60,14 @@ versioned! { gusset_contour_options: 32 reserved, gusset_nearest_angle_report: 1
 /// The caller's options: what is between crossings, and whether normals are unsigned.
 fn options(given: *const gusset_contour_options) -> Result<(Between, bool), Failure> {
     let options = input::read(given, true, "options")?;
-    let between = match options.between {
+    let between = match options.spacing {
         GUSSET_POINT_SPACING_AUTO => Between::Auto,
         GUSSET_POINT_SPACING_CHORD => Between::Chord(options.chord),
         GUSSET_POINT_SPACING_CELL_EDGES => Between::Nothing,
         GUSSET_POINT_SPACING_LEUS => Between::Leus(options.points),
-        other => return Err(Failure::unknown("between", other.into())),
+        other => return Err(Failure::unknown("spacing", other.into())),
     };
     Ok((between, flag(options.unsigned_normals, "unsigned_normals")?))
-}
-
-/// A copy of the caller's numbers, at any alignment.
-fn numbers(data: *const f64, count: usize, name: &'static str) -> Result<Vec<f64>, Failure> {
-    let bytes = input::bytes(data.cast(), count, 8, name)?;
-    Ok(alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned))?)
 }
 
 impl From<Option<NearestAngle>> for gusset_nearest_angle_report {
@@ -125,9 +119,9 @@ pub unsafe extern "C" fn gusset_surface_section_create(
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
         let (surface, (between, _)) = (read(surface)?, self::options(options)?);
-        let offsets = numbers(offsets, count, "offsets")?;
+        let offsets = input::list(offsets, count, "offsets")?;
         let (point, normal) = (input::vector(point, "point")?, input::vector(normal, "normal")?);
-        Ok(surface.section(&Planes { point, normal, offsets: &offsets }, between, job)?.into())
+        Ok(surface.section(&Planes { point, normal, offsets: &offsets }, between, job)?.try_into()?)
     })
 }
 
@@ -152,8 +146,9 @@ pub unsafe extern "C" fn gusset_surface_contours_create(
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
         let (surface, (between, _)) = (read(surface)?, self::options(options)?);
-        let (values, levels) = (numbers(values, value_count, "values")?, numbers(levels, level_count, "levels")?);
-        Ok(surface.contours(&values, &levels, between, job)?.into())
+        let (values, levels) =
+            (input::list(values, value_count, "values")?, input::list(levels, level_count, "levels")?);
+        Ok(surface.contours(&values, &levels, between, job)?.try_into()?)
     })
 }
 
@@ -178,8 +173,8 @@ pub unsafe extern "C" fn gusset_surface_isophotes_create(
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
         let (surface, (between, unsigned)) = (read(surface)?, self::options(options)?);
-        let (direction, angles) = (input::vector(direction, "direction")?, numbers(angles, count, "angles")?);
-        Ok(surface.isophotes(direction, &angles, unsigned, between, job)?.into())
+        let (direction, angles) = (input::vector(direction, "direction")?, input::list(angles, count, "angles")?);
+        Ok(surface.isophotes(direction, &angles, unsigned, between, job)?.try_into()?)
     })
 }
 

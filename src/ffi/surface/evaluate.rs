@@ -82,10 +82,9 @@ const LOCATED: usize = 1 << 20;
 
 /// The caller's places on a surface, at any alignment.
 pub(crate) fn surface_places(data: *const gusset_surface_place, count: usize) -> Result<Vec<Place>, Failure> {
-    let bytes = input::bytes(data.cast(), count, size_of::<gusset_surface_place>(), "places")?;
+    let all = input::items(data, count, "places")?;
     let mut places = alloc::with_capacity(count)?;
-    for (k, bytes) in bytes.chunks_exact(size_of::<gusset_surface_place>()).enumerate() {
-        let given = bytemuck::pod_read_unaligned::<gusset_surface_place>(bytes);
+    for (k, given) in all.enumerate() {
         if given.reserved != 0 {
             return Err(Failure::unknown("reserved", given.reserved.into()).of_item(k));
         }

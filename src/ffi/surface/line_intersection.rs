@@ -137,22 +137,20 @@ impl gusset_surface_hits {
 
 /// The caller's lines, at any alignment.
 pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>, Failure> {
-    let bytes = input::bytes(lines.cast(), count, size_of::<gusset_line>(), "lines")?;
-    let lines = bytes.chunks_exact(size_of::<gusset_line>()).map(|bytes| {
-        let line: gusset_line = bytemuck::pod_read_unaligned(bytes);
+    let lines = input::items(lines, count, "lines")?.map(|line: gusset_line| {
         let (origin, direction) = (DVec3::from_array(line.origin), DVec3::from_array(line.direction));
         Line { origin, direction, from: line.from, to: line.to }
     });
     Ok(alloc::collect(lines)?)
 }
 
-c_enum! { which: Which { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST => First, GUSSET_HITS_ANY => Any } }
+c_enum! { selection: Which { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST => First, GUSSET_HITS_ANY => Any } }
 
 /// Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
 ///
 /// A point on a side between cells, on one that sheets share, or at a pole is found once, and none is missed: where a line
 /// touches the surface or runs in it, a hit says from where to where. lines: count of them, at any alignment; NULL for none.
-/// which: GUSSET_WHICH_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
+/// selection: GUSSET_HITS_... hits: receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT,
 /// MISALIGNED_ARGUMENT, UNKNOWN_VALUE, OUT_OF_RANGE with the line that is not finite, has no direction, or ends before it begins;
 /// SIZE_OVERFLOW, OUT_OF_MEMORY, CANCELLED. About O(log cells) a line and O(1) a hit; bounded in each cell that a line runs in;
 /// threads. From any thread. Source: Leus, "Carcasses on smooth surfaces", task c.
@@ -163,12 +161,12 @@ pub unsafe extern "C" fn gusset_surface_line_hits_create(
     surface: *const gusset_surface,
     lines: *const gusset_line,
     count: usize,
-    which: gusset_hit_selection,
+    selection: gusset_hit_selection,
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
-        let (surface, which) = (read(surface)?, choice(which)?);
-        gusset_surface_hits::of_lines(surface.lines(&self::lines(lines, count)?, which, job)?)
+        let (surface, selection) = (read(surface)?, choice(selection)?);
+        gusset_surface_hits::of_lines(surface.lines(&self::lines(lines, count)?, selection, job)?)
     })
 }
 
@@ -202,7 +200,7 @@ pub unsafe extern "C" fn gusset_surface_first_hits(
 
 /// Where a curve in space meets a surface, in the order of the curve.
 ///
-/// As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. which: GUSSET_WHICH_... hits:
+/// As for lines; a point at a joint of segments is found once too. curve: of degree 7 at most. selection: GUSSET_HITS_... hits:
 /// receives the result, for gusset_surface_hits_destroy; NULL on failure. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT,
 /// UNKNOWN_VALUE, EMPTY_CURVE, OUT_OF_RANGE (a degree), OUT_OF_MEMORY, CANCELLED. About O(log cells) for each cell that the curve
 /// comes near to; bounded for each segment and cell that run in each other; threads. From any thread. Source: Leus, task c.
@@ -212,12 +210,12 @@ pub unsafe extern "C" fn gusset_surface_curve_hits_create(
     context: *const gusset_context,
     surface: *const gusset_surface,
     curve: *const gusset_curve,
-    which: gusset_hit_selection,
+    selection: gusset_hit_selection,
     hits: *mut *mut gusset_surface_hits,
 ) -> gusset_status {
     create(context, hits, "hits", |job| {
         let (surface, curve) = (read(surface)?, view(curve, "curve")?);
-        gusset_surface_hits::of_curve(&surface.curve(&curve, choice(which)?, job)?)
+        gusset_surface_hits::of_curve(&surface.curve(&curve, choice(selection)?, job)?)
     })
 }
 
@@ -231,18 +229,15 @@ pub unsafe extern "C" fn gusset_surface_hits_get_view(
     hits: *const gusset_surface_hits,
     parts: *mut gusset_surface_hits_view,
 ) -> gusset_status {
-    let out = input::output_struct(parts, "parts");
-    guard(ptr::null(), |_| {
-        let (out, found) = (out?, input::reference(hits, "hits")?);
-        out.write(gusset_surface_hits_view {
+    lend!(hits, parts, |found| {
+        gusset_surface_hits_view {
             struct_size: 0,
             line_count: found.ends.len() - 1,
             hit_count: found.hits.len(),
             ends: found.ends.as_ptr(),
             hits: found.hits.as_ptr(),
             on_curve: lent(&found.on_curve),
-        });
-        Ok(())
+        }
     })
 }
 

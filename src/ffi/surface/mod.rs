@@ -113,30 +113,30 @@ pub(crate) fn read<'a>(surface: *const gusset_surface) -> Result<&'a Surface<'st
     Ok(&input::reference(surface, "surface")?.0)
 }
 
-impl From<Paths> for gusset_surface_paths {
-    fn from(paths: Paths) -> Self {
-        let places = |places: Vec<Place>| places.into_iter().map(gusset_surface_place::from).collect();
-        gusset_surface_paths {
+impl TryFrom<Paths> for gusset_surface_paths {
+    type Error = Error;
+
+    fn try_from(paths: Paths) -> Result<Self, Error> {
+        let places = |places: Vec<Place>| alloc::collect(places.into_iter().map(gusset_surface_place::from));
+        Ok(gusset_surface_paths {
             ends: paths.ends,
-            closed: paths.closed.into_iter().map(u32::from).collect(),
+            closed: alloc::collect(paths.closed.into_iter().map(u32::from))?,
             levels: paths.levels,
             points: paths.points,
             normals: paths.normals,
-            places: places(paths.places),
-            others: places(paths.others),
-            unresolved: places(paths.unresolved),
-        }
+            places: places(paths.places)?,
+            others: places(paths.others)?,
+            unresolved: places(paths.unresolved)?,
+        })
     }
 }
 
 /// The sheets of an array of handles; copies share their nodes.
 fn sheets(handles: *const *const gusset_sheet, count: usize) -> Result<Vec<Sheet<'static>>, Failure> {
-    let bytes = input::bytes(handles.cast(), count, size_of::<*const gusset_sheet>(), "sheets")?;
+    let handles = input::references(handles, count, "sheets")?;
     let mut sheets = alloc::with_capacity(count)?;
-    for k in 0..bytes.len() / size_of::<*const gusset_sheet>() {
-        // SAFETY: within the bytes that were checked; any alignment will do.
-        let handle = unsafe { handles.add(k).read_unaligned() };
-        sheets.push(input::reference(handle, "sheet").map_err(|failure| failure.of_item(k))?.0.clone());
+    for handle in handles {
+        sheets.push(handle?.0.clone());
     }
     Ok(sheets)
 }
@@ -188,10 +188,8 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
     paths: *const gusset_surface_paths,
     parts: *mut gusset_surface_paths_view,
 ) -> gusset_status {
-    let out = input::output_struct(parts, "parts");
-    guard(ptr::null(), |_| {
-        let (out, paths) = (out?, input::reference(paths, "paths")?);
-        out.write(gusset_surface_paths_view {
+    lend!(paths, parts, |paths| {
+        gusset_surface_paths_view {
             struct_size: 0,
             path_count: paths.closed.len(),
             point_count: paths.points.len(),
@@ -204,8 +202,7 @@ pub unsafe extern "C" fn gusset_surface_paths_get_view(
             others: lent(&paths.others),
             unresolved: paths.unresolved.as_ptr(),
             unresolved_count: paths.unresolved.len(),
-        });
-        Ok(())
+        }
     })
 }
 

@@ -28,7 +28,7 @@ pub struct gusset_surface_nearest_point {
     pub distance: f64,
     /// No point of the surface is nearer than this; of minima: none of the piece of surface round the point.
     pub bound: f64,
-    /// GUSSET_SURFACE_CLOSEST_...
+    /// GUSSET_NEAREST_...
     pub flags: u32,
     /// 0.
     pub reserved: u32,
@@ -43,7 +43,7 @@ pub struct gusset_nearest_options {
     /// No point farther than this is looked for, if limited is 1; a length, at least 0; INFINITY: no limit.
     pub limit: f64,
     /// Of minima: as many of the nearest; 0: all.
-    pub most: usize,
+    pub max_count: usize,
     /// 1: limit is read.
     pub limited: u32,
     /// 0.
@@ -195,7 +195,7 @@ pub(crate) fn queries(data: *const f64, count: usize, stride: usize) -> Result<V
 /// several nearest points it is that of the first sheet, row and column. What is proved is relative to the surface as declared:
 /// no point of it is nearer than bound. Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, BAD_STRIDE, SIZE_OVERFLOW,
 /// TOO_LARGE, NOT_FINITE with the query, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY, CANCELLED. O(log nodes) a query but
-/// for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Surfaces on smooth
+/// for queries near centres of curvature, which take bounded work; threads. From any thread. Source: Leus, "Carcasses on smooth
 /// surfaces", task a, by branch and bound.
 #[unsafe(no_mangle)]
 #[must_use]
@@ -234,7 +234,7 @@ fn cleared<'a>(
 /// is the same all round, as at a focus), one point is given for all cells that touch, without GUSSET_NEAREST_PROVEN and
 /// with GUSSET_NEAREST_AMBIGUOUS. On open borders and creases, places count from which no way on the surface leads nearer.
 /// Errors: NULL_ARGUMENT, MISALIGNED_ARGUMENT, BAD_STRUCT_SIZE, NOT_FINITE, OUT_OF_RANGE (limit), UNKNOWN_VALUE, OUT_OF_MEMORY,
-/// CANCELLED. O(cells within the limit); with most, those no farther than the last. From any thread.
+/// CANCELLED. O(cells within the limit); with max_count, those no farther than the last. From any thread.
 #[unsafe(no_mangle)]
 #[must_use]
 pub unsafe extern "C" fn gusset_surface_minima_create(
@@ -247,7 +247,7 @@ pub unsafe extern "C" fn gusset_surface_minima_create(
     create(context, points, "points", |job| {
         let options = input::read(options, true, "options")?;
         let (surface, query) = (read(surface)?, input::vector(query, "query")?);
-        surface.local_minima(query, options.limit()?, options.most, job)?.try_into().map_err(Failure::from)
+        surface.local_minima(query, options.limit()?, options.max_count, job)?.try_into().map_err(Failure::from)
     })
 }
 
@@ -259,13 +259,10 @@ pub unsafe extern "C" fn gusset_surface_points_get_view(
     points: *const gusset_surface_points,
     parts: *mut gusset_surface_points_view,
 ) -> gusset_status {
-    let out = input::output_struct(parts, "parts");
-    guard(ptr::null(), |_| {
-        let (out, found) = (out?, input::reference(points, "points")?);
+    lend!(points, parts, |found| {
         let (points, count) = (found.points.as_ptr(), found.points.len());
         let (bound, complete) = (found.bound, found.complete.into());
-        out.write(gusset_surface_points_view { struct_size: 0, points, count, bound, complete, reserved: 0 });
-        Ok(())
+        gusset_surface_points_view { struct_size: 0, points, count, bound, complete, reserved: 0 }
     })
 }
 
@@ -304,10 +301,8 @@ pub unsafe extern "C" fn gusset_surface_region_get_view(
     region: *const gusset_surface_region,
     parts: *mut gusset_surface_region_view,
 ) -> gusset_status {
-    let out = input::output_struct(parts, "parts");
-    guard(ptr::null(), |_| {
-        let (out, region) = (out?, input::reference(region, "region")?);
-        out.write(gusset_surface_region_view {
+    lend!(region, parts, |region| {
+        gusset_surface_region_view {
             struct_size: 0,
             cells: region.cells.as_ptr(),
             cell_count: region.cells.len(),
@@ -315,8 +310,7 @@ pub unsafe extern "C" fn gusset_surface_region_get_view(
             word_count: region.mask.len(),
             first: region.first.as_ptr(),
             sheet_count: region.first.len() - 1,
-        });
-        Ok(())
+        }
     })
 }
 

@@ -34,10 +34,10 @@ pub const GUSSET_REFERENCE_ANGLE: gusset_reference_object = 4;
 pub struct gusset_reference_task {
     /// sizeof(gusset_reference_task), set by the caller.
     pub struct_size: usize,
-    /// GUSSET_MASK_...
+    /// GUSSET_REFERENCE_...
     pub object: gusset_reference_object,
     /// 0: cells that may have something within `within`. 1: cells that may have the nearest.
-    pub least: u32,
+    pub find_nearest: u32,
     /// A point of the object; not read for angles.
     pub point: [f64; 3],
     /// Its direction, of any length but 0; not read for points.
@@ -74,7 +74,7 @@ pub struct gusset_reference_report {
     /// How many lines of cells were left out at once.
     pub dropped: u64,
     /// The least distance of the nodes that were looked at; of the nearest task: of all nodes.
-    pub least: f64,
+    pub min_distance: f64,
     /// The row of that node.
     pub row: u32,
     /// Its column.
@@ -111,16 +111,14 @@ fn region(sheet: &Sheet<'_>, words: *const u64, count: usize) -> Result<Scale, F
     if words.is_null() && count == 0 {
         return Ok(Scale::full(lattice)?);
     }
-    let bytes = input::bytes(words.cast(), count, 8, "words")?;
-    let words = alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned::<u64>))?;
-    Ok(Scale::from_words(lattice, &words)?)
+    Ok(Scale::from_words(lattice, &input::list(words, count, "words")?)?)
 }
 
 impl gusset_reference_task {
     fn options(&self) -> Result<Options, Failure> {
-        let least = flag(self.least, "least")?;
+        let nearest = flag(self.find_nearest, "find_nearest")?;
         Ok(Options {
-            goal: if least { Goal::Least } else { Goal::Within(self.within) },
+            goal: if nearest { Goal::Least } else { Goal::Within(self.within) },
             sum: if flag(self.by_rings, "by_rings")? { Sum::Rings } else { Sum::Greatest },
             by_rows: flag(self.by_rows, "by_rows")?,
             drop_lines: !flag(self.keep_lines, "keep_lines")?,
@@ -158,14 +156,14 @@ impl gusset_reference_task {
 
 impl From<&Found> for gusset_reference_report {
     fn from(found: &Found) -> Self {
-        let ([row, column], least) = found.least;
+        let ([row, column], min_distance) = found.least;
         gusset_reference_report {
             struct_size: size_of::<Self>(),
             cells: found.scale.count() as u64,
             evaluations: found.evaluations,
             blocks: found.blocks,
             dropped: found.dropped,
-            least,
+            min_distance,
             row: row as u32,
             column: column as u32,
         }
@@ -176,7 +174,7 @@ impl From<&Found> for gusset_reference_report {
 ///
 /// euclidean: receives for each cell, row after row, a bound of the distance between any two of its points. intrinsic:
 /// of the length of the shortest curve within the cell between them. capacity: how many numbers each of the two has
-/// room for; either may be NULL, both with capacity 0. written: receives the number of cells. greatest: receives two
+/// room for; either may be NULL, both with capacity 0. written: receives the number of cells. max: receives two
 /// numbers, the greatest of the first and of the second kind, the paper's d; may be NULL. Errors: NULL_ARGUMENT,
 /// MISALIGNED_ARGUMENT, BUFFER_TOO_SMALL, OUT_OF_MEMORY, CANCELLED. O(cells), 16 bytes a cell; threads; the same bits
 /// for any number of them. From any thread. Source: Leus, eqs. (1) and (7); the bounds are ours.
@@ -189,34 +187,18 @@ pub unsafe extern "C" fn gusset_sheet_diameters(
     intrinsic: *mut f64,
     capacity: usize,
     written: *mut usize,
-    greatest: *mut f64,
+    max: *mut f64,
 ) -> gusset_status {
-    let (written, greatest) = (
-        input::output(written, 0, "written"),
-        input::optional_output(greatest.cast::<[f64; 2]>(), [0.0; 2], "greatest"),
-    );
+    let (written, max) =
+        (input::output(written, 0, "written"), input::optional_output(max.cast::<[f64; 2]>(), [0.0; 2], "max"));
     guard(context, |job| {
-        let (written, greatest) = (written?, greatest?);
+        let (written, max) = (written?, max?);
         let found = Diameters::new(read(sheet)?, job)?;
         for (buffer, sizes) in [(euclidean, &found.euclidean), (intrinsic, &found.intrinsic)] {
-            give(buffer, capacity, sizes.all(), written, "diameters")?;
+            let room = if buffer.is_null() { 0 } else { capacity };
+            input::copy(buffer, room, sizes.all(), written, "diameters")?;
         }
-        greatest.into_iter().for_each(|out| *out = [found.euclidean.greatest(), found.intrinsic.greatest()]);
-        Ok(())
-    })
-}
-
-/// Copies numbers to the caller's buffer; NULL is allowed.
-fn give<T: bytemuck::Pod>(
-    buffer: *mut T,
-    capacity: usize,
-    from: &[T],
-    written: &mut usize,
-    name: &'static str,
-) -> Result<(), Failure> {
-    let room = if buffer.is_null() { 0 } else { capacity };
-    fill(buffer, room, from.len(), written, name, |to| {
-        to.copy_from_slice(from);
+        max.into_iter().for_each(|out| *out = [found.euclidean.greatest(), found.intrinsic.greatest()]);
         Ok(())
     })
 }
@@ -341,15 +323,7 @@ pub unsafe extern "C" fn gusset_sheet_reference_mask(
         buffer?;
         let found = task.search(read(sheet)?, job)?;
         report.into_iter().for_each(|report| report.write((&found).into()));
-        give_words(words, capacity, &found, written)
-    })
-}
-
-fn give_words(words: *mut u64, capacity: usize, found: &Found, written: &mut usize) -> Result<(), Failure> {
-    let from = found.scale.words();
-    fill(words, capacity, from.len(), written, "words", |to| {
-        to.copy_from_slice(from);
-        Ok(())
+        input::copy(words, capacity, found.scale.words(), written, "words")
     })
 }
 

@@ -1,7 +1,7 @@
 //! What surfaces and their sheets are, as C sees them.
 
 use crate::ffi::prelude::*;
-use crate::ffi::surface::{gusset_surface, read};
+use crate::ffi::surface::gusset_surface;
 
 /// What a surface is.
 #[repr(C)]
@@ -59,11 +59,10 @@ pub unsafe extern "C" fn gusset_surface_get_report(
     surface: *const gusset_surface,
     facts: *mut gusset_surface_report,
 ) -> gusset_status {
-    let out = input::output_struct(facts, "facts");
-    guard(ptr::null(), |_| {
-        let (out, surface) = (out?, read(surface)?);
+    lend!(surface, facts, |surface| {
+        let surface = &surface.0;
         let [low, high] = surface.bounds().map(|corner| corner.to_array());
-        out.write(gusset_surface_report {
+        gusset_surface_report {
             struct_size: 0,
             sheet_count: surface.len(),
             cell_count: surface.cell_count() as usize,
@@ -73,8 +72,7 @@ pub unsafe extern "C" fn gusset_surface_get_report(
             low,
             high,
             cone_bytes: surface.cone_bytes(),
-        });
-        Ok(())
+        }
     })
 }
 
@@ -89,9 +87,8 @@ pub unsafe extern "C" fn gusset_surface_get_sheet(
     sheet: usize,
     facts: *mut gusset_surface_sheet_report,
 ) -> gusset_status {
-    let out = input::output_struct(facts, "facts");
-    guard(ptr::null(), |_| {
-        let (out, surface) = (out?, read(surface)?);
+    lend!(surface, facts, |surface| {
+        let surface = &surface.0;
         if sheet >= surface.len() {
             return Err(Failure::no_such("sheet", sheet));
         }
@@ -101,7 +98,7 @@ pub unsafe extern "C" fn gusset_surface_get_sheet(
                 .map(|k| surface.sheet(k).cells().map(|count| (count + more) as u64).iter().product::<u64>())
                 .sum()
         };
-        out.write(gusset_surface_sheet_report {
+        gusset_surface_sheet_report {
             struct_size: 0,
             rows: cells[0],
             columns: cells[1],
@@ -109,7 +106,6 @@ pub unsafe extern "C" fn gusset_surface_get_sheet(
             first_node: before(1),
             closed_u: closed[0],
             closed_v: closed[1],
-        });
-        Ok(())
+        }
     })
 }

@@ -100,24 +100,16 @@ pub struct gusset_curve_net {
 
 versioned! { gusset_tangents: 40 reserved, gusset_spline: 80, gusset_curve_net: 56 }
 
-/// The caller's numbers, at any alignment.
-fn numbers(data: *const f64, count: usize, name: &'static str) -> Result<Vec<f64>, Failure> {
-    let bytes = input::bytes(data.cast(), count, 8, name)?;
-    Ok(alloc::collect(bytes.chunks_exact(8).map(bytemuck::pod_read_unaligned))?)
-}
-
 /// The caller's curves, borrowed.
 fn curves<'a>(
     handles: *const *const gusset_curve,
     count: usize,
     name: &'static str,
 ) -> Result<Vec<CurveView<'a>>, Failure> {
-    let bytes = input::bytes(handles.cast(), count, size_of::<*const gusset_curve>(), name)?;
+    let handles = input::references(handles, count, name)?;
     let mut views = alloc::with_capacity(count)?;
-    for k in 0..bytes.len() / size_of::<*const gusset_curve>() {
-        // SAFETY: within the bytes that were checked; any alignment will do.
-        let handle = unsafe { handles.add(k).read_unaligned() };
-        views.push(crate::ffi::curve::view(handle, "curve").map_err(|failure| failure.of_item(k))?);
+    for handle in handles {
+        views.push(handle?.0.view());
     }
     Ok(views)
 }
@@ -223,8 +215,8 @@ pub unsafe extern "C" fn gusset_sheet_from_spline_create(
     create(context, sheet, "sheet", |job| {
         let given = input::read(spline, false, "spline")?;
         let points = points(given.points, times(given.count_u, given.count_v, "control points")?, 3)?;
-        let u = numbers(given.knots_u, given.knot_count_u, "knots_u")?;
-        let v = numbers(given.knots_v, given.knot_count_v, "knots_v")?;
+        let u = input::list(given.knots_u, given.knot_count_u, "knots_u")?;
+        let v = input::list(given.knots_v, given.knot_count_v, "knots_v")?;
         let closed = [flag(given.closed_u, "closed_u")?, flag(given.closed_v, "closed_v")?];
         let axes = [
             SplineAxis { degree: given.degree_u as usize, knots: &u, closed: closed[0] },

@@ -25,9 +25,9 @@ pub struct gusset_sheet_mesh_options {
     /// How far triangles may be from the surface, a length more than 0; 0, or INFINITY: no demand.
     pub tolerance: f64,
     /// The fewest parts of each cell in u; 0 stands for 1.
-    pub least_u: u32,
+    pub min_u: u32,
     /// The fewest parts of each cell in v; 0 stands for 1.
-    pub least_v: u32,
+    pub min_v: u32,
     /// 1: triangles only; 0: quads, and triangles at poles.
     pub triangles: u32,
     /// 0.
@@ -56,7 +56,7 @@ impl gusset_sheet_mesh_options {
     fn checked(self) -> Result<SurfaceMeshOptions, Failure> {
         Ok(SurfaceMeshOptions {
             tolerance: if self.tolerance == 0.0 { f64::INFINITY } else { self.tolerance },
-            least: [self.least_u.max(1), self.least_v.max(1)],
+            least: [self.min_u.max(1), self.min_v.max(1)],
             triangles: flag(self.triangles, "triangles")?,
         })
     }
@@ -112,16 +112,13 @@ pub unsafe extern "C" fn gusset_sheet_mesh_get_view(
     mesh: *const gusset_sheet_mesh,
     parts: *mut gusset_sheet_mesh_view,
 ) -> gusset_status {
-    let out = input::output_struct(parts, "parts");
-    guard(ptr::null(), |_| {
-        let (out, made) = (out?, input::reference(mesh, "mesh")?);
-        out.write(gusset_sheet_mesh_view {
+    lend!(mesh, parts, |made| {
+        gusset_sheet_mesh_view {
             struct_size: 0,
             vertex_count: made.places.len(),
             places: made.places.as_ptr(),
             normals: made.normals.as_ptr().cast(),
             deviation: made.deviation,
-        });
-        Ok(())
+        }
     })
 }

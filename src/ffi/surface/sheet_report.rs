@@ -45,9 +45,8 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
     sheet: *const gusset_sheet,
     parts: *mut gusset_sheet_report,
 ) -> gusset_status {
-    let out = input::output_struct(parts, "parts");
-    guard(ptr::null(), |_| {
-        let (out, sheet) = (out?, &input::reference(sheet, "sheet")?.0);
+    lend!(sheet, parts, |sheet| {
+        let sheet = &sheet.0;
         let ([rows, columns], [closed_u, closed_v]) = (sheet.cells(), sheet.is_closed().map(u32::from));
         let [[pole_u0, pole_u1], [pole_v0, pole_v1]] = sheet.poles().map(|pair| pair.map(u32::from));
         let (degree, is_grid) = match sheet {
@@ -55,7 +54,7 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
             Sheet::Cubic(_) => (3, 0),
             Sheet::High(_) => (7, 0),
         };
-        out.write(gusset_sheet_report {
+        gusset_sheet_report {
             struct_size: 0,
             rows,
             columns,
@@ -67,8 +66,7 @@ pub unsafe extern "C" fn gusset_sheet_get_report(
             pole_u1,
             pole_v0,
             pole_v1,
-        });
-        Ok(())
+        }
     })
 }
 

@@ -90,7 +90,7 @@ pub unsafe extern "C" fn gusset_surface_intersection_create(
 ) -> gusset_status {
     create(context, paths, "paths", |job| {
         let options = input::read(options, true, "options")?.into();
-        Ok(read(a)?.meet(read(b)?, &options, job)?.into())
+        Ok(read(a)?.meet(read(b)?, &options, job)?.try_into()?)
     })
 }
 
@@ -124,11 +124,9 @@ pub unsafe extern "C" fn gusset_cell_pairs_get_view(
     pairs: *const gusset_cell_pairs,
     parts: *mut gusset_cell_pairs_view,
 ) -> gusset_status {
-    let out = input::output_struct(parts, "parts");
-    guard(ptr::null(), |_| {
-        let (out, pairs) = (out?, &input::reference(pairs, "pairs")?.0);
-        out.write(gusset_cell_pairs_view { struct_size: 0, pairs: pairs.as_ptr(), count: pairs.len() });
-        Ok(())
+    lend!(pairs, parts, |pairs| {
+        let pairs = &pairs.0;
+        gusset_cell_pairs_view { struct_size: 0, pairs: pairs.as_ptr(), count: pairs.len() }
     })
 }
 
