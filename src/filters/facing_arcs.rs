@@ -6,7 +6,7 @@ use super::param::{Choice, Param, ParamKind, Values};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::stitch::facing::{Centres, Options, Run, facing_cancellable};
+use crate::stitch::facing::{Centres, Options, Run, facing};
 use glam::DVec3;
 use std::fmt::Write;
 
@@ -76,7 +76,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         tolerance: Some(values.number("tolerance")).filter(|&t| t >= 0.0),
         centres: [Centres::Vertices, Centres::Length][values.chosen("centres")],
     };
-    let found = facing_cancellable(&loops[0], &loops[1], &options, &job.part(0.1, 1.0))?;
+    let found = facing(&loops[0], &loops[1], &options, &job.part(0.1, 1.0))?;
     let (mut arcs, mut text) = (Curves::none(), String::new());
     let taken = (0..2).map(|side| (side, found.taken[side]));
     let others = (0..2).flat_map(|side| found.runs[side].iter().map(move |&arc| (side, arc)));

@@ -40,13 +40,8 @@ pub(crate) struct KdTree<'a> {
 }
 
 impl<'a> KdTree<'a> {
-    /// Extra memory: 5 bytes a point.
-    pub(crate) fn new(points: &'a [DVec3]) -> Result<Self> {
-        Self::new_cancellable(points, &Job::default(), "")
-    }
-
-    /// As [`new`](Self::new), for many points: the host can cancel.
-    pub(crate) fn new_cancellable(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
+    /// Extra memory: 5 bytes a point. O(n log n).
+    pub(crate) fn new(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = KdTree {
             points,
             order: alloc::collect((0..points.len()).map(|i| i as u32))?,
@@ -68,7 +63,7 @@ impl<'a> KdTree<'a> {
     /// A tree for queries that are far away from points which are close together, such as those of a curve: what cells do not tell
     /// apart, boxes that fit do. 10 bytes a point more.
     pub(crate) fn boxed(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
-        let mut tree = Self::new_cancellable(points, job, stage)?;
+        let mut tree = Self::new(points, job, stage)?;
         let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(APART))?;
         tree.find_boxes(0..points.len(), &mut boxes);
         tree.boxes = boxes;
@@ -92,7 +87,7 @@ impl<'a> KdTree<'a> {
     /// A tree that also answers [`nearest_elsewhere`](Self::nearest_elsewhere): each point is of one of the `groups`, all below
     /// 2^32 - 1.
     pub(crate) fn grouped(points: &'a [DVec3], groups: &[u32]) -> Result<Self> {
-        let mut tree = Self::new(points)?;
+        let mut tree = Self::new(points, &Job::default(), "")?;
         let mut group = alloc::filled(MIXED, points.len())?;
         tree.find_groups(0..points.len(), groups, &mut group);
         tree.group = group;
@@ -295,7 +290,7 @@ mod tests {
                 .filter(|&i| accept(i))
                 .map(|i| (points[i as usize].distance_squared(query), i))
                 .min_by(|a, b| a.partial_cmp(b).unwrap());
-            let tree = KdTree::new(&points).unwrap();
+            let tree = KdTree::new(&points, &Job::default(), "").unwrap();
             prop_assert_eq!(tree.nearest(query, f64::INFINITY, accept), expected);
             let boxed = KdTree::boxed(&points, &Job::default(), "").unwrap();
             prop_assert_eq!(boxed.nearest(query, f64::INFINITY, accept), expected);
@@ -313,7 +308,7 @@ mod tests {
             for (reach, unit) in [(0.5, 1.0), (1.0, 2f64.powi(-980)), (1.5, 2f64.powi(900)), (3.0, 1.0)] {
                 let scaled: Vec<DVec3> = points.iter().map(|&p| p * unit).collect();
                 let mut found = Vec::new();
-                let tree = KdTree::new(&scaled).unwrap();
+                let tree = KdTree::new(&scaled, &Job::default(), "").unwrap();
                 tree.within(query * unit, Reach::new(reach * unit), &mut |_, i| found.push(i));
                 found.sort_unstable();
                 // On a lattice, in a power of two: nothing is rounded.

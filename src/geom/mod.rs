@@ -11,8 +11,6 @@
 //! * [`scale`]: a power of two as unit of length, so that products of coordinates neither overflow nor vanish whatever
 //!   the host's units are.
 
-#![allow(dead_code, unused_imports, reason = "modules change over to this one by one")]
-
 pub(crate) mod aabb;
 pub(crate) mod bernstein;
 pub(crate) mod bit_set;

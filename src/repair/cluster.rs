@@ -93,10 +93,7 @@ enum Near<'a> {
 impl<'a> Near<'a> {
     fn new(points: &'a [DVec3], tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
         if let Some(tolerance) = tolerance {
-            return Ok(Near::Within {
-                tree: KdTree::new_cancellable(points, job, STAGE)?,
-                reach: Reach::new(tolerance),
-            });
+            return Ok(Near::Within { tree: KdTree::new(points, job, STAGE)?, reach: Reach::new(tolerance) });
         }
         job.step(0.0, STAGE)?;
         // -0 becomes 0, so that the order of bits is the order of numbers.

@@ -129,16 +129,8 @@ pub struct Facing {
 /// # Errors
 /// [`Error::LoopTooShort`] for a loop without vertices, [`Error::NotFinite`], [`Error::OptionOutOfRange`] for a tolerance
 /// that is negative or not finite; [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the
-/// centres are no farther apart than that; [`Error::OutOfMemory`].
-pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options) -> Result<Facing> {
-    facing_cancellable(a, b, options, &Job::default())
-}
-
-/// As [`facing`], for long loops: the host can cancel.
-///
-/// # Errors
-/// Also [`Error::Cancelled`].
-pub(crate) fn facing_cancellable(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Result<Facing> {
+/// centres are no farther apart than that; [`Error::OutOfMemory`], [`Error::Cancelled`].
+pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Result<Facing> {
     job.step(0.0, STAGE)?;
     for (side, points) in [(Side::A, a), (Side::B, b)] {
         if points.is_empty() {

@@ -35,18 +35,18 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
     let mut best = (f64::INFINITY, None);
     for (i, p) in a.iter().enumerate() {
         job.step(i as f64 / a.len() as f64, "pairing the loops")?;
-        let (around, tree) = (Aabb::of(&p.points), KdTree::new(&p.points)?);
+        let (around, tree_p) = (Aabb::of(&p.points), tree(&p.points)?);
         for (j, q) in b.iter().enumerate() {
             // No points of the two rims are nearer than their boxes.
             if around.distance(&boxes[j]) >= best.0 {
                 continue;
             }
             // The cheaper half first.
-            let there = mean_distance(&q.points, &tree);
+            let there = mean_distance(&q.points, &tree_p);
             if there >= best.0 {
                 continue;
             }
-            let distance = there.max(mean_distance(&p.points, &KdTree::new(&q.points)?));
+            let distance = there.max(mean_distance(&p.points, &tree(&q.points)?));
             if distance < best.0 && !(one_mesh && shared_vertex(p, q)?.is_some()) {
                 best = (distance, Some((i, j)));
             }
@@ -57,10 +57,14 @@ pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job
     Ok((a.swap_remove(i), b.swap_remove(j)))
 }
 
+fn tree(points: &[DVec3]) -> Result<KdTree<'_>> {
+    KdTree::new(points, &Job::default(), "")
+}
+
 /// The mean distance from the vertices of each rim to the nearest of the other, the larger of the two.
 pub(super) fn mean_gap(a: &Rim, b: &Rim) -> Result<f64> {
-    let there = mean_distance(&b.points, &KdTree::new(&a.points)?);
-    Ok(there.max(mean_distance(&a.points, &KdTree::new(&b.points)?)))
+    let there = mean_distance(&b.points, &tree(&a.points)?);
+    Ok(there.max(mean_distance(&a.points, &tree(&b.points)?)))
 }
 
 /// The mean distance from the vertices of one rim to the nearest of the other; of a long rim only every so many-th vertex is

@@ -36,7 +36,7 @@ const SAMPLES: usize = 1 << 10;
 /// The places (i, j) of the closest vertices of the two rims that are not joined by an edge already; of equally close
 /// pairs the smallest i, then j. `None` if every pair is joined. O((N + M) log M).
 pub(super) fn closest_pair(a: &Rim, b: &Rim, bridges: &Bridges, job: &Job<'_>) -> Result<Option<(usize, usize)>> {
-    let tree = KdTree::new_cancellable(&b.points, &job.part(0.0, 0.1), STAGE)?;
+    let tree = KdTree::new(&b.points, &job.part(0.0, 0.1), STAGE)?;
     let job = job.part(0.1, 1.0);
     let mut best = (f64::INFINITY, None);
     for (i, (&p, &u)) in a.points.iter().zip(&a.vertices).enumerate() {

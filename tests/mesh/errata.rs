@@ -133,7 +133,7 @@ fn e06_the_sign_alone_is_round_off_for_coaxial_rims() {
     let runs = (0..60).filter(|&i| selected[i] && !selected[(i + 59) % 60]).count();
     assert!(runs > 1, "as printed: {runs} runs of round-off, no polyline");
     assert!(matches!(
-        facing(&a, &b, &facing::Options { tolerance: Some(1e-14), ..Default::default() }),
+        facing(&a, &b, &facing::Options { tolerance: Some(1e-14), ..Default::default() }, &Job::default()),
         Err(Error::PlanesUndecided { .. })
     ));
 }

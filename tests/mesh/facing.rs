@@ -8,7 +8,7 @@ use gusset::{Element, Error, Job, Side};
 use std::f64::consts::{PI, TAU};
 
 fn facing(a: &[DVec3], b: &[DVec3], tolerance: Option<f64>, run: Run) -> Result<Facing, Error> {
-    facing::facing(a, b, &facing::Options { run, tolerance, ..facing::Options::default() })
+    facing::facing(a, b, &facing::Options { run, tolerance, ..facing::Options::default() }, &Job::default())
 }
 
 /// A circle of `n` vertices in the plane z = 0, the first at angle `phase`.
@@ -223,7 +223,7 @@ fn a_centre_by_length_is_not_drawn_to_crowded_vertices() {
     // The polygon is 1 / 400 thinner on the coarse side, no more.
     assert!(planes(Centres::Length).centres[0].length() < 0.01);
     let options = facing::Options { centres: Centres::Length, ..facing::Options::default() };
-    let found = facing::facing(&crowded, &other, &options).unwrap();
+    let found = facing::facing(&crowded, &other, &options, &Job::default()).unwrap();
     assert_eq!(found.planes, planes(Centres::Length));
     assert!(found.runs.iter().all(|runs| runs.len() == 1));
 }

@@ -92,7 +92,7 @@ pub unsafe extern "C" fn gusset_facing_create(
         let options = input::read(options, true, "options")?.checked()?;
         let a = points(points_a, count_a, "points_a")?;
         let b = points(points_b, count_b, "points_b").map_err(|failure| failure.of_input(1))?;
-        let found = self::facing(&a, &b, &options)?;
+        let found = self::facing(&a, &b, &options, &crate::Job::default())?;
         let pairs = |arcs: &[Arc]| {
             let mut list = alloc::with_capacity(2 * arcs.len())?;
             list.extend(arcs.iter().flat_map(|arc| [arc.first as u32, arc.count as u32]));
