@@ -251,10 +251,10 @@ fn two_places_as_near_are_said_to_be_many() {
     };
     let surface = Surface::new(vec![plane(1.0), plane(-1.0)], None, &Job::default()).unwrap();
     let found = surface.closest(DVec3::new(1.3, 2.6, 0.0), f64::INFINITY).unwrap();
-    assert!(found.proven && found.many && found.place.sheet == 0, "{found:?}");
+    assert!(found.proven && found.is_ambiguous && found.place.sheet == 0, "{found:?}");
     assert_eq!(found.normal.abs(), DVec3::Z);
     let found = surface.closest(DVec3::new(1.3, 2.6, -0.1), f64::INFINITY).unwrap();
-    assert!(found.proven && !found.many && found.place.sheet == 1, "{found:?}");
+    assert!(found.proven && !found.is_ambiguous && found.place.sheet == 1, "{found:?}");
     let minima = surface.local_minima(DVec3::new(1.3, 2.6, -0.1), f64::INFINITY, 0, &Job::default()).unwrap();
     assert_eq!(minima.points.len(), 2, "{minima:?}");
     assert!((minima.points[1].distance - 1.1).abs() < 1e-12);

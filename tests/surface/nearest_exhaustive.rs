@@ -191,7 +191,7 @@ fn exhaustive_closest_by_force() {
             check(&surface, name, query, found, truth);
             force_worse += u32::from(truth > found.distance + surface.tolerance());
             open += u32::from(!found.proven);
-            many += u32::from(found.many);
+            many += u32::from(found.is_ambiguous);
         }
         println!("{name}: 10000 queries, {open} unproven, {many} with many, brute force worse {force_worse} times");
     }

@@ -139,7 +139,7 @@ impl From<Option<Closest>> for gusset_surface_nearest_point {
             bound: found.bound,
             flags: GUSSET_NEAREST_FOUND
                 | flag(found.proven, GUSSET_NEAREST_PROVEN)
-                | flag(found.many, GUSSET_NEAREST_AMBIGUOUS),
+                | flag(found.is_ambiguous, GUSSET_NEAREST_AMBIGUOUS),
             reserved: 0,
         }
     }

@@ -1,8 +1,13 @@
-//! Many nearest points at once: sorted along a curve that fills space, so that neighbours follow each other; on many threads.
+//! Nearest points of many queries.
+//!
+//! Queries are sorted along the curve of G. M. Morton (1966), so that consecutive ones read the same
+//! blocks of the index from the cache, and shared out among threads. Each is answered on its own:
+//! the order and the number of threads do not change a bit. O(n log n) for the sort, whose memory
+//! is limited to [`SORTED_QUERIES`] keys.
 
-use super::Closest;
-use super::hunt::Hunt;
-use super::region::unfit;
+use super::closest::Closest;
+use super::query::unusable_coordinate;
+use super::search::NearestSearch;
 use crate::alloc;
 use crate::error::{Element, Error, Result};
 use crate::job::Job;
@@ -11,15 +16,15 @@ use crate::surface::Surface;
 use glam::DVec3;
 
 /// Queries that are sorted at once.
-const SORTED: usize = 1 << 16;
+const SORTED_QUERIES: usize = 1 << 16;
 /// Queries between two chances to cancel.
-const ROUND: usize = 1 << 13;
+const QUERIES_PER_STEP: usize = 1 << 13;
 /// Queries that one thread takes at once.
-const TAKEN: usize = 1 << 9;
+const QUERIES_PER_TASK: usize = 1 << 9;
 
 impl Surface<'_> {
-    /// As [`Surface::closest`] for many queries, in their order: each answer is the same to the bit as if it were asked for alone, for
-    /// any order and any number of threads.
+    /// [`Surface::closest`] of many queries, in their order: each answer is the same to the bit as
+    /// if it were asked for alone, for any order and any number of threads.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::NotFinite`],
@@ -42,21 +47,22 @@ impl Surface<'_> {
         if limit.is_nan() || limit < 0.0 {
             return Err(Error::OptionOutOfRange { option: "limit", value: limit });
         }
-        if let Some((at, value)) = queries.iter().enumerate().find_map(|(k, &query)| Some((k, unfit(query)?))) {
+        if let Some((at, value)) =
+            queries.iter().enumerate().find_map(|(k, &query)| Some((k, unusable_coordinate(query)?)))
+        {
             return Err(Error::NotFinite { element: Element::Query, index: at as u64, value });
         }
-        let order = alloc::with_capacity(queries.len().min(SORTED))?;
-        let mut order: Vec<(u64, u32)> = order;
+        let mut order: Vec<(u64, u32)> = alloc::with_capacity(queries.len().min(SORTED_QUERIES))?;
         let mut done = 0;
-        for (part, out) in queries.chunks(SORTED).zip(out.chunks_mut(SORTED)) {
-            sort(part, &mut order);
-            for round in order.chunks(ROUND) {
+        for (part, out) in queries.chunks(SORTED_QUERIES).zip(out.chunks_mut(SORTED_QUERIES)) {
+            sort_along_curve(part, &mut order);
+            for round in order.chunks(QUERIES_PER_STEP) {
                 job.step(done as f64 / queries.len() as f64, "nearest points")?;
                 done += round.len();
-                let found = par::map(job.threads(), round.chunks(TAKEN), |taken| {
-                    let mut hunt = Hunt::new();
+                let found = par::map(job.threads(), round.chunks(QUERIES_PER_TASK), |taken| {
+                    let mut search = NearestSearch::new();
                     let mut found = Vec::with_capacity(taken.len());
-                    let each = |&(_, k): &(u64, u32)| form(self.closest_with(part[k as usize], limit, &mut hunt));
+                    let each = |&(_, k): &(u64, u32)| form(self.closest_with(part[k as usize], limit, &mut search));
                     found.extend(taken.iter().map(each));
                     found
                 });
@@ -70,22 +76,22 @@ impl Surface<'_> {
 }
 
 /// The queries' numbers in the order of Morton's curve through their box.
-fn sort(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
+fn sort_along_curve(queries: &[DVec3], order: &mut Vec<(u64, u32)>) {
     let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let (low, high) = queries.iter().fold(none, |(low, high), &query| (low.min(query), high.max(query)));
-    // 10 bits each: finer than this, a batch of this size is not.
+    // 10 bits a coordinate: 2^30 places for 2^16 queries.
     let scale = 1023.0 / (0.5 * high - 0.5 * low).max_element().max(f64::MIN_POSITIVE);
     order.clear();
     order.extend(queries.iter().enumerate().map(|(k, &query)| {
         let along = ((0.5 * query - 0.5 * low) * scale).to_array();
-        let [x, y, z] = along.map(|x| spread(x as u32));
+        let [x, y, z] = along.map(|x| interleave(x as u32));
         (x | y << 1 | z << 2, k as u32)
     }));
     order.sort_unstable();
 }
 
 /// The bits of a number of 21 bits, each in the lowest place of three.
-fn spread(number: u32) -> u64 {
+fn interleave(number: u32) -> u64 {
     let mut bits = u64::from(number) & 0x1f_ffff;
     for (shift, mask) in [
         (32, 0x001f_0000_0000_ffff),

@@ -1,27 +1,31 @@
-//! All places where the distance is locally least, the nearest first.
+//! All places where the distance from a point is locally least, the nearest first.
+//!
+//! Best first over blocks of all sheets; each cell reached gives the minima of its patch
+//! (`patch_minima`), and sides across which tangents may jump give theirs. A minimum on a side or at
+//! a corner counts if no cell that meets the point has a way down from there. Invariant: a minimum
+//! that is missing is no nearer than the bound at which the search ended.
 
-use super::Closest;
-use super::cell::{Workspace, nearest};
-use super::critical::{Least, minima, side_minima};
-use super::descend::{STEPS, descend};
-use super::region::check;
-use super::search::Block;
+use super::block::{Block, blocks_within};
+use super::closest::Closest;
+use super::foot::{MAX_STEPS, descend};
+use super::frontier::{BranchAndBound, Frontier};
+use super::patch_minima::{LocalMinimum, interior_minima, side_minima};
+use super::patch_search::{PartFrontier, nearest_on_patch};
+use super::query::check;
+use super::search::cells_around;
 use crate::alloc;
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::surface::cells::Cells;
 use crate::surface::{Place, Sheet, Surface, each_sheet};
 use glam::{DVec2, DVec3};
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
 
 /// Places where the distance from a point is locally least.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Minima {
-    /// The nearest first. Of each, `bound` is about the surface next to it; if `proven` is false, it is not certain that it is a minimum: the
-    /// distance is nearly the same all round, as at a focus, or on a whole curve of places; for all such cells that touch there is one.
+    /// The nearest first. Of each, `bound` is about the surface next to it; if `proven` is false, it
+    /// is not certain that it is a minimum: the distance is nearly the same all round, as at a focus,
+    /// or on a whole curve of places; for all such cells that touch there is one.
     pub points: Vec<Closest>,
     /// False if the search gave up: there may be others, none nearer than `bound`.
     pub complete: bool,
@@ -29,213 +33,189 @@ pub struct Minima {
     pub bound: f64,
 }
 
-/// Cells that may stay open before a search gives up.
-const OPEN: usize = 512;
+/// Cells left undecided before a search gives up.
+const MAX_UNDECIDED: usize = 512;
 /// Blocks between two chances to cancel.
-const ROUND: usize = 1 << 8;
-
-/// A block that waits, the nearest to be taken first.
-struct Waiting {
-    block: Block,
-    sheet: usize,
-}
-
-impl Waiting {
-    fn key(&self) -> (f64, usize, usize, usize, usize) {
-        (self.block.bound, self.sheet, self.block.level, self.block.row, self.block.column)
-    }
-}
-
-impl PartialEq for Waiting {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Waiting {}
-
-impl PartialOrd for Waiting {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Waiting {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let ((a, at), (b, other)) = ((self.key().0, self.key()), (other.key().0, other.key()));
-        b.total_cmp(&a).then_with(|| (other.1, other.2, other.3, other.4).cmp(&(at.1, at.2, at.3, at.4)))
-    }
-}
+const BLOCKS_PER_STEP: usize = 1 << 8;
+/// Points no farther apart than this many tolerances are one.
+const SAME_POINT: f64 = 16.0;
 
 /// A minimum and the cell where it was found.
 #[derive(Clone, Copy)]
-struct Candidate {
-    least: Least,
+struct FoundMinimum {
+    minimum: LocalMinimum,
     sheet: usize,
     cell: (usize, usize),
 }
 
 impl Surface<'_> {
-    /// The places where the distance from `query` is locally least, no farther than `limit`: all, or the `most` nearest; the nearest first.
+    /// The places where the distance from `query` is locally least, no farther than `limit`: all, or
+    /// the `most` nearest; the nearest first.
     ///
-    /// None is missed: a place where it cannot be proved that there is a minimum, or that there is none, is given too, with `proven` false.
-    /// With `most`, cells farther than the last one are not looked at; without, all cells within the limit are.
+    /// None is missed: a place where it cannot be proved that there is a minimum, or that there is
+    /// none, is given too, with `proven` false. With `most`, cells farther than the last one are not
+    /// searched; without, all cells within the limit are.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::NotFinite`], [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for a limit that is negative or NaN, [`Error::NotFinite`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn local_minima(&self, query: DVec3, limit: f64, most: usize, job: &Job<'_>) -> Result<Minima> {
         check("limit", query, limit)?;
-        let tolerance = self.tolerance().max(self.rounding(query));
-        let mut search = Search { surface: self, query, limit, tolerance, most, found: Vec::new(), open: Vec::new() };
-        let bound = search.run(job)?;
+        let mut search = MinimaSearch {
+            surface: self,
+            query,
+            limit,
+            tolerance: self.query_tolerance(query),
+            most,
+            found: Vec::new(),
+            undecided: Vec::new(),
+            frontier: Frontier::new(),
+            blocks: 0,
+            job,
+        };
+        for sheet in 0..self.len() {
+            search.wait(sheet, Block::root(self.indexed(sheet).1))?;
+        }
+        let bound = search.run()?.unwrap_or(limit);
         search.end(bound, self.closest(query, limit))
     }
 }
 
-struct Search<'a> {
+struct MinimaSearch<'a> {
     surface: &'a Surface<'a>,
     query: DVec3,
     limit: f64,
     tolerance: f64,
     most: usize,
-    found: Vec<Candidate>,
-    open: Vec<Candidate>,
+    found: Vec<FoundMinimum>,
+    undecided: Vec<FoundMinimum>,
+    /// Among equal bounds by sheet, level, row and column: so the answer does not depend on the queue.
+    frontier: Frontier<(usize, Block), [usize; 4]>,
+    blocks: usize,
+    job: &'a Job<'a>,
 }
 
-impl Search<'_> {
-    /// Looks at blocks, the nearest first; the distance at which it ended.
-    fn run(&mut self, job: &Job<'_>) -> Result<f64> {
-        let mut waiting = BinaryHeap::new();
-        for sheet in 0..self.surface.len() {
-            waiting.push(Waiting { block: Block::root(self.surface.indexed(sheet).1), sheet });
+impl BranchAndBound for MinimaSearch<'_> {
+    type Task = (usize, Block);
+    type Key = [usize; 4];
+    type Stop = Error;
+
+    fn frontier(&mut self) -> &mut Frontier<(usize, Block), [usize; 4]> {
+        &mut self.frontier
+    }
+
+    fn is_wanted(&mut self, bound: f64) -> bool {
+        bound <= self.prune_bound() && self.undecided.len() <= MAX_UNDECIDED
+    }
+
+    fn branch(&mut self, _: f64, (sheet, block): (usize, Block)) -> Result<()> {
+        self.blocks += 1;
+        if self.blocks.is_multiple_of(BLOCKS_PER_STEP) {
+            self.job.step(0.0, "minima")?;
         }
-        let mut looked_at = 0;
-        while let Some(Waiting { block, sheet }) = waiting.pop() {
-            if block.bound > self.reach() || self.open.len() > OPEN {
-                return Ok(block.bound);
-            }
-            looked_at += 1;
-            if looked_at % ROUND == 0 {
-                job.step(0.0, "minima")?;
-            }
-            let (cells, index) = self.surface.indexed(sheet);
-            if block.level > 0 {
-                waiting.extend(
-                    block.children(index, self.query).into_iter().flatten().map(|block| Waiting { block, sheet }),
-                );
-                continue;
-            }
-            each_sheet!(cells, cells => self.block(cells, &block, sheet))?;
+        let (cells, index) = self.surface.indexed(sheet);
+        if block.level == 0 {
+            return each_sheet!(cells, cells => self.search_block(cells, &block, sheet));
         }
-        Ok(self.limit)
+        let mut children = block.children(index, self.query).into_iter().flatten();
+        children.try_for_each(|block| self.wait(sheet, block))
+    }
+}
+
+impl MinimaSearch<'_> {
+    fn wait(&mut self, sheet: usize, block: Block) -> Result<()> {
+        self.frontier.push(block.bound, [sheet, block.level, block.row, block.column], (sheet, block))
     }
 
     /// What is farther is not wanted.
-    fn reach(&self) -> f64 {
+    fn prune_bound(&self) -> f64 {
         if self.most == 0 || self.found.len() < self.most {
             return self.limit;
         }
-        let mut distances: Vec<f64> = self.found.iter().map(|found| found.least.distance).collect();
+        let mut distances: Vec<f64> = self.found.iter().map(|found| found.minimum.distance).collect();
         let (_, &mut last, _) = distances.select_nth_unstable_by(self.most - 1, f64::total_cmp);
         self.limit.min(last + self.tolerance)
     }
 
-    fn block<const N: usize>(&mut self, cells: &impl Cells<N>, block: &Block, sheet: usize) -> Result<()> {
+    fn search_block<const N: usize>(&mut self, cells: &impl Cells<N>, block: &Block, sheet: usize) -> Result<()> {
         for cell in block.cells(cells) {
             let patch = cells.patch(cell.0, cell.1);
             if patch.box_distance(self.query) > self.limit {
                 continue;
             }
-            let mut candidates = Vec::new();
-            minima(&patch, self.query, self.tolerance, |least| candidates.push(least));
+            let mut minima = Vec::new();
+            interior_minima(&patch, self.query, self.tolerance, |minimum| minima.push(minimum));
             if !cells.is_smooth_around(cell.0, cell.1) {
-                side_minima(&patch, self.query, |least| candidates.push(least));
+                side_minima(&patch, self.query, |minimum| minima.push(minimum));
             }
-            for least in candidates {
-                self.add(Candidate { least, sheet, cell })?;
+            for minimum in minima {
+                self.add(FoundMinimum { minimum, sheet, cell })?;
             }
         }
         Ok(())
     }
 
-    fn add(&mut self, candidate: Candidate) -> Result<()> {
-        let least = &candidate.least;
-        if least.bound > self.limit {
+    fn add(&mut self, candidate: FoundMinimum) -> Result<()> {
+        let minimum = &candidate.minimum;
+        if minimum.bound > self.limit {
             return Ok(());
         }
-        if !least.proven {
-            return alloc::push(&mut self.open, candidate);
+        if !minimum.proven {
+            return alloc::push(&mut self.undecided, candidate);
         }
-        let near = 16.0 * self.tolerance;
-        let known = |other: &Candidate| other.least.point.distance(least.point) <= near;
-        if least.distance > self.limit || self.found.iter().any(known) || !self.is_least_around(&candidate) {
+        let near = SAME_POINT * self.tolerance;
+        let is_same = |other: &FoundMinimum| other.minimum.point.distance(minimum.point) <= near;
+        if minimum.distance > self.limit || self.found.iter().any(is_same) || !self.is_minimum_around(minimum) {
             return Ok(());
         }
         alloc::push(&mut self.found, candidate)
     }
 
-    /// True if no cell that meets the candidate's point has a way down from there.
-    fn is_least_around(&self, candidate: &Candidate) -> bool {
+    /// True if no cell that meets the point of a minimum of one patch has a way down from there.
+    fn is_minimum_around(&self, minimum: &LocalMinimum) -> bool {
         let on_border = |x: f64| x <= 0.0 || x >= 1.0;
-        let least = &candidate.least;
-        if !(on_border(least.place.x) || on_border(least.place.y)) {
+        if !(on_border(minimum.place.x) || on_border(minimum.place.y)) {
             return true;
         }
         (0..self.surface.len()).all(|sheet| {
-            let (cells, _) = self.surface.indexed(sheet);
-            each_sheet!(cells, cells => self.is_least_in(cells, sheet, least))
+            let (cells, index) = self.surface.indexed(sheet);
+            let mut blocks = blocks_within(index, minimum.point, self.tolerance);
+            each_sheet!(cells, cells => blocks.all(|block| self.is_minimum_in(cells, &block, minimum)))
         })
     }
 
-    fn is_least_in<const N: usize>(&self, cells: &impl Cells<N>, sheet: usize, least: &Least) -> bool {
-        let index = self.surface.indexed(sheet).1;
-        let mut workspace = Workspace::default();
-        let mut blocks = vec![Block::root(index)];
-        while let Some(block) = blocks.pop() {
-            if block.level > 0 {
-                let meets = |block: &Block| block.bound <= self.tolerance;
-                blocks.extend(block.children(index, least.point).into_iter().flatten().filter(meets));
-                continue;
+    fn is_minimum_in<const N: usize>(&self, cells: &impl Cells<N>, block: &Block, minimum: &LocalMinimum) -> bool {
+        let mut workspace = PartFrontier::new();
+        block.cells(cells).all(|(i, j)| {
+            let (patch, start) = (cells.patch(i, j), DVec2::splat(0.5));
+            if patch.box_distance(minimum.point) > self.tolerance {
+                return true;
             }
-            for (i, j) in block.cells(cells) {
-                let patch = cells.patch(i, j);
-                if patch.box_distance(least.point) > self.tolerance {
-                    continue;
-                }
-                let start = DVec2::splat(0.5);
-                let Some(there) =
-                    nearest(&patch, least.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace)
-                else {
-                    continue;
-                };
-                if there.distance <= self.tolerance {
-                    let foot = descend(&patch, self.query, there.place, STEPS);
-                    let moved = foot.jet.point.distance(least.point) > 16.0 * self.tolerance;
-                    if moved && foot.distance < least.distance {
-                        return false;
-                    }
-                }
-            }
-        }
-        true
+            let found =
+                nearest_on_patch(&patch, minimum.point, start, self.tolerance, 0.1 * self.tolerance, &mut workspace);
+            let Some(there) = found.filter(|there| there.distance <= self.tolerance) else { return true };
+            let foot = descend(&patch, self.query, there.place, MAX_STEPS);
+            let moved = foot.jet.point.distance(minimum.point) > SAME_POINT * self.tolerance;
+            !(moved && foot.distance < minimum.distance)
+        })
     }
 
-    /// What was found, with one place for all open cells that touch.
+    /// The minima found, with one place for all undecided cells that touch.
     fn end(mut self, bound: f64, nearest: Option<Closest>) -> Result<Minima> {
-        let complete = self.open.len() <= OPEN;
-        merge(&mut self.open, self.surface);
+        let complete = self.undecided.len() <= MAX_UNDECIDED;
+        merge_adjacent(&mut self.undecided, self.surface);
         let proven = std::mem::take(&mut self.found);
-        // An open place next to a proven one is that.
-        let near = 16.0 * self.tolerance;
-        self.open.retain(|open| proven.iter().all(|found| found.least.point.distance(open.least.point) > near));
-        let mut points = alloc::with_capacity(proven.len() + self.open.len() + 1)?;
-        for Candidate { least, sheet, cell } in proven.into_iter().chain(self.open) {
+        // An undecided place next to a proven one is that.
+        let near = SAME_POINT * self.tolerance;
+        let distance = |a: &FoundMinimum, b: &FoundMinimum| a.minimum.point.distance(b.minimum.point);
+        self.undecided.retain(|place| proven.iter().all(|found| distance(found, place) > near));
+        let mut points = alloc::with_capacity(proven.len() + self.undecided.len() + 1)?;
+        for FoundMinimum { minimum, sheet, cell } in proven.into_iter().chain(self.undecided) {
             let (i, j) = (cell.0 as u32, cell.1 as u32);
-            let place = Place { sheet: sheet as u32, cell: [i, j], u: least.place.x, v: least.place.y };
-            let Least { point, distance, bound, proven, .. } = least;
+            let place = Place { sheet: sheet as u32, cell: [i, j], u: minimum.place.x, v: minimum.place.y };
+            let LocalMinimum { point, distance, bound, proven, .. } = minimum;
             let normal = self.surface.normal(place);
-            points.push(Closest { place, point, normal, distance, bound, proven, many: !proven });
+            points.push(Closest { place, point, normal, distance, bound, proven, is_ambiguous: !proven });
         }
         // The nearest point of all is a minimum, whatever the surface is like there.
         let reached = |point: &Closest, nearest: &Closest| point.distance <= nearest.distance + self.tolerance;
@@ -255,11 +235,11 @@ impl Search<'_> {
     }
 }
 
-/// Leaves one of all points that are one in space, the first; a proven one next to it makes it proven.
+/// Keeps one of all points that are one in space, the first; a proven one next to it replaces it.
 fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
     let mut kept: Vec<Closest> = alloc::with_capacity(points.len())?;
     for point in points.drain(..) {
-        // Points that are one are nearly as far: the last ones only need be compared.
+        // Points that are one are nearly as far: only the last ones need be compared.
         let alike = kept.iter_mut().rev().take_while(|other| other.distance >= point.distance - near);
         match { alike }.find(|other| other.point.distance(point.point) <= near) {
             Some(other) if point.proven && !other.proven => *other = point,
@@ -273,10 +253,10 @@ fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
     Ok(())
 }
 
-/// Leaves the nearest of all that are in cells of a sheet that touch, round seams too.
-fn merge(open: &mut Vec<Candidate>, surface: &Surface<'_>) {
-    open.sort_by_key(|candidate| (candidate.sheet, candidate.cell));
-    let mut group: Vec<usize> = (0..open.len()).collect();
+/// Keeps the nearest of all that are in cells of a sheet that touch, also across the seams of grids.
+fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) {
+    undecided.sort_by_key(|found| (found.sheet, found.cell));
+    let mut group: Vec<usize> = (0..undecided.len()).collect();
     fn root(group: &mut [usize], mut k: usize) -> usize {
         while group[k] != k {
             group[k] = group[group[k]];
@@ -284,40 +264,27 @@ fn merge(open: &mut Vec<Candidate>, surface: &Surface<'_>) {
         }
         k
     }
-    for k in 0..open.len() {
-        let Candidate { sheet, cell, .. } = open[k];
-        for next in neighbours(surface.sheet(sheet), cell) {
-            if let Ok(other) = open.binary_search_by_key(&(sheet, next), |other| (other.sheet, other.cell)) {
+    for k in 0..undecided.len() {
+        let FoundMinimum { sheet, cell, .. } = undecided[k];
+        let closed = if let Sheet::Grid(grid) = surface.sheet(sheet) { grid.is_closed() } else { [false; 2] };
+        for [i, j] in cells_around(surface.sheet(sheet).cells(), closed, [cell.0, cell.1]) {
+            if let Ok(other) = undecided.binary_search_by_key(&(sheet, (i, j)), |other| (other.sheet, other.cell)) {
                 let (a, b) = (root(&mut group, k), root(&mut group, other));
                 group[a.max(b)] = a.min(b);
             }
         }
     }
-    let mut best: Vec<Option<Candidate>> = vec![None; open.len()];
-    for (k, &candidate) in open.iter().enumerate() {
+    let mut best: Vec<Option<FoundMinimum>> = vec![None; undecided.len()];
+    for (k, &found) in undecided.iter().enumerate() {
         let slot = &mut best[root(&mut group, k)];
         *slot = Some(match *slot {
             Some(other) => {
-                let bound = other.least.bound.min(candidate.least.bound);
-                let nearer = if candidate.least.distance < other.least.distance { candidate } else { other };
-                Candidate { least: Least { bound, ..nearer.least }, ..nearer }
+                let bound = other.minimum.bound.min(found.minimum.bound);
+                let nearer = if found.minimum.distance < other.minimum.distance { found } else { other };
+                FoundMinimum { minimum: LocalMinimum { bound, ..nearer.minimum }, ..nearer }
             }
-            None => candidate,
+            None => found,
         });
     }
-    *open = best.into_iter().flatten().collect();
-}
-
-/// The cells round another one of a sheet.
-fn neighbours(sheet: &Sheet<'_>, (i, j): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
-    let counts = sheet.cells();
-    let closed = match sheet {
-        Sheet::Grid(grid) => grid.is_closed(),
-        _ => [false; 2],
-    };
-    let step = move |at: usize, by: usize, k: usize| {
-        let (at, count) = (at + by, counts[k]);
-        if closed[k] { Some((at + count - 1) % count) } else { at.checked_sub(1).filter(|&at| at < count) }
-    };
-    (0..9).filter_map(move |k| Some((step(i, k / 3, 0)?, step(j, k % 3, 1)?)))
+    *undecided = best.into_iter().flatten().collect();
 }

@@ -1,15 +1,21 @@
-//! The region of cells that have a point within a distance: the paper's region of task a), as bits and as a list.
+//! The cells that have a point within a distance: the paper's region of task a), as bits and as a
+//! list.
+//!
+//! Blocks are excluded by their boxes, cells by the search of their patches. No upper bound falls, so
+//! that the order does not matter. O(blocks and cells that come within the distance).
 
-use super::cell::{Workspace, nearest};
-use super::search::Block;
+use super::block::blocks_within;
+use super::patch_search::{PartFrontier, nearest_on_patch};
+use super::query::check;
 use crate::alloc;
-use crate::error::{Element, Error, Result};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::Result;
 use crate::job::Job;
 use crate::surface::cells::Cells;
 use crate::surface::index::Pyramid;
-use crate::surface::line_intersection::LARGEST;
-use crate::surface::{Surface, each_sheet};
-use glam::DVec3;
+use crate::surface::{Patch, Surface, each_sheet};
+use glam::{DVec2, DVec3};
 
 /// Cells of a surface.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -18,8 +24,8 @@ pub struct Region {
     pub cells: Vec<[u32; 3]>,
     /// By cell of the list: true if all of it is within the distance.
     pub whole: Vec<bool>,
-    /// A bit for each cell of all sheets, the lowest of the first word first: that of cell (i, j) of sheet k is
-    /// `first[k] + i * columns + j`.
+    /// A bit for each cell of all sheets, the lowest of the first word first: that of cell (i, j) of
+    /// sheet k is `first[k] + i * columns + j`.
     pub mask: Vec<u64>,
     /// By sheet: its first bit; then the number of bits.
     pub first: Vec<u64>,
@@ -36,12 +42,13 @@ impl Region {
 }
 
 impl Surface<'_> {
-    /// The cells that have a point no farther than `radius` from `query`: all of those, and none whose points are all farther than the radius by
-    /// more than the tolerance, unless that cannot be proved.
+    /// The cells that have a point no farther than `radius` from `query`: all of those, and none
+    /// whose points are all farther than the radius by more than the tolerance, unless that cannot be
+    /// proved.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a radius that is negative or NaN, [`Error::NotFinite`], [`Error::OutOfMemory`],
-    /// [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`] for a radius that is negative or NaN, [`Error::NotFinite`],
+    /// [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn region(&self, query: DVec3, radius: f64, job: &Job<'_>) -> Result<Region> {
         check("radius", query, radius)?;
         let mut region = Region { first: alloc::with_capacity(self.len() + 1)?, ..Region::default() };
@@ -52,7 +59,7 @@ impl Surface<'_> {
         }
         region.first.push(bits);
         region.mask = alloc::zeroed(bits.div_ceil(64) as usize)?;
-        let tolerance = self.tolerance().max(self.rounding(query));
+        let tolerance = self.query_tolerance(query);
         for k in 0..self.len() {
             let (sheet, index) = self.indexed(k);
             let ball = Ball { query, radius, tolerance };
@@ -68,21 +75,8 @@ impl Surface<'_> {
     }
 }
 
-/// A coordinate that is NaN, or so great that its square would overflow.
-pub(super) fn unfit(query: DVec3) -> Option<f64> {
-    query.to_array().into_iter().find(|x| x.is_nan() || x.abs() > LARGEST)
-}
-
-/// [`Error::NotFinite`], or [`Error::OptionOutOfRange`] for a distance that is negative or NaN.
-pub(super) fn check(option: &'static str, query: DVec3, distance: f64) -> Result<()> {
-    if let Some(value) = unfit(query) {
-        return Err(Error::NotFinite { element: Element::Query, index: 0, value });
-    }
-    if distance >= 0.0 { Ok(()) } else { Err(Error::OptionOutOfRange { option, value: distance }) }
-}
-
 impl Region {
-    /// Cells in rising order; blocks came in another.
+    /// Puts cells into rising order; blocks came in another.
     fn sort(&mut self) -> Result<()> {
         let mut order = alloc::collect(self.cells.iter().copied().zip(self.whole.iter().copied()))?;
         order.sort_unstable();
@@ -93,15 +87,23 @@ impl Region {
     }
 }
 
-/// What is looked at.
+/// Blocks of cells between two chances to cancel.
+const BLOCKS_PER_STEP: usize = 1 << 12;
+
+/// A ball round the query.
 struct Ball {
     query: DVec3,
     radius: f64,
     tolerance: f64,
 }
 
-/// Blocks between two chances to cancel.
-const ROUND: usize = 1 << 12;
+/// How a cell lies to a ball.
+#[derive(PartialEq)]
+enum Overlap {
+    Outside,
+    Partial,
+    Inside,
+}
 
 impl Ball {
     fn collect<const N: usize>(
@@ -112,50 +114,37 @@ impl Ball {
         region: &mut Region,
         job: &Job<'_>,
     ) -> Result<()> {
-        let mut workspace = Workspace::default();
-        let mut blocks = vec![Block::root(index)];
-        let mut looked_at = 0;
-        while let Some(block) = blocks.pop() {
-            looked_at += 1;
-            if looked_at % ROUND == 0 {
+        let mut workspace = PartFrontier::new();
+        for (k, block) in blocks_within(index, self.query, self.radius + self.tolerance).enumerate() {
+            if (k + 1).is_multiple_of(BLOCKS_PER_STEP) {
                 job.step(0.0, "region")?;
             }
-            if block.level > 0 {
-                let within = |child: &Block| child.bound <= self.radius + self.tolerance;
-                blocks.extend(block.children(index, self.query).into_iter().flatten().filter(within));
-                continue;
-            }
             for (i, j) in block.cells(cells) {
-                let (has, whole) = self.judge(cells, (i, j), &mut workspace);
-                if has {
+                let overlap = self.classify(&cells.patch(i, j), &mut workspace);
+                if overlap != Overlap::Outside {
                     alloc::push(&mut region.cells, [sheet, i as u32, j as u32])?;
-                    alloc::push(&mut region.whole, whole)?;
+                    alloc::push(&mut region.whole, overlap == Overlap::Inside)?;
                 }
             }
         }
         Ok(())
     }
 
-    /// Whether a cell has a point in the ball, and whether all of it is there.
-    fn judge<const N: usize>(
-        &self,
-        cells: &impl Cells<N>,
-        (i, j): (usize, usize),
-        workspace: &mut Workspace<N>,
-    ) -> (bool, bool) {
-        let patch = cells.patch(i, j);
-        if patch.farthest(self.query) <= self.radius {
-            return (true, true);
+    fn classify<const N: usize>(&self, patch: &Patch<N>, workspace: &mut PartFrontier<N>) -> Overlap {
+        if patch.max_distance(self.query) <= self.radius {
+            return Overlap::Inside;
         }
         let corners = patch.corners();
         if corners.as_flattened().iter().any(|corner| corner.distance(self.query) <= self.radius) {
-            return (true, false);
+            return Overlap::Partial;
         }
         if patch.box_distance(self.query) > self.radius + self.tolerance {
-            return (false, false);
+            return Overlap::Outside;
         }
-        let start = glam::DVec2::splat(0.5);
-        let found = nearest(&patch, self.query, start, self.radius, self.tolerance, workspace);
-        (found.is_some_and(|found| found.bound <= self.radius), false)
+        let start = DVec2::splat(0.5);
+        match nearest_on_patch(patch, self.query, start, self.radius, self.tolerance, workspace) {
+            Some(found) if found.bound <= self.radius => Overlap::Partial,
+            _ => Overlap::Outside,
+        }
     }
 }

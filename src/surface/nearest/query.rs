@@ -1,0 +1,18 @@
+//! The conditions that a query point and a distance must meet.
+
+use crate::error::{Element, Error, Result};
+use crate::surface::line_intersection::LARGEST;
+use glam::DVec3;
+
+/// A coordinate that is NaN, or so great that its square would overflow.
+pub(super) fn unusable_coordinate(query: DVec3) -> Option<f64> {
+    query.to_array().into_iter().find(|x| x.is_nan() || x.abs() > LARGEST)
+}
+
+/// [`Error::NotFinite`], or [`Error::OptionOutOfRange`] for a distance that is negative or NaN.
+pub(super) fn check(option: &'static str, query: DVec3, distance: f64) -> Result<()> {
+    if let Some(value) = unusable_coordinate(query) {
+        return Err(Error::NotFinite { element: Element::Query, index: 0, value });
+    }
+    if distance >= 0.0 { Ok(()) } else { Err(Error::OptionOutOfRange { option, value: distance }) }
+}
