@@ -11,8 +11,8 @@
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::BLOCK;
-use super::grid::Nodes;
 use super::index::Bounds;
+use super::nodes::Nodes;
 use super::sweep::{Ranges, Sums, Sweep};
 use glam::DVec3;
 use std::ops::Range;

@@ -1,165 +1,24 @@
-//! A surface through a grid of nodes.
+//! The surface through a grid of nodes, as bicubic Bézier patches made on demand.
+//!
+//! Along each direction the scheme of `axis` makes four Bézier points of six nodes; their tensor
+//! product makes the 16 of a patch from 6 x 6 nodes. Invariant: neighbours have the bits of their
+//! common side in common, as it follows from the same nodes by the same operations. O(1) a patch, and
+//! no memory but the nodes.
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, Cells};
 use super::displacements::Displacements;
 use super::index::Bounds;
+use super::nodes::{Nodes, Window};
 use super::subdivision::Field;
 use super::tangents::Tangents;
 use super::{Patch, Scheme};
-use crate::error::{Element, Error, Result};
+use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
-use std::borrow::Cow;
 use std::ops::Range;
-use std::sync::Arc;
 
-/// The largest number of nodes of a surface.
-pub const MAX_NODES: u64 = (1 << 31) - 1;
-
-/// The caller's numbers, or shared ones: copies of a sheet share them.
-#[derive(Debug, Clone)]
-enum Data<'a> {
-    Borrowed(&'a [f64]),
-    Shared(Arc<[f64]>),
-}
-
-impl std::ops::Deref for Data<'_> {
-    type Target = [f64];
-
-    #[inline]
-    fn deref(&self) -> &[f64] {
-        match self {
-            Data::Borrowed(data) => data,
-            Data::Shared(data) => data,
-        }
-    }
-}
-
-/// Nodes in rows: x, y, z of node (i, j) begin at number `i * row_stride + j * column_stride`.
-#[derive(Debug, Clone)]
-pub struct Nodes<'a> {
-    data: Data<'a>,
-    rows: usize,
-    columns: usize,
-    row_stride: usize,
-    column_stride: usize,
-}
-
-impl<'a> Nodes<'a> {
-    /// Nodes in the caller's memory. Strides are in numbers; 0 stands for nodes and rows without gaps.
-    ///
-    /// # Errors
-    /// [`Error::NetTooSmall`] below 2 x 2, [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`],
-    /// [`Error::ArrayTooShort`].
-    pub fn strided(
-        data: impl Into<Cow<'a, [f64]>>,
-        rows: usize,
-        columns: usize,
-        row_stride: usize,
-        column_stride: usize,
-    ) -> Result<Self> {
-        let data = match data.into() {
-            Cow::Borrowed(data) => Data::Borrowed(data),
-            Cow::Owned(data) => Data::Shared(data.into()),
-        };
-        let count = (rows as u64).saturating_mul(columns as u64);
-        if rows < 2 || columns < 2 {
-            return Err(Error::NetTooSmall { rows: rows as u64, columns: columns as u64 });
-        }
-        if count > MAX_NODES {
-            return Err(Error::TooLarge { what: "nodes", count, limit: MAX_NODES });
-        }
-        let column_stride = if column_stride == 0 { 3 } else { column_stride };
-        let width = (columns - 1).checked_mul(column_stride).and_then(|n| n.checked_add(3));
-        let row_stride = if row_stride == 0 { columns.checked_mul(column_stride) } else { Some(row_stride) };
-        let span = row_stride.zip(width).and_then(|(row, width)| (rows - 1).checked_mul(row)?.checked_add(width));
-        let (Some(row_stride), Some(width), Some(span)) = (row_stride, width, span) else {
-            return Err(Error::SizeOverflow { what: "nodes", count });
-        };
-        if column_stride < 3 || row_stride < width {
-            let (stride, least) = if column_stride < 3 { (column_stride, 3) } else { (row_stride, width) };
-            return Err(Error::StrideTooSmall { stride: stride as u64, min: least as u64 });
-        }
-        if data.len() < span {
-            let (needed, given) = (8 * span as u64, 8 * data.len() as u64);
-            return Err(Error::ArrayTooShort { what: "nodes", needed, given });
-        }
-        Ok(Nodes { data, rows, columns, row_stride, column_stride })
-    }
-
-    /// The number of rows.
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// The number of columns.
-    pub fn columns(&self) -> usize {
-        self.columns
-    }
-
-    /// Node (i, j).
-    #[inline]
-    pub fn get(&self, i: usize, j: usize) -> DVec3 {
-        let at = i * self.row_stride + j * self.column_stride;
-        DVec3::from_slice(&self.data[at..at + 3])
-    }
-
-    /// The coordinates of six nodes of a row, if they follow each other.
-    #[inline(always)]
-    fn window(&self, i: usize, columns: &[usize; TAPS]) -> Option<&Window> {
-        let follow = self.column_stride == 3 && columns[TAPS - 1] == columns[0] + TAPS - 1;
-        if follow { self.data[i * self.row_stride + 3 * columns[0]..].first_chunk() } else { None }
-    }
-
-    /// Nodes by row and column, each as four numbers for vectors of these: the fourth is of no use.
-    #[inline(always)]
-    pub(super) fn quads(&self) -> impl Fn(usize, usize) -> [f64; 4] {
-        let (data, strides): (&[f64], _) = (&self.data, [self.row_stride, self.column_stride]);
-        move |i, j| {
-            let at = i * strides[0] + j * strides[1];
-            match data[at..].first_chunk() {
-                Some(&four) => four,
-                None => [data[at], data[at + 1], data[at + 2], 0.0],
-            }
-        }
-    }
-
-    /// Reads the coordinates of six nodes of a row.
-    #[inline(always)]
-    fn read(&self, i: usize, columns: &[usize; TAPS]) -> Window {
-        let mut window = [0.0; 3 * TAPS];
-        for (node, &column) in window.chunks_exact_mut(3).zip(columns) {
-            let at = i * self.row_stride + column * self.column_stride;
-            node.copy_from_slice(&self.data[at..at + 3]);
-        }
-        window
-    }
-
-    /// The coordinates of a row without gaps, if there are none between nodes.
-    #[inline]
-    pub(super) fn packed_row(&self, i: usize) -> Option<&[f64]> {
-        let at = i * self.row_stride;
-        (self.column_stride == 3).then(|| &self.data[at..at + 3 * self.columns])
-    }
-
-    /// [`Error::NotFinite`] for the first node with a coordinate that is NaN or infinite.
-    pub(crate) fn check_finite(&self) -> Result<()> {
-        for i in 0..self.rows {
-            for j in 0..self.columns {
-                if let Some(&value) = self.get(i, j).to_array().iter().find(|value| !value.is_finite()) {
-                    return Err(Error::NotFinite {
-                        element: Element::Node,
-                        index: (i * self.columns + j) as u64,
-                        value,
-                    });
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
-/// The surface through a grid: over each cell a bicubic patch that depends on the 6 x 6 nodes round it.
+/// The surface through a grid: over each cell a bicubic patch that depends on the 6 x 6 nodes round
+/// it.
 ///
 /// u counts rows and v columns: node (i, j) has the parameters (i, j).
 #[derive(Debug, Clone)]
@@ -170,7 +29,8 @@ pub struct Grid<'a> {
 }
 
 impl<'a> Grid<'a> {
-    /// `closed`: whether the surface is closed in u (the last row of nodes is the first one again) and in v (columns).
+    /// `closed`: whether the surface is closed in u (the last row of nodes is the first one again)
+    /// and in v (columns).
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::NetTooSmall`] for a closed direction of fewer than three nodes and the repeated one;
@@ -216,8 +76,9 @@ impl<'a> Grid<'a> {
     /// The patch over the cell between the nodes (i, j) and (i + 1, j + 1).
     pub fn patch(&self, i: usize, j: usize) -> Patch<4> {
         let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
-        // First across the rows, all coordinates of all columns at once, then along them. The outer points are nodes, or sums over one
-        // line of nodes: with the same bits for both cells that have them in common.
+        // First across the rows, all coordinates of all columns at once, then along them. The outer
+        // points are nodes, or sums over one line of nodes: with the same bits for both cells that
+        // have them in common.
         let direct = rows.map(|row| self.nodes.window(row, &columns));
         let read =
             if direct[0].is_none() { rows.map(|row| self.nodes.read(row, &columns)) } else { [[0.0; 3 * TAPS]; TAPS] };
@@ -231,9 +92,6 @@ impl<'a> Grid<'a> {
         Patch { points }
     }
 }
-
-/// Coordinates of six points.
-type Window = [f64; 3 * TAPS];
 
 /// The sum of lines of nodes by their weights.
 #[inline(always)]
@@ -296,11 +154,9 @@ impl Cells<4> for Grid<'_> {
     #[inline(always)]
     fn line(&self, i: usize, j: usize, count: usize) -> [[f64; 3]; BLOCK + 1] {
         let mut line = [[0.0; 3]; BLOCK + 1];
-        let at = i * self.nodes.row_stride + 3 * j;
-        if self.nodes.column_stride == 3 && count == BLOCK {
-            line.as_flattened_mut().copy_from_slice(&self.nodes.data[at..at + 3 * (BLOCK + 1)]);
-        } else {
-            line = std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array());
+        match self.nodes.packed::<{ 3 * (BLOCK + 1) }>(i, j) {
+            Some(packed) if count == BLOCK => line.as_flattened_mut().copy_from_slice(packed),
+            _ => line = std::array::from_fn(|k| self.corner(i, j + k.min(count)).to_array()),
         }
         line
     }
@@ -309,7 +165,8 @@ impl Cells<4> for Grid<'_> {
         Grid::patch(self, i, j)
     }
 
-    /// The sums over the nodes of numbers, in place of points: the first and the last of four Bézier points are nodes.
+    /// The same sums over heights of nodes in place of points: the first and the last of four Bézier
+    /// points are nodes.
     fn planes(&self, i: usize, j: usize, origin: DVec3, across: [DVec3; 2]) -> [Field<4>; 2] {
         let ((rows, row_weights), (columns, column_weights)) = (self.u.taps(i), self.v.taps(j));
         let (from_row, from_column) = (self.u.place(i), self.v.place(j));

@@ -5,6 +5,7 @@
 //! the limits may differ, as at the tip of a cone: that is their spread.
 
 use super::cells::Cells;
+use super::patch::regular_normal;
 use super::{Patch, Sheet, each_sheet};
 use glam::DVec3;
 
@@ -48,16 +49,6 @@ fn binomials<const N: usize>(degree: usize) -> [f64; N] {
         row[k + 1] = row[k] * (degree - k) as f64 / (k + 1) as f64;
     }
     row
-}
-
-/// The unit normal of the plane that tangents span, if they do.
-#[inline]
-pub(super) fn regular(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
-    let normal = u.cross(v);
-    let (u, v) = (u.length_squared(), v.length_squared());
-    let spans = normal.length_squared() > 1e-20 * u * v && u.min(v) > noise * noise;
-    // The product of tiny tangents may vanish where they do not.
-    if spans { normal.try_normalize() } else { None }
 }
 
 impl<const N: usize> Patch<N> {
@@ -128,7 +119,7 @@ impl<const N: usize> Patch<N> {
             let (off, along) =
                 (super::construct::point(&steps, t)[0], super::construct::point(&net.points[side], t)[1]);
             let [u, v] = if across { [t, at] } else { [at, t] };
-            regular(off, along, noise).unwrap_or_else(|| self.normal(u, v).direction)
+            regular_normal(off, along, noise).unwrap_or_else(|| self.normal(u, v).direction)
         })
     }
 

@@ -118,6 +118,16 @@ impl<const N: usize> Patch<N> {
     }
 }
 
+/// The unit normal of the plane that tangents span, if they do.
+#[inline]
+pub(super) fn regular_normal(u: DVec3, v: DVec3, noise: f64) -> Option<DVec3> {
+    let normal = u.cross(v);
+    let (u, v) = (u.length_squared(), v.length_squared());
+    let spans = normal.length_squared() > 1e-20 * u * v && u.min(v) > noise * noise;
+    // The product of tiny tangents may vanish where they do not.
+    if spans { normal.try_normalize() } else { None }
+}
+
 impl Jet {
     /// S_u x S_v, whose length is the area that a unit of the parameters has.
     pub fn normal(&self) -> DVec3 {
@@ -133,7 +143,7 @@ impl Jet {
     /// The same, but `None` also where a tangent is no longer than `noise`.
     #[inline]
     pub(crate) fn regular_normal(&self, noise: f64) -> Option<DVec3> {
-        super::normal::regular(self.u, self.v, noise)
+        regular_normal(self.u, self.v, noise)
     }
 
     /// Mean and Gaussian curvature, for the normal S_u x S_v; `None` where the surface is not regular.

@@ -2,8 +2,8 @@
 //! the nodes alone, without building patches.
 
 use super::axis::{Axis, TAPS, Weights};
-use super::grid::Nodes;
 use super::index::Bounds;
+use super::nodes::Nodes;
 use crate::simd::{self, Kernel};
 use glam::DVec3;
 use std::ops::Range;

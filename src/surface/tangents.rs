@@ -8,8 +8,8 @@
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::BLOCK;
 use super::displacements::grown;
-use super::grid::Nodes;
 use super::index::Bounds;
+use super::nodes::Nodes;
 use super::sweep::{Ranges, Sums, Sweep};
 use std::ops::Range;
 
