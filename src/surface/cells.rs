@@ -1,8 +1,8 @@
 //! What searches need to know of a sheet: its cells, their corners, their patches, and how far they are from flat.
 
 use super::Patch;
-use super::index::Bounds;
 use super::subdivision::Field;
+use crate::geom::aabb::Aabb;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -39,10 +39,10 @@ pub(crate) trait Cells<const N: usize>: Sync {
 
     /// For each block in rows of blocks, row after row, a box that contains S - B over all its cells: S the surface, B the bilinear patch
     /// through the cell's corners, at equal parameters.
-    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Bounds]);
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]);
 
     /// For the same blocks, boxes that contain S_u and S_v over all their cells, but for rounding.
-    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Bounds; 2]]);
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]);
 }
 
 impl<const N: usize> Patch<N> {
@@ -63,10 +63,10 @@ impl<const N: usize> Patch<N> {
     }
 
     /// A box of the differences from the bilinear patch through the corners, at equal parameters: those of the control nets.
-    pub(crate) fn displacements(&self) -> Bounds {
+    pub(crate) fn displacements(&self) -> Aabb {
         let at = |k: usize| k as f64 / (N - 1) as f64;
         let [[p00, p01], [p10, p11]] = self.corners();
-        let mut bounds = Bounds::EMPTY;
+        let mut bounds = Aabb::EMPTY;
         for (a, row) in self.points.iter().enumerate() {
             let (from, to) = (p00.lerp(p10, at(a)), p01.lerp(p11, at(a)));
             row.iter().enumerate().for_each(|(b, &point)| bounds.add(point - from.lerp(to, at(b))));
@@ -75,9 +75,9 @@ impl<const N: usize> Patch<N> {
     }
 
     /// Boxes of S_u and S_v: of their control vectors.
-    pub(crate) fn tangents(&self) -> [Bounds; 2] {
+    pub(crate) fn tangents(&self) -> [Aabb; 2] {
         let (degree, p) = ((N - 1) as f64, &self.points);
-        let [mut u, mut v] = [Bounds::EMPTY; 2];
+        let [mut u, mut v] = [Aabb::EMPTY; 2];
         for (a, b) in (0..N - 1).flat_map(|a| (0..N).map(move |b| (a, b))) {
             u.add(degree * (p[a + 1][b] - p[a][b]));
             v.add(degree * (p[b][a + 1] - p[b][a]));

@@ -5,6 +5,7 @@ use super::cells::Cells;
 use super::{Scheme, Sheet, each_sheet};
 use crate::alloc;
 use crate::error::{Element, Error, Result};
+use crate::geom::bernstein::evaluate;
 use crate::outline::{Curve, CurveView};
 use glam::DVec3;
 
@@ -97,11 +98,5 @@ fn place(at: f64, cells: usize) -> Result<(usize, f64)> {
 
 /// The control points of a patch's curve of constant v.
 fn curve_at<const N: usize>(patch: &super::Patch<N>, v: f64) -> [DVec3; N] {
-    patch.points.map(|mut row| {
-        for count in (1..N).rev() {
-            // Exact at both ends.
-            (0..count).for_each(|k| row[k] = row[k] * (1.0 - v) + row[k + 1] * v);
-        }
-        row[0]
-    })
+    patch.points.map(|row| evaluate(&row, v))
 }

@@ -11,9 +11,9 @@
 
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::BLOCK;
-use super::index::Bounds;
 use super::nodes::Nodes;
 use super::sweep::{Ranges, Sums, Sweep};
+use crate::geom::aabb::Aabb;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -40,13 +40,13 @@ fn bend(weights: &Weights) -> Bend {
 
 impl Displacements<'_> {
     /// The boxes of the blocks of some rows of blocks, row after row.
-    pub(super) fn of_blocks(&self, block_rows: Range<usize>, boxes: &mut [Bounds]) {
+    pub(super) fn of_blocks(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) {
         let Displacements { nodes, u, v } = *self;
         let sweep = Sweep { nodes, u, v, sums: bend };
         let (cells, across) = (self.v.cells(), self.v.cells().div_ceil(BLOCK));
         let rows = |r: usize| r * BLOCK..self.u.cells().min((r + 1) * BLOCK);
         // Along each row once, and then for all blocks that depend on it.
-        let mut along = vec![Bounds::EMPTY; boxes.len()];
+        let mut along = vec![Aabb::EMPTY; boxes.len()];
         let mut ranges = Ranges::new(cells);
         let mut line = Vec::new();
         let whole = rows(block_rows.start).start..rows(block_rows.end - 1).end;
@@ -59,7 +59,7 @@ impl Displacements<'_> {
                 let found = ranges.over(c * BLOCK..cells.min((c + 1) * BLOCK));
                 for r in &needed {
                     let bounds = &mut along[(r - block_rows.start) * across + c];
-                    *bounds = bounds.joined(found);
+                    *bounds = bounds.union(found);
                 }
             }
         }
@@ -71,21 +71,21 @@ impl Displacements<'_> {
             }
             for (c, (bounds, along)) in boxes.iter_mut().zip(along).enumerate() {
                 let across = columns.over(c * BLOCK..cells.min((c + 1) * BLOCK) + 1);
-                *bounds = grown(along.shrunk(), self.u.lebesgue()).plus(across.shrunk());
+                *bounds = grown(along.shrunk(), self.u.lebesgue()).sum(across.shrunk());
             }
         }
     }
 }
 
 /// What sums with weights that sum to 1, and whose absolute values sum to `lebesgue` at most, make of a box.
-pub(super) fn grown(bounds: Bounds, lebesgue: f64) -> Bounds {
+pub(super) fn grown(bounds: Aabb, lebesgue: f64) -> Aabb {
     let more = 0.5 * (lebesgue - 1.0) * (bounds.high - bounds.low);
-    Bounds { low: bounds.low - more, high: bounds.high + more }
+    Aabb { low: bounds.low - more, high: bounds.high + more }
 }
 
-impl Bounds {
+impl Aabb {
     /// 3/4 of the box, joined with 0.
-    fn shrunk(self) -> Bounds {
-        Bounds { low: (0.75 * self.low).min(DVec3::ZERO), high: (0.75 * self.high).max(DVec3::ZERO) }
+    fn shrunk(self) -> Aabb {
+        Aabb { low: (0.75 * self.low).min(DVec3::ZERO), high: (0.75 * self.high).max(DVec3::ZERO) }
     }
 }

@@ -8,12 +8,12 @@
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::{BLOCK, Cells};
 use super::displacements::Displacements;
-use super::index::Bounds;
 use super::nodes::{Nodes, Window};
 use super::subdivision::Field;
 use super::tangents::Tangents;
 use super::{Patch, Scheme};
 use crate::error::{Error, Result};
+use crate::geom::aabb::Aabb;
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 
@@ -194,11 +194,11 @@ impl Cells<4> for Grid<'_> {
         self.u.is_smooth_around(i) && self.v.is_smooth_around(j)
     }
 
-    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Bounds]) {
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) {
         Displacements { nodes: &self.nodes, u: &self.u, v: &self.v }.of_blocks(block_rows, boxes);
     }
 
-    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Bounds; 2]]) {
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
         Tangents { nodes: &self.nodes, u: &self.u, v: &self.v }.of_blocks(block_rows, boxes);
     }
 }

@@ -1,9 +1,10 @@
 //! A surface: sheets of a surface, with an index for questions.
 
-use super::index::{Bounds, Cones, NormalCone, Pyramid};
+use super::index::{Cones, NormalCone, Pyramid};
 use super::{Jet, Sheet, each_sheet};
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::aabb::Aabb;
 use crate::job::Job;
 use glam::DVec3;
 
@@ -30,7 +31,7 @@ pub const SMALLEST_COORDINATE: f64 = 1e-30;
 #[derive(Debug)]
 pub struct Surface<'a> {
     sheets: Vec<(Sheet<'a>, Pyramid)>,
-    bounds: Bounds,
+    bounds: Aabb,
     tolerance: f64,
 }
 
@@ -45,13 +46,13 @@ impl<'a> Surface<'a> {
     /// finite, [`Error::OutOfMemory`], [`Error::Cancelled`].
     pub fn new(sheets: Vec<Sheet<'a>>, tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
         let mut indexed = alloc::with_capacity(sheets.len())?;
-        let mut bounds = Bounds::EMPTY;
+        let mut bounds = Aabb::EMPTY;
         let count = sheets.len();
         for (k, sheet) in sheets.into_iter().enumerate() {
             let part = job.share(k, count);
             let index = each_sheet!(&sheet, cells => Pyramid::build(cells, &part))?;
             check_range(k, index.bounds())?;
-            bounds = bounds.joined(index.bounds());
+            bounds = bounds.union(index.bounds());
             indexed.push((sheet, index));
         }
         if indexed.is_empty() {
@@ -178,7 +179,7 @@ impl Surface<'_> {
 }
 
 /// [`Error::SheetOutOfRange`] for a sheet whose box has no fit in single precision.
-fn check_range(sheet: usize, bounds: Bounds) -> Result<()> {
+fn check_range(sheet: usize, bounds: Aabb) -> Result<()> {
     // NaN, which comes of overflows, is out of range too.
     let largest = [bounds.low, bounds.high]
         .iter()

@@ -7,6 +7,7 @@
 use super::cells::Cells;
 use super::patch::regular_normal;
 use super::{Patch, Sheet, each_sheet};
+use crate::geom::bernstein::{binomial_row, evaluate, evaluate_with_slope, restrict};
 use glam::DVec3;
 
 /// Where a normal is from.
@@ -41,16 +42,6 @@ pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b))
 }
 
-/// Binomial coefficients as a row of Pascal's triangle.
-fn binomials<const N: usize>(degree: usize) -> [f64; N] {
-    let mut row = [0.0; N];
-    row[0] = 1.0;
-    for k in 0..degree {
-        row[k + 1] = row[k] * (degree - k) as f64 / (k + 1) as f64;
-    }
-    row
-}
-
 impl<const N: usize> Patch<N> {
     /// Derivatives up to this may be rounding of control points.
     pub(super) fn noise(&self) -> f64 {
@@ -72,7 +63,7 @@ impl<const N: usize> Patch<N> {
         let p = &self.points;
         let step_u = |a: usize, b: usize| p[a + 1][b] - p[a][b];
         let step_v = |a: usize, b: usize| p[a][b + 1] - p[a][b];
-        let (lower, full) = (binomials::<N>(N - 2), binomials::<N>(N - 1));
+        let (lower, full) = (binomial_row::<N>(N - 2), binomial_row::<N>(N - 1));
         let mut longest = 0.0_f64;
         for (a, b) in (0..N - 1).flat_map(|a| (0..N).map(move |b| (a, b))) {
             longest = longest.max(step_u(a, b).length()).max(step_v(b, a).length());
@@ -116,8 +107,7 @@ impl<const N: usize> Patch<N> {
         let (noise, at) = (self.noise(), f64::from(u8::from(end)));
         [0.0, 0.5, 1.0].map(|t| {
             // Turned where it is a step back, and with the order of the tangents.
-            let (off, along) =
-                (super::construct::point(&steps, t)[0], super::construct::point(&net.points[side], t)[1]);
+            let (off, along) = (evaluate(&steps, t), evaluate_with_slope(&net.points[side], t)[1]);
             let [u, v] = if across { [t, at] } else { [at, t] };
             regular_normal(off, along, noise).unwrap_or_else(|| self.normal(u, v).direction)
         })
@@ -125,17 +115,18 @@ impl<const N: usize> Patch<N> {
 
     /// The limit of the unit normal along the line of constant v, from the side with more room; 0 if the normal is 0 all along it.
     fn limit(&self, u: f64, v: f64, noise: f64) -> DVec3 {
-        let across = self.points.map(|row| super::construct::point(&row, v));
+        let across = self.points.map(|row| evaluate_with_slope(&row, v));
         let (down, from) = (u > 0.5, if u > 0.5 { 1.0 - u } else { u });
         let along = |k: usize| {
-            let points: [DVec3; N] = std::array::from_fn(|a| across[if down { N - 1 - a } else { a }][k]);
-            super::construct::part(&points, [from, 1.0])
+            let mut points: [DVec3; N] = std::array::from_fn(|a| across[if down { N - 1 - a } else { a }][k]);
+            restrict(&mut points, [from, 1.0]);
+            points
         };
         let (points, slopes) = (along(0), along(1));
         let steps: [DVec3; N] =
             std::array::from_fn(|a| if a + 1 < N { points[a + 1] - points[a] } else { DVec3::ZERO });
         let longest = |vectors: &[DVec3; N]| vectors.iter().fold(0.0_f64, |most, v| most.max(v.length()));
-        let (of_steps, of_slopes) = (binomials::<N>(N - 2), binomials::<N>(N - 1));
+        let (of_steps, of_slopes) = (binomial_row::<N>(N - 2), binomial_row::<N>(N - 1));
         let (step, slope) = (longest(&steps), longest(&slopes));
         for k in 0..2 * N - 2 {
             let (mut sum, mut weight) = (DVec3::ZERO, 0.0);

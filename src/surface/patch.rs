@@ -1,5 +1,6 @@
 //! A tensor Bézier patch: what the surface is over one cell.
 
+use crate::geom::bernstein::{halves, reduce};
 use glam::DVec3;
 
 /// Control points `points[a][b]` of degree N - 1 in u (first index) and in v, over 0 <= u, v <= 1.
@@ -29,13 +30,7 @@ pub struct Jet {
 /// Point and first two derivatives of a Bézier curve, by de Casteljau's steps down to the last three points.
 fn curve<const N: usize>(points: &[DVec3; N], t: f64) -> [DVec3; 3] {
     let mut work = *points;
-    let mut count = N;
-    while count > 3 {
-        for k in 0..count - 1 {
-            work[k] = work[k].lerp(work[k + 1], t);
-        }
-        count -= 1;
-    }
+    reduce(&mut work, t, 3);
     let degree = (N - 1) as f64;
     let second = (work[2] - 2.0 * work[1] + work[0]) * (degree * (degree - 1.0));
     let (left, right) = (work[0].lerp(work[1], t), work[1].lerp(work[2], t));
@@ -64,12 +59,7 @@ impl<const N: usize> Patch<N> {
     fn across(&self, u: f64) -> [[DVec3; N]; 3] {
         let mut work = self.points;
         let low = 1.0 - u;
-        for count in (4..=N).rev() {
-            for a in 1..count {
-                let (before, after) = work.split_at_mut(a);
-                before[a - 1].iter_mut().zip(&after[0]).for_each(|(x, &next)| *x = low * *x + u * next);
-            }
-        }
+        reduce(&mut work, u, 3);
         let degree = (N - 1) as f64;
         let mut rows = [[DVec3::ZERO; N]; 3];
         for b in 0..N {
@@ -90,19 +80,7 @@ impl<const N: usize> Patch<N> {
 
     /// The halves at u = 1/2.
     pub fn halves(&self) -> [Patch<N>; 2] {
-        let (mut low, mut high) = (*self, *self);
-        // After step k the first N - k points of `high` are those of de Casteljau's k-th column.
-        for k in 0..N {
-            for a in 0..N - k - 1 {
-                for b in 0..N {
-                    high.points[a][b] = 0.5 * (high.points[a][b] + high.points[a + 1][b]);
-                }
-            }
-            if k + 1 < N {
-                low.points[k + 1] = high.points[0];
-            }
-        }
-        [low, high]
+        halves(&self.points).map(|points| Patch { points })
     }
 
     /// u and v exchanged.

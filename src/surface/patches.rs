@@ -2,9 +2,10 @@
 
 use super::Patch;
 use super::cells::{BLOCK, Cells};
-use super::index::Bounds;
 use crate::alloc;
 use crate::error::{Element, Error, Result};
+use crate::geom::aabb::Aabb;
+use crate::geom::bernstein::elevate;
 use glam::DVec3;
 use std::ops::Range;
 use std::sync::Arc;
@@ -90,21 +91,10 @@ impl<const N: usize> Patch<N> {
         let mut points = [[DVec3::ZERO; N]; N];
         for (row, given) in points.iter_mut().zip(net.chunks_exact(q + 1)) {
             row[..=q].copy_from_slice(given);
-            raise(row, q);
+            elevate(row, q);
         }
-        let mut patch = Patch { points }.transposed();
-        patch.points.iter_mut().for_each(|column| raise(column, p));
-        patch.transposed()
-    }
-}
-
-/// Raises a curve of `degree` to degree N - 1: P'_k = k / n P_k-1 + (1 - k / n) P_k, n the new degree.
-pub(crate) fn raise<const N: usize>(points: &mut [DVec3; N], degree: usize) {
-    for n in degree + 1..N {
-        points[n] = points[n - 1];
-        for k in (1..n).rev() {
-            points[k] = points[k].lerp(points[k - 1], k as f64 / n as f64);
-        }
+        elevate(&mut points, p);
+        Patch { points }
     }
 }
 
@@ -123,7 +113,7 @@ impl<const N: usize> Cells<N> for Patches<N> {
         *self.get(i, j)
     }
 
-    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Bounds]) {
+    fn displacements(&self, block_rows: Range<usize>, boxes: &mut [Aabb]) {
         let across = self.columns.div_ceil(BLOCK);
         for (k, bounds) in boxes.iter_mut().enumerate() {
             let (r, c) = (block_rows.start + k / across, k % across);
@@ -133,23 +123,23 @@ impl<const N: usize> Cells<N> for Patches<N> {
                     // From the bilinear patch through the corners that searches see, which are a neighbour's where sides differ.
                     let seen = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.corner(i, j));
                     let [[a, b], [c, d]] = patch.corners();
-                    let mut gap = Bounds::EMPTY;
+                    let mut gap = Aabb::EMPTY;
                     [a, b, c, d].into_iter().zip(seen).for_each(|(own, seen)| gap.add(own - seen));
-                    *bounds = bounds.joined(patch.displacements().plus(gap));
+                    *bounds = bounds.union(patch.displacements().sum(gap));
                 }
             }
         }
     }
 
-    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Bounds; 2]]) {
+    fn tangents(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
         let across = self.columns.div_ceil(BLOCK);
         for (k, boxes) in boxes.iter_mut().enumerate() {
             let (r, c) = (block_rows.start + k / across, k % across);
-            *boxes = [Bounds::EMPTY; 2];
+            *boxes = [Aabb::EMPTY; 2];
             for i in r * BLOCK..self.rows.min((r + 1) * BLOCK) {
                 for j in c * BLOCK..self.columns.min((c + 1) * BLOCK) {
                     let [u, v] = self.get(i, j).tangents();
-                    *boxes = [boxes[0].joined(u), boxes[1].joined(v)];
+                    *boxes = [boxes[0].union(u), boxes[1].union(v)];
                 }
             }
         }

@@ -2,8 +2,8 @@
 //! the nodes alone, without building patches.
 
 use super::axis::{Axis, TAPS, Weights};
-use super::index::Bounds;
 use super::nodes::Nodes;
+use crate::geom::aabb::Aabb;
 use crate::simd::{self, Kernel};
 use glam::DVec3;
 use std::ops::Range;
@@ -73,8 +73,8 @@ impl Ranges {
 
     /// The box of the ranges of some places.
     #[inline]
-    pub(super) fn over(&self, places: Range<usize>) -> Bounds {
-        let mut bounds = Bounds::EMPTY;
+    pub(super) fn over(&self, places: Range<usize>) -> Aabb {
+        let mut bounds = Aabb::EMPTY;
         let parts = self.low[3 * places.start..3 * places.end].chunks_exact(3);
         for (low, high) in parts.zip(self.high[3 * places.start..3 * places.end].chunks_exact(3)) {
             bounds.low = bounds.low.min(DVec3::from_slice(low));

@@ -8,9 +8,9 @@
 use super::axis::{Axis, TAPS, Weights};
 use super::cells::BLOCK;
 use super::displacements::grown;
-use super::index::Bounds;
 use super::nodes::Nodes;
 use super::sweep::{Ranges, Sums, Sweep};
+use crate::geom::aabb::Aabb;
 use std::ops::Range;
 
 /// A grid as seen here.
@@ -28,25 +28,25 @@ fn steps(weights: &Weights) -> Sums<3> {
 /// Boxes of control vectors: on a block's own lines, and on all that its cells depend on.
 #[derive(Clone, Copy)]
 struct Spread {
-    own: Bounds,
-    all: Bounds,
+    own: Aabb,
+    all: Aabb,
 }
 
 impl Spread {
-    const EMPTY: Spread = Spread { own: Bounds::EMPTY, all: Bounds::EMPTY };
+    const EMPTY: Spread = Spread { own: Aabb::EMPTY, all: Aabb::EMPTY };
 
-    fn add(&mut self, bounds: Bounds, own: bool) {
-        self.all = self.all.joined(bounds);
+    fn add(&mut self, bounds: Aabb, own: bool) {
+        self.all = self.all.union(bounds);
         if own {
-            self.own = self.own.joined(bounds);
+            self.own = self.own.union(bounds);
         }
     }
 
     /// Round the sums of lines that lie along `axis`.
-    fn sums(&self, axis: &Axis) -> Bounds {
+    fn sums(&self, axis: &Axis) -> Aabb {
         let beside = (self.own.low - self.all.low).max(self.all.high - self.own.high) * axis.outside();
         let grown = grown(self.own, axis.lebesgue());
-        Bounds { low: grown.low - beside, high: grown.high + beside }
+        Aabb { low: grown.low - beside, high: grown.high + beside }
     }
 }
 
@@ -57,7 +57,7 @@ fn is_own(axis: &Axis, cells: &Range<usize>, line: usize) -> bool {
 
 impl Tangents<'_> {
     /// The boxes of S_u and S_v over the blocks of some rows of blocks, row after row.
-    pub(super) fn of_blocks(&self, block_rows: Range<usize>, boxes: &mut [[Bounds; 2]]) {
+    pub(super) fn of_blocks(&self, block_rows: Range<usize>, boxes: &mut [[Aabb; 2]]) {
         let Tangents { nodes, u, v } = *self;
         let sweep = Sweep { nodes, u, v, sums: steps };
         let across = v.cells().div_ceil(BLOCK);
@@ -128,7 +128,7 @@ mod tests {
             }
             let grid = Grid::new(Nodes::strided(data, h + 1, w + 1, 0, 0).unwrap(), closed, scheme).unwrap();
             let [rows, columns] = cells.map(|count| count.div_ceil(BLOCK));
-            let mut boxes = vec![[Bounds::EMPTY; 2]; rows * columns];
+            let mut boxes = vec![[Aabb::EMPTY; 2]; rows * columns];
             grid.tangents(0..rows, &mut boxes);
             for (i, j) in (0..h).flat_map(|i| (0..w).map(move |j| (i, j))) {
                 let patch: Patch<4> = Grid::patch(&grid, i, j);

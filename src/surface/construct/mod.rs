@@ -20,4 +20,3 @@ pub use frame::FrameSurface;
 pub use hermite::{Tangents, Twists};
 pub use net::CurveNet;
 pub use spline::{Spline, SplineAxis};
-pub(super) use strand::{part, point};

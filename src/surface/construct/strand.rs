@@ -2,9 +2,9 @@
 
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::bernstein::elevate;
 use crate::outline::CurveView;
 use crate::surface::MAX_DEGREE;
-use crate::surface::patches::raise;
 use glam::DVec3;
 
 /// The least share of a whole that a segment is given of its parameter.
@@ -58,7 +58,7 @@ impl<const N: usize> Strand<N> {
         for controls in curve.segments() {
             let mut points = [DVec3::ZERO; N];
             points[..controls.len()].copy_from_slice(controls);
-            raise(&mut points, controls.len() - 1);
+            elevate(&mut points, controls.len() - 1);
             // A point stays one to the bit.
             if is_point(controls) {
                 points = [controls[0]; N];

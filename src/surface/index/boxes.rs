@@ -1,5 +1,6 @@
 //! Boxes that contain the surface: in single precision, rounded outwards, round an origin near the surface.
 
+use crate::geom::aabb::Aabb;
 use glam::{DMat3, DVec3};
 
 /// The bounding boxes of four neighbouring blocks, side by side; those of blocks that do not exist are empty.
@@ -18,54 +19,6 @@ pub(crate) struct Oriented {
     half: [f32; 3],
 }
 
-/// An axis-aligned box in double precision.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Bounds {
-    pub(crate) low: DVec3,
-    pub(crate) high: DVec3,
-}
-
-impl Bounds {
-    pub(crate) const EMPTY: Bounds = Bounds { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
-
-    pub(crate) fn add(&mut self, point: DVec3) {
-        self.low = self.low.min(point);
-        self.high = self.high.max(point);
-    }
-
-    pub(crate) fn joined(self, other: Bounds) -> Bounds {
-        Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
-    }
-
-    pub(crate) fn grown(self, by: f64) -> Bounds {
-        Bounds { low: self.low - by, high: self.high + by }
-    }
-
-    /// False if they are apart.
-    pub(crate) fn meets(&self, other: &Bounds) -> bool {
-        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
-    }
-
-    /// All sums of a point of each.
-    pub(crate) fn plus(self, other: Bounds) -> Bounds {
-        Bounds { low: self.low + other.low, high: self.high + other.high }
-    }
-
-    /// The greatest length of a vector of the box, or more.
-    pub(crate) fn farthest(self) -> f64 {
-        self.low.abs().max(self.high.abs()).length()
-    }
-
-    /// The square of the distance of a point.
-    pub(crate) fn distance_squared(&self, point: DVec3) -> f64 {
-        (self.low - point).max(point - self.high).max(DVec3::ZERO).length_squared()
-    }
-
-    pub(crate) fn is_empty(&self) -> bool {
-        self.low.x > self.high.x
-    }
-}
-
 /// The nearest single-precision number that is no greater, and the one that is no smaller.
 fn below(value: f64) -> f32 {
     let rounded = value as f32;
@@ -81,7 +34,7 @@ impl Group {
     pub(crate) const EMPTY: Group = Group { low: [[f32::INFINITY; 4]; 3], high: [[f32::NEG_INFINITY; 4]; 3] };
 
     /// Sets one of the four; the box is relative to the index's origin.
-    pub(crate) fn set(&mut self, child: usize, bounds: Bounds) {
+    pub(crate) fn set(&mut self, child: usize, bounds: Aabb) {
         for (axis, (low, high)) in bounds.low.to_array().into_iter().zip(bounds.high.to_array()).enumerate() {
             self.low[axis][child] = below(low);
             self.high[axis][child] = above(high);
@@ -89,14 +42,14 @@ impl Group {
     }
 
     /// One of the four.
-    pub(crate) fn get(&self, child: usize) -> Bounds {
+    pub(crate) fn get(&self, child: usize) -> Aabb {
         let corner = |of: &[[f32; 4]; 3]| DVec3::from_array([0, 1, 2].map(|axis| f64::from(of[axis][child])));
-        Bounds { low: corner(&self.low), high: corner(&self.high) }
+        Aabb { low: corner(&self.low), high: corner(&self.high) }
     }
 
     /// The box of all four.
-    pub(crate) fn whole(&self) -> Bounds {
-        (0..4).map(|child| self.get(child)).fold(Bounds::EMPTY, Bounds::joined)
+    pub(crate) fn whole(&self) -> Aabb {
+        (0..4).map(|child| self.get(child)).fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// The least and the greatest products of points of the four boxes with a direction that is not 0; of empty ones, the least is
@@ -150,7 +103,7 @@ impl Group {
 
 impl Oriented {
     /// A box round points, whose axes follow two directions of the surface; each point may be off by a vector of `by`.
-    pub(crate) fn round(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: Bounds) -> Oriented {
+    pub(crate) fn round(points: &[DVec3], along_u: DVec3, along_v: DVec3, by: Aabb) -> Oriented {
         let single = |v: DVec3| v.to_array().map(|x| x as f32);
         // Of nearly parallel directions, as round a block that closes, the product is rounding and not at right angles to them.
         let first = along_u.try_normalize().unwrap_or(DVec3::X);
@@ -160,13 +113,13 @@ impl Oriented {
         let mut found = Oriented { centre: [0.0; 3], axes: [single(first), single(second)], half: [0.0; 3] };
         // As the axes are rounded, so they are used: the box is one for what will be computed.
         let axes = found.frame();
-        let mut bounds = Bounds::EMPTY;
+        let mut bounds = Aabb::EMPTY;
         points.iter().for_each(|&point| bounds.add(axes * point));
         // What the displacements reach along the axes.
         let (middle, half) = (0.5 * (by.low + by.high), 0.5 * (by.high - by.low));
         let [x, y, z] = [axes.row(0), axes.row(1), axes.row(2)].map(|axis| axis.abs().dot(half));
         let reach = DVec3::new(x, y, z);
-        bounds = bounds.plus(Bounds { low: axes * middle - reach, high: axes * middle + reach });
+        bounds = bounds.sum(Aabb { low: axes * middle - reach, high: axes * middle + reach });
         let middle = axes.transpose() * (0.5 * (bounds.low + bounds.high));
         found.centre = single(middle);
         let centre = axes * found.centre();
@@ -284,7 +237,7 @@ mod tests {
             let (x, y, z) = (sizes[0] * u, sizes[1] * w.cross(u), sizes[2] * w);
             let signs = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(|bit| 2.0 * bit as f64 - 1.0);
             let points: Vec<DVec3> = (0..8).map(signs).map(|[a, b, c]| a * x + b * y + c * z).collect();
-            let exactly = Bounds { low: DVec3::ZERO, high: DVec3::ZERO };
+            let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
             let (centre, half) = Oriented::round(&points, u, v, exactly).edges();
             let inside = DMat3::from_cols(half[0], half[1], half[2]).inverse();
             for &point in &points {
@@ -302,7 +255,7 @@ mod tests {
         let directions =
             [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1e-17, 1e-16), DVec3::new(3.0, 1e-9, 0.0), u, 3.0000001 * u];
         for (a, b) in (0..36).map(|k| (directions[k / 6], directions[k % 6])) {
-            let exactly = Bounds { low: DVec3::ZERO, high: DVec3::ZERO };
+            let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
             let found = Oriented::round(&points, a, b, exactly);
             let frame = found.frame();
             assert!(

@@ -5,9 +5,10 @@
 
 use super::super::cells::{BLOCK, Cells};
 use super::super::ranges::{angles, cross};
-use super::{Bounds, PAIRS, Pyramid, ROUND};
+use super::{PAIRS, Pyramid, ROUND};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::aabb::Aabb;
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
@@ -44,8 +45,8 @@ impl Cone {
     }
 
     /// The cone of the cross products of vectors of two boxes.
-    fn of([u, v]: [Bounds; 2]) -> Cone {
-        let parts = |of: Bounds| [0.5 * (of.low + of.high), 0.5 * (of.high - of.low)];
+    fn of([u, v]: [Aabb; 2]) -> Cone {
+        let parts = |of: Aabb| [0.5 * (of.low + of.high), 0.5 * (of.high - of.low)];
         let [[u, half_u], [v, half_v]] = [parts(u), parts(v)];
         let Some((axis, third)) = Cone::axis(u.cross(v)) else { return Cone::ALL };
         let Some(first) = u.reject_from_normalized(third).try_normalize() else { return Cone::ALL };
@@ -122,10 +123,10 @@ impl Cones {
             let slice: Vec<_> = parts.by_ref().take(round).collect();
             par::map(job.threads(), slice.into_iter(), |(k, cones)| {
                 let first = 2 * PAIRS * k;
-                let mut boxes = vec![[Bounds::EMPTY; 2]; cones.len()];
+                let mut boxes = vec![[Aabb::EMPTY; 2]; cones.len()];
                 cells.tangents(first..first + cones.len() / columns, &mut boxes);
                 for (cone, boxes) in cones.iter_mut().zip(boxes) {
-                    *cone = Cone::of(boxes.map(|bounds| bounds.grown(noise)));
+                    *cone = Cone::of(boxes.map(|bounds| bounds.inflated(noise)));
                 }
             });
         }
@@ -186,7 +187,7 @@ impl Pyramid {
         if let Some(cones) = self.cones.get() {
             return Ok(cones);
         }
-        let Bounds { low, high } = self.bounds();
+        let Aabb { low, high } = self.bounds();
         let made = Cones::build(cells, low.abs().max(high.abs()).max_element(), job)?;
         Ok(self.cones.get_or_init(|| made))
     }

@@ -8,7 +8,7 @@ mod boxes;
 mod cones;
 mod slab;
 
-pub(crate) use boxes::{Bounds, Group, Oriented};
+pub(crate) use boxes::{Group, Oriented};
 pub(crate) use cones::Cones;
 pub use cones::NormalCone;
 pub(crate) use slab::Slab;
@@ -16,6 +16,7 @@ pub(crate) use slab::Slab;
 use super::cells::{BLOCK, Cells};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::aabb::Aabb;
 use crate::job::Job;
 use crate::par;
 use glam::DVec3;
@@ -50,8 +51,8 @@ struct Displacement {
 
 impl Displacement {
     /// Rounded outwards.
-    fn new(bounds: Bounds) -> Displacement {
-        let most = (bounds.farthest() as f32).next_up();
+    fn new(bounds: Aabb) -> Displacement {
+        let most = (bounds.max_norm() as f32).next_up();
         let unit = f64::from(most) / 127.0;
         // No vector is longer than `most`: what is rounded stays within the numbers.
         let low = bounds.low.to_array().map(|x| (x / unit - 1e-9).floor() as i8);
@@ -60,10 +61,10 @@ impl Displacement {
     }
 
     #[inline(always)]
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self) -> Aabb {
         let unit = f64::from(self.most) / 127.0;
         let [a, b, c, d, e, f] = self.box_of.map(|x| f64::from(x) * unit);
-        Bounds { low: DVec3::new(a, b, c), high: DVec3::new(d, e, f) }
+        Aabb { low: DVec3::new(a, b, c), high: DVec3::new(d, e, f) }
     }
 }
 
@@ -121,7 +122,7 @@ impl Pyramid {
             let slice: Vec<_> = parts.by_ref().take(round).collect();
             par::map(job.threads(), slice.into_iter(), |(k, ((groups, oriented), displacements))| {
                 let first = 2 * PAIRS * k;
-                let mut bounds = vec![Bounds::EMPTY; displacements.len()];
+                let mut bounds = vec![Aabb::EMPTY; displacements.len()];
                 cells.displacements(first..first + displacements.len() / columns, &mut bounds);
                 let parts =
                     oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
@@ -159,14 +160,14 @@ impl Pyramid {
 
     /// A box of the vectors from the bilinear patches of the cells of block (r, c) to the surface, at equal parameters.
     #[inline(always)]
-    pub(crate) fn displacement(&self, r: usize, c: usize) -> Bounds {
+    pub(crate) fn displacement(&self, r: usize, c: usize) -> Aabb {
         self.displacements[r * self.levels[0].columns + c].bounds()
     }
 
     /// A box round everything.
-    pub(crate) fn bounds(&self) -> Bounds {
-        let whole = self.levels.last().map_or(Bounds::EMPTY, |level| level.group(0, 0).whole());
-        Bounds { low: whole.low + self.origin, high: whole.high + self.origin }
+    pub(crate) fn bounds(&self) -> Aabb {
+        let whole = self.levels.last().map_or(Aabb::EMPTY, |level| level.group(0, 0).whole());
+        Aabb { low: whole.low + self.origin, high: whole.high + self.origin }
     }
 
     /// Bytes of memory, without the cones.
@@ -179,7 +180,7 @@ impl Pyramid {
 /// A point amid the surface: the middle of the box of some of its corners.
 fn middle<const N: usize>(cells: &impl Cells<N>) -> DVec3 {
     let [rows, columns] = cells.counts();
-    let mut bounds = Bounds::EMPTY;
+    let mut bounds = Aabb::EMPTY;
     for i in (0..=8).map(|k| k * rows / 8) {
         (0..=8).for_each(|k| bounds.add(cells.corner(i, k * columns / 8)));
     }
@@ -189,7 +190,7 @@ fn middle<const N: usize>(cells: &impl Cells<N>) -> DVec3 {
 /// One row of blocks, and the boxes of displacements of its blocks.
 struct Row<'a> {
     row: usize,
-    displacements: &'a [Bounds],
+    displacements: &'a [Aabb],
 }
 
 impl Row<'_> {
@@ -208,7 +209,7 @@ impl Row<'_> {
         for (c, &displacement) in self.displacements.iter().enumerate() {
             let (left, right) = (c * BLOCK, columns.min((c + 1) * BLOCK));
             let mut count = 0;
-            let mut hull = Bounds::EMPTY;
+            let mut hull = Aabb::EMPTY;
             for i in first..=last {
                 for j in left..=right {
                     points[count] = cells.corner(i, j) - origin;
@@ -218,9 +219,9 @@ impl Row<'_> {
             }
             // What the coordinates were rounded by on the way.
             let size = hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
-            let displacement = displacement.grown(16.0 * f64::EPSILON * size);
+            let displacement = displacement.inflated(16.0 * f64::EPSILON * size);
             displacements[c] = Displacement::new(displacement);
-            groups[c / 2].set(2 * (self.row % 2) + c % 2, hull.plus(displacement));
+            groups[c / 2].set(2 * (self.row % 2) + c % 2, hull.sum(displacement));
             let width = right - left + 1;
             let (a, b) = (points[0], points[width - 1]);
             let (d, e) = (points[count - width], points[count - 1]);
@@ -267,6 +268,6 @@ fn around(below: &Level, r: usize, c: usize) -> Oriented {
     };
     let along_u = span([(0, 2), (1, 3)], points[1] - points[0]);
     let along_v = span([(0, 1), (2, 3)], points[2] - points[0]);
-    let exactly = Bounds { low: DVec3::ZERO, high: DVec3::ZERO };
+    let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
     Oriented::round(&points[..count], along_u, along_v, exactly)
 }

@@ -4,9 +4,10 @@ use super::curve::Find;
 use super::search::FARTHEST;
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::aabb::Aabb;
 use crate::surface::Place;
 use crate::surface::cells::{BLOCK, Cells};
-use crate::surface::index::{Bounds, Pyramid};
+use crate::surface::index::Pyramid;
 use crate::surface::subdivision::{Crossings, CurveWorkspace, crossings, halved};
 use glam::{DVec2, DVec3};
 
@@ -38,8 +39,8 @@ impl<const M: usize> Part<M> {
         Part { points, from: 0.0, size: 1.0 }
     }
 
-    fn bounds(&self) -> Bounds {
-        let mut bounds = Bounds::EMPTY;
+    fn bounds(&self) -> Aabb {
+        let mut bounds = Aabb::EMPTY;
         self.points.iter().for_each(|&point| bounds.add(point));
         bounds
     }
@@ -85,18 +86,18 @@ impl<C> Search<'_, C> {
         let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let diagonal = bounds.low.distance(bounds.high);
         let noise = (8.0 * f64::EPSILON * (reach + farthest)).min(FARTHEST * diagonal);
-        let whole = Bounds { low: bounds.low - origin, high: bounds.high - origin }.grown(noise);
+        let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(noise);
         let mut waiting = vec![Entry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
         work.noise = noise;
         while let Some(entry) = waiting.pop() {
             let Entry { part, diagonal, level, row, column } = entry;
-            let bounds = part.bounds().grown(noise);
+            let bounds = part.bounds().inflated(noise);
             if bounds.low.distance(bounds.high) > 2.0 * diagonal && part.size > LEAST {
                 for (half, points) in halved(&part.points).into_iter().enumerate() {
                     let size = 0.5 * part.size;
                     let part = Part { points, size, from: part.from + half as f64 * size };
                     let near = if level == levels.len() {
-                        part.bounds().meets(&whole)
+                        part.bounds().overlaps(&whole)
                     } else {
                         self.touches(&part, noise, level, row, column)
                     };
@@ -125,7 +126,7 @@ impl<C> Search<'_, C> {
         let level = &self.index.levels()[level];
         let block = level.group(row / 2, column / 2).get(2 * (row % 2) + column % 2);
         !block.is_empty()
-            && part.bounds().grown(noise).meets(&block)
+            && part.bounds().inflated(noise).overlaps(&block)
             && level.oriented(row, column).is_none_or(|oriented| oriented.meets_hull(&part.points))
     }
 
@@ -146,11 +147,11 @@ impl<C> Search<'_, C> {
         let along = part.bounds();
         for i in row * BLOCK..rows.min((row + 1) * BLOCK) {
             for j in column * BLOCK..columns.min((column + 1) * BLOCK) {
-                let mut cell = Bounds::EMPTY;
+                let mut cell = Aabb::EMPTY;
                 for corner in [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)] {
                     cell.add(self.cells.corner(corner.0, corner.1) - origin);
                 }
-                if cell.grown(deviation).meets(&along) {
+                if cell.inflated(deviation).overlaps(&along) {
                     self.cell(part, [i, j], work, finds)?;
                 }
             }

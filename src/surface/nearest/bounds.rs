@@ -11,6 +11,7 @@
 //! queries covers.
 
 use super::foot::Foot;
+use crate::geom::aabb::Aabb;
 use crate::surface::Patch;
 use glam::{DVec2, DVec3};
 
@@ -31,12 +32,7 @@ pub(super) fn lower_bound<const N: usize>(
 impl<const N: usize> Patch<N> {
     /// The box bound.
     pub(super) fn box_distance(&self, query: DVec3) -> f64 {
-        let (mut low, mut high) = (self.points[0][0], self.points[0][0]);
-        for &point in self.points.as_flattened() {
-            low = low.min(point);
-            high = high.max(point);
-        }
-        (low - query).max(query - high).max(DVec3::ZERO).length()
+        Aabb::of(self.points.as_flattened()).outside(query).length()
     }
 
     /// The half-space bound. `direction`: of unit length, best that from the nearest point to the

@@ -4,8 +4,8 @@
 //! of the block's [`DisplacementBox`]. So each bound is one of the corners, less the reach of that
 //! box. All run over arrays of fixed size, one axis after the other, without branches.
 
+use crate::geom::aabb::Aabb;
 use crate::surface::cells::{BLOCK, Cells};
-use crate::surface::index::Bounds;
 use glam::DVec3;
 
 /// A box of the vectors from the bilinear patches of a block's cells to the surface.
@@ -19,10 +19,10 @@ pub(super) struct DisplacementBox {
 }
 
 impl DisplacementBox {
-    pub(super) fn new(bounds: Bounds) -> DisplacementBox {
-        let Bounds { low, high } = bounds;
+    pub(super) fn new(bounds: Aabb) -> DisplacementBox {
+        let Aabb { low, high } = bounds;
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
-        DisplacementBox { low: low.to_array(), high: high.to_array(), middle, half, max_length: bounds.farthest() }
+        DisplacementBox { low: low.to_array(), high: high.to_array(), middle, half, max_length: bounds.max_norm() }
     }
 
     /// How far the surface reaches in a direction from the bilinear patches.

@@ -15,6 +15,7 @@ use super::query::check;
 use super::search::cells_around;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::disjoint_sets::DisjointSets;
 use crate::job::Job;
 use crate::surface::cells::Cells;
 use crate::surface::{Place, Sheet, Surface, each_sheet};
@@ -203,7 +204,7 @@ impl MinimaSearch<'_> {
     /// The minima found, with one place for all undecided cells that touch.
     fn end(mut self, bound: f64, nearest: Option<Closest>) -> Result<Minima> {
         let complete = self.undecided.len() <= MAX_UNDECIDED;
-        merge_adjacent(&mut self.undecided, self.surface);
+        merge_adjacent(&mut self.undecided, self.surface)?;
         let proven = std::mem::take(&mut self.found);
         // An undecided place next to a proven one is that.
         let near = SAME_POINT * self.tolerance;
@@ -254,29 +255,21 @@ fn unite(points: &mut Vec<Closest>, near: f64) -> Result<()> {
 }
 
 /// Keeps the nearest of all that are in cells of a sheet that touch, also across the seams of grids.
-fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) {
+fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) -> Result<()> {
     undecided.sort_by_key(|found| (found.sheet, found.cell));
-    let mut group: Vec<usize> = (0..undecided.len()).collect();
-    fn root(group: &mut [usize], mut k: usize) -> usize {
-        while group[k] != k {
-            group[k] = group[group[k]];
-            k = group[k];
-        }
-        k
-    }
+    let mut groups = DisjointSets::new(undecided.len())?;
     for k in 0..undecided.len() {
         let FoundMinimum { sheet, cell, .. } = undecided[k];
         let closed = if let Sheet::Grid(grid) = surface.sheet(sheet) { grid.is_closed() } else { [false; 2] };
         for [i, j] in cells_around(surface.sheet(sheet).cells(), closed, [cell.0, cell.1]) {
             if let Ok(other) = undecided.binary_search_by_key(&(sheet, (i, j)), |other| (other.sheet, other.cell)) {
-                let (a, b) = (root(&mut group, k), root(&mut group, other));
-                group[a.max(b)] = a.min(b);
+                groups.union(k as u32, other as u32);
             }
         }
     }
-    let mut best: Vec<Option<FoundMinimum>> = vec![None; undecided.len()];
+    let mut best: Vec<Option<FoundMinimum>> = alloc::filled(None, undecided.len())?;
     for (k, &found) in undecided.iter().enumerate() {
-        let slot = &mut best[root(&mut group, k)];
+        let slot = &mut best[groups.find(k as u32) as usize];
         *slot = Some(match *slot {
             Some(other) => {
                 let bound = other.minimum.bound.min(found.minimum.bound);
@@ -287,4 +280,5 @@ fn merge_adjacent(undecided: &mut Vec<FoundMinimum>, surface: &Surface<'_>) {
         });
     }
     *undecided = best.into_iter().flatten().collect();
+    Ok(())
 }

@@ -1,7 +1,7 @@
 //! Parts of a patch: where they are, and lower bounds of their distances that need no descent.
 
+use crate::geom::bernstein::restrict;
 use crate::surface::Patch;
-use crate::surface::construct::part;
 use glam::{DVec2, DVec3};
 
 /// Least size of a part in a parameter: 26 halvings.
@@ -25,10 +25,9 @@ impl<const N: usize> PatchPart<N> {
 
     /// The part of a patch from one pair of parameters on.
     pub(super) fn of(patch: &Patch<N>, from: DVec2, size: DVec2, bound: f64) -> Self {
-        let to = from + size;
-        let points = patch.points.map(|row| part(&row, [from.y, to.y]));
-        let across = Patch { points }.transposed();
-        let patch = Patch { points: across.points.map(|row| part(&row, [from.x, to.x])) }.transposed();
+        let (mut patch, to) = (*patch, from + size);
+        patch.points.iter_mut().for_each(|row| restrict(row, [from.y, to.y]));
+        restrict(&mut patch.points, [from.x, to.x]);
         PatchPart { patch, from, size, bound }
     }
 

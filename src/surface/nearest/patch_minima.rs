@@ -13,6 +13,8 @@
 
 use super::foot::{Foot, MAX_STEPS, descend, gradient_and_hessian};
 use super::part::{MAX_PARTS, PatchPart};
+use crate::geom::aabb::range;
+use crate::geom::bernstein::halves;
 use crate::surface::Patch;
 use glam::{DVec2, DVec3};
 
@@ -177,8 +179,7 @@ fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl
         let from_query = middle - query;
         let steps = || points.windows(2).map(|pair| degree * (pair[1] - pair[0]));
         let longest = steps().map(DVec3::length).fold(0.0, f64::max);
-        let slopes = steps().map(|step| from_query.dot(step));
-        let [low, high] = slopes.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        let [low, high] = range(steps().map(|step| from_query.dot(step)));
         if low > radius * longest || high < -radius * longest {
             continue;
         }
@@ -191,12 +192,7 @@ fn curve_minima<const N: usize>(points: &[DVec3; N], query: DVec3, mut add: impl
             add(from + size * convex_minimum(&points, query));
             continue;
         }
-        let mut low = points;
-        let mut high = points;
-        for (k, low) in low.iter_mut().enumerate().skip(1) {
-            (0..N - k).for_each(|a| high[a] = 0.5 * (high[a] + high[a + 1]));
-            *low = high[0];
-        }
+        let [low, high] = halves(&points);
         parts.push((low, from, 0.5 * size));
         parts.push((high, from + 0.5 * size, 0.5 * size));
     }

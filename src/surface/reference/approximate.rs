@@ -7,6 +7,7 @@
 
 use super::lattice::Lattice;
 use crate::error::{Error, Result};
+use crate::geom::bernstein::{evaluate, halves};
 use crate::surface::cells::Cells;
 use crate::surface::{Sheet, each_sheet};
 use glam::DVec3;
@@ -103,7 +104,7 @@ impl Section {
             let edge = edge(cells, lattice, direction, line, place);
             let field = edge.map(|control| (control - self.point).dot(self.across));
             let root = first_root(over(field, range), DEPTH)?;
-            Some(blend(&edge, range[0] + root * (range[1] - range[0])))
+            Some(evaluate(&edge, range[0] + root * (range[1] - range[0])))
         };
         for offset in 0..=REACH {
             let wrapped = |place: Option<usize>| match place {
@@ -145,15 +146,6 @@ fn edge<const N: usize>(
     }
 }
 
-/// The point of a Bézier curve.
-fn blend<const N: usize>(points: &[DVec3; N], t: f64) -> DVec3 {
-    let mut work = *points;
-    for count in (1..N).rev() {
-        (0..count).for_each(|k| work[k] = work[k].lerp(work[k + 1], t));
-    }
-    work[0]
-}
-
 /// A polynomial in Bernstein form over another interval: its blossom at as many of the one end and of the other.
 fn over<const N: usize>(field: [f64; N], [from, to]: [f64; 2]) -> [f64; N] {
     std::array::from_fn(|ends| {
@@ -177,11 +169,7 @@ fn first_root<const N: usize>(field: [f64; N], depth: u32) -> Option<f64> {
     if depth == 0 {
         return Some(0.5);
     }
-    let (mut low, mut high) = (field, field);
-    for (k, low) in low.iter_mut().enumerate().skip(1) {
-        (0..N - k).for_each(|a| high[a] = 0.5 * (high[a] + high[a + 1]));
-        *low = high[0];
-    }
+    let [low, high] = halves(&field);
     let first = first_root(low, depth - 1).map(|t| 0.5 * t);
     first.or_else(|| first_root(high, depth - 1).map(|t| 0.5 + 0.5 * t))
 }

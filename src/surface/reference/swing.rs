@@ -11,9 +11,10 @@ use super::lattice::Lattice;
 use super::search::{Found, Options, search};
 use super::sizes::Sizes;
 use crate::error::{Error, Result};
+use crate::geom::bernstein::binomial_row;
 use crate::job::Job;
 use crate::surface::cells::Cells;
-use crate::surface::{Patch, Sheet, each_sheet};
+use crate::surface::{MAX_DEGREE, Patch, Sheet, each_sheet};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -131,23 +132,20 @@ impl<const N: usize> Patch<N> {
     /// The Bézier points of S_u x S_v, of degree 2 N - 3 in u and in v: of products, sums of products by binomial weights.
     fn normal_points(&self) -> Vec<DVec3> {
         let (degree, width) = (N - 1, 2 * N - 2);
+        let (lower, full) = (binomial_row::<N>(degree - 1), binomial_row::<N>(degree));
+        let product = binomial_row::<{ 2 * MAX_DEGREE }>(width - 1);
         let mut sums = vec![DVec3::ZERO; width * width];
         for (a, b) in (0..degree).flat_map(|a| (0..N).map(move |b| (a, b))) {
-            let along_u = (self.points[a + 1][b] - self.points[a][b]) * (binomial(degree - 1, a) * binomial(degree, b));
+            let along_u = (self.points[a + 1][b] - self.points[a][b]) * (lower[a] * full[b]);
             for (c, d) in (0..N).flat_map(|c| (0..degree).map(move |d| (c, d))) {
-                let weight = binomial(degree, c) * binomial(degree - 1, d);
+                let weight = full[c] * lower[d];
                 let along_v = (self.points[c][d + 1] - self.points[c][d]) * weight;
                 sums[(a + c) * width + b + d] += along_u.cross(along_v);
             }
         }
         for (k, sum) in sums.iter_mut().enumerate() {
-            *sum /= binomial(width - 1, k / width) * binomial(width - 1, k % width);
+            *sum /= product[k / width] * product[k % width];
         }
         sums
     }
-}
-
-/// n over k, exact for the small n here.
-fn binomial(n: usize, k: usize) -> f64 {
-    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
 }

@@ -3,9 +3,10 @@
 use super::CellPair;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::aabb::Aabb;
 use crate::job::Job;
 use crate::surface::cells::{BLOCK, Cells};
-use crate::surface::index::{Bounds, Oriented, Pyramid};
+use crate::surface::index::{Oriented, Pyramid};
 use crate::surface::{Sheet, each_sheet};
 use glam::DVec3;
 
@@ -28,7 +29,7 @@ struct Node {
     level: usize,
     row: usize,
     column: usize,
-    bounds: Bounds,
+    bounds: Aabb,
     solid: Option<Solid>,
 }
 
@@ -112,11 +113,11 @@ impl Node {
     }
 }
 
-fn shifted(bounds: Bounds, by: DVec3) -> Bounds {
-    Bounds { low: bounds.low + by, high: bounds.high + by }
+fn shifted(bounds: Aabb, by: DVec3) -> Aabb {
+    Aabb { low: bounds.low + by, high: bounds.high + by }
 }
 
-fn overlap(a: &Bounds, b: &Bounds, by: f64) -> bool {
+fn overlap(a: &Aabb, b: &Aabb, by: f64) -> bool {
     (a.low - by).cmple(b.high).all() && (b.low - by).cmple(a.high).all()
 }
 
@@ -124,7 +125,7 @@ fn overlap(a: &Bounds, b: &Bounds, by: f64) -> bool {
 #[derive(Clone, Copy)]
 struct Quad {
     cell: [u32; 2],
-    bounds: Bounds,
+    bounds: Aabb,
     centre: DVec3,
     half: [DVec3; 2],
     twist: DVec3,
@@ -137,7 +138,7 @@ struct Quad {
 impl Quad {
     const NONE: Quad = Quad {
         cell: [0; 2],
-        bounds: Bounds::EMPTY,
+        bounds: Aabb::EMPTY,
         centre: DVec3::ZERO,
         half: [DVec3::ZERO; 2],
         twist: DVec3::ZERO,
@@ -146,7 +147,7 @@ impl Quad {
         rise: 0.0,
     };
 
-    fn new(cell: [u32; 2], [[p, q], [r, s]]: [[DVec3; 2]; 2], bounds: Bounds) -> Quad {
+    fn new(cell: [u32; 2], [[p, q], [r, s]]: [[DVec3; 2]; 2], bounds: Aabb) -> Quad {
         let half = [0.25 * (r + s - p - q), 0.25 * (q + s - p - r)];
         let (twist, normal) = (0.25 * (p + s - q - r), half[0].cross(half[1]));
         Quad {
@@ -228,7 +229,7 @@ impl Block {
     }
 
     /// Chooses the cells that may be as near to a box as `by`.
-    fn choose(&mut self, sheet: &Sheet<'_>, near: &Bounds, by: f64) {
+    fn choose(&mut self, sheet: &Sheet<'_>, near: &Aabb, by: f64) {
         let [rows, columns] = sheet.cells();
         let [first, left] = self.at.map(|at| at * BLOCK);
         self.count = 0;
@@ -236,7 +237,7 @@ impl Block {
             for (c, j) in (left..columns).take(BLOCK).enumerate() {
                 let corners = [0, 1].map(|k| [self.corners[r + k][c], self.corners[r + k][c + 1]]);
                 let [[p, q], [s, t]] = corners;
-                let bounds = Bounds { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
+                let bounds = Aabb { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
                 if overlap(&bounds, near, by) {
                     self.quads[self.count] = Quad::new([i as u32, j as u32], corners, bounds);
                     self.count += 1;
@@ -263,7 +264,7 @@ pub(super) fn pairs(
     let roots = [Node::root(a.index, DVec3::ZERO), Node::root(b.index, shift)];
     // Boxes hold the surface to the bit; the shift from one origin to the other rounds.
     let size = [a, b].map(|sheet| {
-        let Bounds { low, high } = sheet.index.bounds();
+        let Aabb { low, high } = sheet.index.bounds();
         low.abs().max(high.abs()).max_element()
     });
     let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
