@@ -171,9 +171,9 @@ impl<'a> Surface<'a> {
 #[cfg(test)]
 impl Surface<'_> {
     /// Builds cones that tell nothing, as if there were none.
-    pub(crate) fn blunt_cones(&mut self, job: &Job<'_>) -> Result<()> {
+    pub(crate) fn disable_cones(&mut self, job: &Job<'_>) -> Result<()> {
         self.build_cones(job)?;
-        self.sheets.iter_mut().for_each(|(_, index)| index.blunt_cones());
+        self.sheets.iter_mut().for_each(|(_, index)| index.disable_cones());
         Ok(())
     }
 }

@@ -139,7 +139,7 @@ mod tests {
         for (number, sheet) in sheets().into_iter().enumerate() {
             let sharp = Surface::new(vec![sheet.clone()], None, &job).unwrap();
             let mut blunt = Surface::new(vec![sheet], None, &job).unwrap();
-            blunt.blunt_cones(&job).unwrap();
+            blunt.disable_cones(&job).unwrap();
             let directions = [DVec3::Z, DVec3::new(0.3, -0.5, 0.8), random.point(1.0)];
             for (direction, unsigned) in directions.into_iter().flat_map(|d| [(d, false), (d, true)]) {
                 let most = if unsigned { FRAC_PI_2 } else { PI };

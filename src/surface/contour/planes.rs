@@ -27,7 +27,7 @@ pub(super) fn blocks(
             continue;
         }
         let below = &levels[level - 1];
-        let ranges = below.group(row, column).along(normal);
+        let ranges = below.child_boxes(row, column).along(normal);
         // In the order of the blocks, the stack's last first.
         for (child, range) in ranges.into_iter().enumerate().rev() {
             let (row, column) = (2 * row + child / 2, 2 * column + child % 2);

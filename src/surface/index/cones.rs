@@ -1,11 +1,15 @@
-//! Cones that contain the unit normals of blocks, built when first they are wanted.
+//! Cones that contain the unit normals of blocks.
 //!
-//! Of a block, boxes of S_u and S_v are known (see `tangents`). Seen in a frame whose third axis is nearly their middles' product, ranges of
-//! their components give ranges of those of N = S_u x S_v, and these the greatest angle of N with the axis. Above, a cone round four cones.
+//! The paper bounds the angle of normals over a region by curvature times diameter; cones (Shirman and
+//! Abi-Ezzi 1993) are tighter and need no bound of the curvature. Of a block, boxes of S_u and S_v
+//! are known (`tangents`). In a frame whose third axis is nearly the product of their middles, ranges
+//! of their components give ranges of those of N = S_u x S_v, and these the greatest angle of N with
+//! the axis; above, each cone is one round four. Invariant: rounding only widens a cone. O(n) to
+//! build, 8 bytes a block.
 
 use super::super::cells::{BLOCK, Cells};
 use super::super::ranges::{angles, cross};
-use super::{PAIRS, Pyramid, ROUND};
+use super::{CELLS_PER_STEP, Pyramid, ROW_PAIRS_PER_TASK};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::aabb::Aabb;
@@ -14,9 +18,10 @@ use crate::par;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// The axis in 32767ths, and the half angle in 65535ths of pi, rounded up: pi where nothing is known, as at poles.
+/// The axis in 32767ths, and the half angle in 65535ths of pi, rounded up: pi where nothing is known,
+/// as at poles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Cone {
+pub(crate) struct PackedCone {
     axis: [i16; 3],
     angle: u16,
 }
@@ -30,26 +35,26 @@ pub struct NormalCone {
     pub angle: f64,
 }
 
-impl Cone {
-    const ALL: Cone = Cone { axis: [0, 0, i16::MAX], angle: u16::MAX };
+impl PackedCone {
+    const ALL: PackedCone = PackedCone { axis: [0, 0, i16::MAX], angle: u16::MAX };
 
     /// The axis as it will be kept, and its direction as it will be used.
-    fn axis(wanted: DVec3) -> Option<([i16; 3], DVec3)> {
+    fn packed_axis(wanted: DVec3) -> Option<([i16; 3], DVec3)> {
         let axis = wanted.try_normalize()?.to_array().map(|x| (x * 32767.0).round() as i16);
         Some((axis, DVec3::from_array(axis.map(f64::from)).normalize()))
     }
 
-    fn new(axis: [i16; 3], angle: f64) -> Cone {
+    fn new(axis: [i16; 3], angle: f64) -> PackedCone {
         // More than a unit in all, for the rounding of angles.
-        Cone { axis, angle: (angle * (65535.0 / PI) + 0.001).ceil().min(65535.0) as u16 }
+        PackedCone { axis, angle: (angle * (65535.0 / PI) + 0.001).ceil().min(65535.0) as u16 }
     }
 
     /// The cone of the cross products of vectors of two boxes.
-    fn of([u, v]: [Aabb; 2]) -> Cone {
+    fn of_products([u, v]: [Aabb; 2]) -> PackedCone {
         let parts = |of: Aabb| [0.5 * (of.low + of.high), 0.5 * (of.high - of.low)];
         let [[u, half_u], [v, half_v]] = [parts(u), parts(v)];
-        let Some((axis, third)) = Cone::axis(u.cross(v)) else { return Cone::ALL };
-        let Some(first) = u.reject_from_normalized(third).try_normalize() else { return Cone::ALL };
+        let Some((axis, third)) = PackedCone::packed_axis(u.cross(v)) else { return PackedCone::ALL };
+        let Some(first) = u.reject_from_normalized(third).try_normalize() else { return PackedCone::ALL };
         let frame = [first, third.cross(first), third];
         let ranges = |middle: DVec3, half: DVec3| {
             frame.map(|axis| {
@@ -59,25 +64,25 @@ impl Cone {
         };
         let normal = cross(ranges(u, half_u), ranges(v, half_v));
         // Else it may vanish; this is also what NaN comes to.
-        if normal[2][0] > 0.0 { Cone::new(axis, angles(&normal, 0.0)[1]) } else { Cone::ALL }
+        if normal[2][0] > 0.0 { PackedCone::new(axis, angles(&normal, 0.0)[1]) } else { PackedCone::ALL }
     }
 
     /// A cone round others.
-    fn round(cones: &[Cone]) -> Cone {
+    fn around(cones: &[PackedCone]) -> PackedCone {
         if let &[cone] = cones {
             return cone;
         }
-        if cones.contains(&Cone::ALL) {
-            return Cone::ALL;
+        if cones.contains(&PackedCone::ALL) {
+            return PackedCone::ALL;
         }
-        let sum = cones.iter().map(|cone| cone.open().axis).sum();
-        let Some((axis, direction)) = Cone::axis(sum) else { return Cone::ALL };
-        let reach = |cone: &Cone| cone.open().angle + cone.open().to(direction);
+        let sum = cones.iter().map(|cone| cone.unpack().axis).sum();
+        let Some((axis, direction)) = PackedCone::packed_axis(sum) else { return PackedCone::ALL };
+        let reach = |cone: &PackedCone| cone.unpack().angle + cone.unpack().angle_to(direction);
         let angle = cones.iter().map(reach).fold(0.0, f64::max);
-        if angle < PI { Cone::new(axis, angle) } else { Cone::ALL }
+        if angle < PI { PackedCone::new(axis, angle) } else { PackedCone::ALL }
     }
 
-    pub(crate) fn open(self) -> NormalCone {
+    pub(crate) fn unpack(self) -> NormalCone {
         let axis = DVec3::from_array(self.axis.map(f64::from)).normalize();
         NormalCone { axis, angle: f64::from(self.angle) * (PI / 65535.0) }
     }
@@ -85,13 +90,13 @@ impl Cone {
 
 impl NormalCone {
     /// The angle of the axis with a unit vector.
-    fn to(&self, direction: DVec3) -> f64 {
+    fn angle_to(&self, direction: DVec3) -> f64 {
         libm::atan2(self.axis.cross(direction).length(), self.axis.dot(direction))
     }
 
     /// The least and the greatest angle of its directions with a unit vector, or beyond.
     pub(crate) fn angles(&self, direction: DVec3) -> [f64; 2] {
-        let middle = self.to(direction);
+        let middle = self.angle_to(direction);
         [middle - self.angle, middle + self.angle]
     }
 }
@@ -105,28 +110,29 @@ pub(crate) struct Cones {
 #[derive(Debug)]
 struct Level {
     columns: usize,
-    cones: Vec<Cone>,
+    cones: Vec<PackedCone>,
 }
 
 impl Cones {
     /// `reach`: the greatest coordinate of the sheet.
     pub(super) fn build<const N: usize>(cells: &impl Cells<N>, reach: f64, job: &Job<'_>) -> Result<Cones> {
         let [rows, columns] = cells.counts().map(|count| count.div_ceil(BLOCK));
-        // What sums of nodes and products of them were rounded by on the way, here and where patches are made.
+        // The rounding of sums of nodes and of their products, here and where patches are made.
         let noise = 1024.0 * f64::EPSILON * reach;
-        let mut base = alloc::filled(Cone::ALL, rows * columns)?;
-        let together = 2 * PAIRS * columns;
-        let (count, round) = (rows.div_ceil(2 * PAIRS), (ROUND / (together * BLOCK * BLOCK)).max(1));
+        let mut base = alloc::filled(PackedCone::ALL, rows * columns)?;
+        let together = 2 * ROW_PAIRS_PER_TASK * columns;
+        let (count, round) =
+            (rows.div_ceil(2 * ROW_PAIRS_PER_TASK), (CELLS_PER_STEP / (together * BLOCK * BLOCK)).max(1));
         let mut parts = base.chunks_mut(together).enumerate();
         for from in (0..count).step_by(round) {
             job.step(from as f64 / count as f64, "normal cones")?;
             let slice: Vec<_> = parts.by_ref().take(round).collect();
             par::map(job.threads(), slice.into_iter(), |(k, cones)| {
-                let first = 2 * PAIRS * k;
+                let first = 2 * ROW_PAIRS_PER_TASK * k;
                 let mut boxes = vec![[Aabb::EMPTY; 2]; cones.len()];
                 cells.tangents(first..first + cones.len() / columns, &mut boxes);
                 for (cone, boxes) in cones.iter_mut().zip(boxes) {
-                    *cone = Cone::of(boxes.map(|bounds| bounds.inflated(noise)));
+                    *cone = PackedCone::of_products(boxes.map(|bounds| bounds.inflated(noise)));
                 }
             });
         }
@@ -141,7 +147,7 @@ impl Cones {
     pub(crate) fn get(&self, level: usize, r: usize, c: usize) -> Option<NormalCone> {
         let level = self.levels.get(level)?;
         let cone = if c < level.columns { level.cones.get(r * level.columns + c) } else { None };
-        cone.map(|cone| cone.open())
+        cone.map(|cone| cone.unpack())
     }
 
     /// The number of levels; the last one has two rows and columns of blocks at most.
@@ -154,10 +160,10 @@ impl Cones {
         self.levels.iter().map(|level| size_of_val(&level.cones[..])).sum()
     }
 
-    /// Of which none tells anything, as if there were none.
+    /// Replaces every cone by that of all directions, as if there were none.
     #[cfg(test)]
-    pub(super) fn blunt(&mut self) {
-        self.levels.iter_mut().for_each(|level| level.cones.fill(Cone::ALL));
+    pub(super) fn disable(&mut self) {
+        self.levels.iter_mut().for_each(|level| level.cones.fill(PackedCone::ALL));
     }
 }
 
@@ -165,7 +171,7 @@ impl Level {
     fn above(&self) -> Result<Level> {
         let (below, columns) = (self.cones.len() / self.columns, self.columns.div_ceil(2));
         let mut cones = alloc::with_capacity(below.div_ceil(2) * columns)?;
-        let mut four = [Cone::ALL; 4];
+        let mut four = [PackedCone::ALL; 4];
         for (r, c) in (0..below.div_ceil(2)).flat_map(|r| (0..columns).map(move |c| (r, c))) {
             let mut count = 0;
             for (r, c) in [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(down, on)| (2 * r + down, 2 * c + on)) {
@@ -174,15 +180,15 @@ impl Level {
                     count += 1;
                 }
             }
-            cones.push(Cone::round(&four[..count]));
+            cones.push(PackedCone::around(&four[..count]));
         }
         Ok(Level { columns, cones })
     }
 }
 
 impl Pyramid {
-    /// The cones, built by the first who asks. Two who ask at once may both build them, to the same bits; none waits for another, who may be
-    /// its own caller.
+    /// The cones, built at the first call. Two threads may build them at once, to the same bits;
+    /// neither waits for the other, which may be its own caller.
     pub(crate) fn cones<const N: usize>(&self, cells: &impl Cells<N>, job: &Job<'_>) -> Result<&Cones> {
         if let Some(cones) = self.cones.get() {
             return Ok(cones);
@@ -197,9 +203,9 @@ impl Pyramid {
         self.cones.get()
     }
 
-    /// Makes the cones useless, for a comparison.
+    /// Makes the cones exclude nothing, for a comparison.
     #[cfg(test)]
-    pub(crate) fn blunt_cones(&mut self) {
-        self.cones.get_mut().into_iter().for_each(Cones::blunt);
+    pub(crate) fn disable_cones(&mut self) {
+        self.cones.get_mut().into_iter().for_each(Cones::disable);
     }
 }

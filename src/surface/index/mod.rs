@@ -1,14 +1,18 @@
-//! The index: a pyramid of boxes over blocks of cells. There are no pointers: the children of block (r, c) are the four blocks
-//! (2r, 2c), (2r, 2c + 1), (2r + 1, 2c), (2r + 1, 2c + 1) of the level below.
+//! The index of a sheet: a quad pyramid of bounding boxes over blocks of 4 x 4 cells.
 //!
-//! It is built from the nodes alone, without building patches: a cell lies within its displacements from the hull of its corners
-//! (the theorem of hierarchies: a block may be dropped by any set that contains it). So are the cones of normals, when they are wanted.
+//! Without pointers: the children of block (r, c) are the blocks (2r, 2c), (2r, 2c + 1), (2r + 1, 2c)
+//! and (2r + 1, 2c + 1) of the level below. It is built from the nodes alone, without patches: a cell
+//! lies within its displacements (`displacements`) from the hull of its corners. Cones of normals
+//! (`cones`) are built when they are first wanted.
+//!
+//! Invariant, the study's theorem T5: a block may be excluded by any set that contains it. O(n) to
+//! build, some 7 bytes a node, on the job's threads.
 
 mod boxes;
 mod cones;
 mod slab;
 
-pub(crate) use boxes::{Group, Oriented};
+pub(crate) use boxes::{ChildBoxes, OrientedBox};
 pub(crate) use cones::Cones;
 pub use cones::NormalCone;
 pub(crate) use slab::Slab;
@@ -22,14 +26,14 @@ use crate::par;
 use glam::DVec3;
 use std::sync::OnceLock;
 
-/// Levels that have boxes in any direction, from the lowest on.
+/// Levels that have oriented boxes, from the lowest on.
 const ORIENTED_LEVELS: usize = 4;
 
 /// Pairs of rows of blocks that one thread takes at once.
-const PAIRS: usize = 4;
+const ROW_PAIRS_PER_TASK: usize = 4;
 
 /// Cells between two reports of progress, or those that one thread takes at once, if these are more.
-const ROUND: usize = 1 << 18;
+const CELLS_PER_STEP: usize = 1 << 18;
 
 /// The pyramid of one sheet.
 #[derive(Debug)]
@@ -37,33 +41,33 @@ pub(crate) struct Pyramid {
     origin: DVec3,
     /// From the blocks up to the root's four children.
     levels: Vec<Level>,
-    /// By block: how far the surface may be from the bilinear patches of its cells, and to which side.
-    displacements: Vec<Displacement>,
+    /// By block: boxes of the vectors from the bilinear patches of its cells to the surface.
+    displacements: Vec<PackedBox>,
     cones: OnceLock<Cones>,
 }
 
-/// A box of vectors: low x, y, z and high x, y, z in 127ths of the greatest length of one.
+/// A box of vectors in 10 bytes: low x, y, z and high x, y, z in 127ths of the greatest length.
 #[derive(Debug, Clone, Copy, Default)]
-struct Displacement {
-    most: f32,
-    box_of: [i8; 6],
+struct PackedBox {
+    max_length: f32,
+    sides: [i8; 6],
 }
 
-impl Displacement {
+impl PackedBox {
     /// Rounded outwards.
-    fn new(bounds: Aabb) -> Displacement {
-        let most = (bounds.max_norm() as f32).next_up();
-        let unit = f64::from(most) / 127.0;
-        // No vector is longer than `most`: what is rounded stays within the numbers.
+    fn new(bounds: Aabb) -> PackedBox {
+        let max_length = (bounds.max_norm() as f32).next_up();
+        let unit = f64::from(max_length) / 127.0;
+        // No vector is longer than `max_length`: quotients are within -127 to 127 but for rounding.
         let low = bounds.low.to_array().map(|x| (x / unit - 1e-9).floor() as i8);
         let high = bounds.high.to_array().map(|x| (x / unit + 1e-9).ceil() as i8);
-        Displacement { most, box_of: [low[0], low[1], low[2], high[0], high[1], high[2]] }
+        PackedBox { max_length, sides: [low[0], low[1], low[2], high[0], high[1], high[2]] }
     }
 
     #[inline(always)]
-    fn bounds(&self) -> Aabb {
-        let unit = f64::from(self.most) / 127.0;
-        let [a, b, c, d, e, f] = self.box_of.map(|x| f64::from(x) * unit);
+    fn unpack(&self) -> Aabb {
+        let unit = f64::from(self.max_length) / 127.0;
+        let [a, b, c, d, e, f] = self.sides.map(|x| f64::from(x) * unit);
         Aabb { low: DVec3::new(a, b, c), high: DVec3::new(d, e, f) }
     }
 }
@@ -73,8 +77,9 @@ impl Displacement {
 pub(crate) struct Level {
     rows: usize,
     columns: usize,
-    groups: Vec<Group>,
-    oriented: Vec<Oriented>,
+    /// By block of the level above.
+    child_boxes: Vec<ChildBoxes>,
+    oriented: Vec<OrientedBox>,
 }
 
 impl Level {
@@ -82,8 +87,8 @@ impl Level {
         Ok(Level {
             rows,
             columns,
-            groups: alloc::filled(Group::EMPTY, rows.div_ceil(2) * columns.div_ceil(2))?,
-            oriented: alloc::filled(Oriented::default(), if oriented { rows * columns } else { 0 })?,
+            child_boxes: alloc::filled(ChildBoxes::EMPTY, rows.div_ceil(2) * columns.div_ceil(2))?,
+            oriented: alloc::filled(OrientedBox::default(), if oriented { rows * columns } else { 0 })?,
         })
     }
 
@@ -95,13 +100,13 @@ impl Level {
 
     /// The boxes of the children of block (r, c) of the level above.
     #[inline(always)]
-    pub(crate) fn group(&self, r: usize, c: usize) -> &Group {
-        &self.groups[r * self.columns.div_ceil(2) + c]
+    pub(crate) fn child_boxes(&self, r: usize, c: usize) -> &ChildBoxes {
+        &self.child_boxes[r * self.columns.div_ceil(2) + c]
     }
 
-    /// The box of block (r, c) in any direction, if this level has them.
+    /// The oriented box of block (r, c), if this level has them.
     #[inline(always)]
-    pub(crate) fn oriented(&self, r: usize, c: usize) -> Option<&Oriented> {
+    pub(crate) fn oriented(&self, r: usize, c: usize) -> Option<&OrientedBox> {
         self.oriented.get(r * self.columns + c)
     }
 }
@@ -112,37 +117,38 @@ impl Pyramid {
         let [rows, columns] = cells.counts().map(|count| count.div_ceil(BLOCK));
         let origin = middle(cells);
         let mut base = Level::new(rows, columns, true)?;
-        let mut displacements = alloc::filled(Displacement::default(), rows * columns)?;
-        let (across, together) = (columns.div_ceil(2), 2 * PAIRS * columns);
-        let parts = base.groups.chunks_mut(PAIRS * across).zip(base.oriented.chunks_mut(together));
+        let mut displacements = alloc::filled(PackedBox::default(), rows * columns)?;
+        let (across, together) = (columns.div_ceil(2), 2 * ROW_PAIRS_PER_TASK * columns);
+        let parts = base.child_boxes.chunks_mut(ROW_PAIRS_PER_TASK * across).zip(base.oriented.chunks_mut(together));
         let mut parts = parts.zip(displacements.chunks_mut(together)).enumerate();
-        let (count, round) = (rows.div_ceil(2 * PAIRS), (ROUND / (together * BLOCK * BLOCK)).max(1));
+        let (count, round) =
+            (rows.div_ceil(2 * ROW_PAIRS_PER_TASK), (CELLS_PER_STEP / (together * BLOCK * BLOCK)).max(1));
         for from in (0..count).step_by(round) {
             job.step(0.8 * from as f64 / count as f64, "index")?;
             let slice: Vec<_> = parts.by_ref().take(round).collect();
             par::map(job.threads(), slice.into_iter(), |(k, ((groups, oriented), displacements))| {
-                let first = 2 * PAIRS * k;
+                let first = 2 * ROW_PAIRS_PER_TASK * k;
                 let mut bounds = vec![Aabb::EMPTY; displacements.len()];
                 cells.displacements(first..first + displacements.len() / columns, &mut bounds);
                 let parts =
                     oriented.chunks_mut(columns).zip(displacements.chunks_mut(columns)).zip(bounds.chunks(columns));
                 for (r, ((oriented, displacements), bounds)) in parts.enumerate() {
                     let groups = &mut groups[r / 2 * across..][..across];
-                    let row = Row { row: first + r, displacements: bounds };
-                    row.blocks(cells, origin, groups, oriented, displacements);
+                    let row = BlockRow { row: first + r, displacements: bounds };
+                    row.build(cells, origin, groups, oriented, displacements);
                 }
             });
         }
         job.step(0.8, "index")?;
         let mut levels = vec![base];
-        while let Some(last) = levels.last().filter(|last| last.groups.len() > 1) {
-            let next = above(last, levels.len() < ORIENTED_LEVELS)?;
+        while let Some(last) = levels.last().filter(|last| last.child_boxes.len() > 1) {
+            let next = level_above(last, levels.len() < ORIENTED_LEVELS)?;
             levels.push(next);
         }
         Ok(Pyramid { origin, levels, displacements, cones: OnceLock::new() })
     }
 
-    /// What coordinates of boxes are relative to.
+    /// The point that coordinates of boxes are relative to.
     pub(crate) fn origin(&self) -> DVec3 {
         self.origin
     }
@@ -152,27 +158,29 @@ impl Pyramid {
         &self.levels
     }
 
-    /// How far the surface may be from the bilinear patches of the cells of block (r, c).
+    /// An upper bound of the distances of the surface from the bilinear patches of the cells of block
+    /// (r, c), at equal parameters.
     #[inline(always)]
     pub(crate) fn deviation(&self, r: usize, c: usize) -> f64 {
-        self.displacements[r * self.levels[0].columns + c].most.into()
+        self.displacements[r * self.levels[0].columns + c].max_length.into()
     }
 
-    /// A box of the vectors from the bilinear patches of the cells of block (r, c) to the surface, at equal parameters.
+    /// A box of the vectors from the bilinear patches of the cells of block (r, c) to the surface, at
+    /// equal parameters.
     #[inline(always)]
     pub(crate) fn displacement(&self, r: usize, c: usize) -> Aabb {
-        self.displacements[r * self.levels[0].columns + c].bounds()
+        self.displacements[r * self.levels[0].columns + c].unpack()
     }
 
     /// A box round everything.
     pub(crate) fn bounds(&self) -> Aabb {
-        let whole = self.levels.last().map_or(Aabb::EMPTY, |level| level.group(0, 0).whole());
+        let whole = self.levels.last().map_or(Aabb::EMPTY, |level| level.child_boxes(0, 0).whole());
         Aabb { low: whole.low + self.origin, high: whole.high + self.origin }
     }
 
     /// Bytes of memory, without the cones.
     pub(crate) fn bytes(&self) -> usize {
-        let level = |level: &Level| size_of_val(&level.groups[..]) + size_of_val(&level.oriented[..]);
+        let level = |level: &Level| size_of_val(&level.child_boxes[..]) + size_of_val(&level.oriented[..]);
         self.levels.iter().map(level).sum::<usize>() + size_of_val(&self.displacements[..])
     }
 }
@@ -188,20 +196,20 @@ fn middle<const N: usize>(cells: &impl Cells<N>) -> DVec3 {
 }
 
 /// One row of blocks, and the boxes of displacements of its blocks.
-struct Row<'a> {
+struct BlockRow<'a> {
     row: usize,
     displacements: &'a [Aabb],
 }
 
-impl Row<'_> {
-    /// Their boxes.
-    fn blocks<const N: usize>(
+impl BlockRow<'_> {
+    /// Builds the boxes of the row.
+    fn build<const N: usize>(
         &self,
         cells: &impl Cells<N>,
         origin: DVec3,
-        groups: &mut [Group],
-        oriented: &mut [Oriented],
-        displacements: &mut [Displacement],
+        groups: &mut [ChildBoxes],
+        oriented: &mut [OrientedBox],
+        displacements: &mut [PackedBox],
     ) {
         let [rows, columns] = cells.counts();
         let (first, last) = (self.row * BLOCK, rows.min((self.row + 1) * BLOCK));
@@ -217,37 +225,37 @@ impl Row<'_> {
                     count += 1;
                 }
             }
-            // What the coordinates were rounded by on the way.
+            // Enlarged by the rounding of the coordinates on the way.
             let size = hull.low.abs().max(hull.high.abs()).max(origin.abs()).max_element();
             let displacement = displacement.inflated(16.0 * f64::EPSILON * size);
-            displacements[c] = Displacement::new(displacement);
+            displacements[c] = PackedBox::new(displacement);
             groups[c / 2].set(2 * (self.row % 2) + c % 2, hull.sum(displacement));
             let width = right - left + 1;
             let (a, b) = (points[0], points[width - 1]);
             let (d, e) = (points[count - width], points[count - 1]);
-            oriented[c] = Oriented::round(&points[..count], d + e - a - b, b + e - a - d, displacement);
+            oriented[c] = OrientedBox::around(&points[..count], d + e - a - b, b + e - a - d, displacement);
         }
     }
 }
 
 /// The level above another.
-fn above(below: &Level, with_oriented: bool) -> Result<Level> {
+fn level_above(below: &Level, with_oriented: bool) -> Result<Level> {
     let (rows, columns) = (below.rows.div_ceil(2), below.columns.div_ceil(2));
     let mut level = Level::new(rows, columns, with_oriented)?;
     for r in 0..rows {
         for c in 0..columns {
-            let group = below.group(r, c);
-            level.groups[r / 2 * columns.div_ceil(2) + c / 2].set(2 * (r % 2) + c % 2, group.whole());
+            let group = below.child_boxes(r, c);
+            level.child_boxes[r / 2 * columns.div_ceil(2) + c / 2].set(2 * (r % 2) + c % 2, group.whole());
             if with_oriented {
-                level.oriented[r * columns + c] = around(below, r, c);
+                level.oriented[r * columns + c] = oriented_above(below, r, c);
             }
         }
     }
     Ok(level)
 }
 
-/// The box in any direction round those of the children of block (r, c).
-fn around(below: &Level, r: usize, c: usize) -> Oriented {
+/// The oriented box round those of the children of block (r, c).
+fn oriented_above(below: &Level, r: usize, c: usize) -> OrientedBox {
     let mut points = [DVec3::ZERO; 32];
     let mut centres = [None; 4];
     let mut count = 0;
@@ -269,5 +277,5 @@ fn around(below: &Level, r: usize, c: usize) -> Oriented {
     let along_u = span([(0, 2), (1, 3)], points[1] - points[0]);
     let along_v = span([(0, 1), (2, 3)], points[2] - points[0]);
     let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
-    Oriented::round(&points[..count], along_u, along_v, exactly)
+    OrientedBox::around(&points[..count], along_u, along_v, exactly)
 }

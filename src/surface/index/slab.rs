@@ -1,12 +1,16 @@
-//! A line against four boxes at once.
+//! A line against four boxes at once: the slab test (Kay and Kajiya 1986).
+//!
+//! Invariant: boxes are entered too early and left too late by what all that is computed of the line
+//! may be off, so that no box that the line meets is missed.
 
-use super::Group;
+use super::ChildBoxes;
 use glam::DVec3;
 
-/// A line as boxes see it, for the test of slabs: where it enters and leaves the space between two parallel planes.
+/// A line for the slab test: where it enters and leaves the space between two parallel planes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slab {
-    /// By axis: where the line is when its parameter is 0, moved so far that boxes are entered too early, or left too late.
+    /// By axis: the line's point of parameter 0, moved so far that boxes are entered too early, or left
+    /// too late.
     enter: [f64; 3],
     leave: [f64; 3],
     inverse: [f64; 3],
@@ -15,21 +19,23 @@ pub(crate) struct Slab {
 }
 
 impl Slab {
-    /// `foot`: a point of the line, relative to the index's origin; `play`: how far all that is computed of the line may be off.
-    pub(crate) fn new(foot: DVec3, direction: DVec3, play: f64) -> Slab {
+    /// `foot`: a point of the line, relative to the index's origin; `rounding`: a bound of the rounding
+    /// of all that is computed of the line.
+    pub(crate) fn new(foot: DVec3, direction: DVec3, rounding: f64) -> Slab {
         let falls = direction.to_array().map(|x| x < 0.0);
         let moved = |axis: usize, by: f64| foot[axis] + if falls[axis] { -by } else { by };
         Slab {
-            enter: [0, 1, 2].map(|axis| moved(axis, play)),
-            leave: [0, 1, 2].map(|axis| moved(axis, -play)),
+            enter: [0, 1, 2].map(|axis| moved(axis, rounding)),
+            leave: [0, 1, 2].map(|axis| moved(axis, -rounding)),
             inverse: direction.to_array().map(|x| if x == 0.0 { f64::INFINITY } else { x.recip() }),
             falls,
         }
     }
 
-    /// From where to where the line is in each box, within `from` to `to`; where the first is greater, not at all.
+    /// The parameters, within `from` to `to`, where the line enters and leaves each box; if the first
+    /// is greater, it misses the box.
     #[inline(always)]
-    pub(crate) fn through(&self, group: &Group, from: f64, to: f64) -> [[f64; 4]; 2] {
+    pub(crate) fn through(&self, group: &ChildBoxes, from: f64, to: f64) -> [[f64; 4]; 2] {
         let (mut near, mut far) = ([from; 4], [to; 4]);
         for axis in 0..3 {
             let (low, high) = (&group.low[axis], &group.high[axis]);

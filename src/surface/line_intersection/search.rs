@@ -168,7 +168,7 @@ pub(super) fn search<const N: usize>(
             continue;
         }
         let level_below = &levels[level as usize - 1];
-        let [near, far] = slab.through(level_below.group(row, column), from, farthest);
+        let [near, far] = slab.through(level_below.child_boxes(row, column), from, farthest);
         let waiting = count;
         for child in 0..4 {
             let (row, column) = (2 * row + child / 2, 2 * column + child % 2);

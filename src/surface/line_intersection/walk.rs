@@ -111,7 +111,7 @@ impl<C> Search<'_, C> {
                 for child in 0..4 {
                     let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
                     if self.touches(&part, noise, level - 1, row, column) {
-                        let child = levels[level - 1].group(row / 2, column / 2).get(child);
+                        let child = levels[level - 1].child_boxes(row / 2, column / 2).get(child);
                         let diagonal = child.low.distance(child.high);
                         waiting.push(Entry { part: part.clone(), diagonal, level: level - 1, row, column });
                     }
@@ -124,7 +124,7 @@ impl<C> Search<'_, C> {
     /// False if the part is apart from the boxes of block (row, column) of a level.
     fn touches<const M: usize>(&self, part: &Part<M>, noise: f64, level: usize, row: usize, column: usize) -> bool {
         let level = &self.index.levels()[level];
-        let block = level.group(row / 2, column / 2).get(2 * (row % 2) + column % 2);
+        let block = level.child_boxes(row / 2, column / 2).get(2 * (row % 2) + column % 2);
         !block.is_empty()
             && part.bounds().inflated(noise).overlaps(&block)
             && level.oriented(row, column).is_none_or(|oriented| oriented.meets_hull(&part.points))

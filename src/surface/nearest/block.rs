@@ -25,7 +25,7 @@ impl Block {
     /// The blocks that it consists of, with their bounds.
     pub(super) fn children(&self, index: &Pyramid, query: DVec3) -> [Option<Block>; 4] {
         let (level, local) = (&index.levels()[self.level - 1], query - index.origin());
-        let distances = level.group(self.row, self.column).distances_squared(local);
+        let distances = level.child_boxes(self.row, self.column).distances_squared(local);
         std::array::from_fn(|child| {
             let (row, column) = (2 * self.row + child / 2, 2 * self.column + child % 2);
             let boxed = distances[child];

@@ -18,7 +18,7 @@ use super::incumbent::{Answer, Incumbent};
 use super::leaf::{CellCandidate, Leaf};
 use super::part::PatchPart;
 use crate::surface::cells::Cells;
-use crate::surface::index::{Oriented, Pyramid};
+use crate::surface::index::{OrientedBox, Pyramid};
 use crate::surface::{Patch, Surface, each_sheet};
 use glam::{DVec2, DVec3};
 use std::convert::Infallible;
@@ -205,7 +205,7 @@ impl NearestSearch {
                 continue;
             }
             let level = &levels[block.level as usize - 1];
-            let distances = level.group(row, column).single_distances_squared(query.single);
+            let distances = level.child_boxes(row, column).single_distances_squared(query.single);
             let threshold = query.threshold(self.prune_bound());
             let first = stack.len();
             for (child, &boxed) in distances.iter().enumerate() {
@@ -216,7 +216,7 @@ impl NearestSearch {
                 let bound = if boxed > threshold {
                     boxed
                 } else {
-                    let oriented = |oriented: &Oriented| oriented.distance_squared(query.local) as f32;
+                    let oriented = |oriented: &OrientedBox| oriented.distance_squared(query.local) as f32;
                     level.oriented(row, column).map_or(0.0, oriented).max(boxed)
                 };
                 if bound > threshold {

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
 use crate::job::Job;
 use crate::surface::cells::{BLOCK, Cells};
-use crate::surface::index::{Oriented, Pyramid};
+use crate::surface::index::{OrientedBox, Pyramid};
 use crate::surface::{Sheet, each_sheet};
 use glam::DVec3;
 
@@ -44,7 +44,7 @@ struct Solid {
 }
 
 impl Solid {
-    fn of(oriented: &Oriented, shift: DVec3) -> Solid {
+    fn of(oriented: &OrientedBox, shift: DVec3) -> Solid {
         let (centre, half) = oriented.edges();
         let [x, y, z] = half;
         let normals = [y.cross(z), z.cross(x), x.cross(y)];
@@ -98,7 +98,7 @@ impl Node {
     fn child(&self, k: usize, index: &Pyramid, shift: DVec3, near: &Node, by: f64) -> Option<Node> {
         let level = &index.levels()[self.level - 1];
         // Of a block that does not exist they are empty.
-        let bounds = shifted(level.group(self.row, self.column).get(k), shift);
+        let bounds = shifted(level.child_boxes(self.row, self.column).get(k), shift);
         if !overlap(&bounds, &near.bounds, by) {
             return None;
         }
