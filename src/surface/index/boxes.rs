@@ -230,6 +230,42 @@ impl OrientedBox {
 mod tests {
     use super::*;
 
+    /// The greatest number that is no greater, and the least that is no less: not merely near.
+    #[test]
+    fn rounding_is_directed() {
+        let check = |value: f64| {
+            let (low, high) = (round_down(value), round_up(value));
+            assert!(f64::from(low) <= value && f64::from(low.next_up()) > value, "{value:e}: {low:e}");
+            assert!(f64::from(high) >= value && f64::from(high.next_down()) < value, "{value:e}: {high:e}");
+        };
+        let exact = [0.5, 1.0, 1.0 + f64::from(f32::EPSILON)];
+        let between = [0.1, 0.3, 1.0 / 3.0, 1.0 + 1e-9, 16_777_217.0, 1e-42, 1e-50, 1e37, 3.4028235e38];
+        for value in exact.into_iter().chain(between).flat_map(|x| [x, -x]) {
+            check(value);
+        }
+        assert!(exact.iter().all(|&x| f64::from(round_down(x)) == x && f64::from(round_up(x)) == x));
+        assert_eq!((round_down(1e39), round_up(1e39)), (f32::MAX, f32::INFINITY));
+    }
+
+    /// A box in single precision holds the one in double precision, and no distance from it is greater.
+    #[test]
+    fn child_boxes_hold_their_boxes() {
+        let mut boxes = ChildBoxes::EMPTY;
+        let each: [Aabb; 3] = std::array::from_fn(|k| {
+            let low = DVec3::new(0.1, -0.7, 1.3) * (k + 1) as f64;
+            Aabb { low, high: low + DVec3::new(0.3, 1e-3, 1e-9) }
+        });
+        each.iter().enumerate().for_each(|(k, &bounds)| boxes.set(k, bounds));
+        for (k, bounds) in each.iter().enumerate() {
+            let held = boxes.get(k);
+            assert!(held.low.cmple(bounds.low).all() && held.high.cmpge(bounds.high).all(), "{k}");
+            for point in [bounds.low, bounds.high, bounds.low - 1e-8, bounds.high + 1e-8] {
+                assert!(boxes.distances_squared(point)[k] <= bounds.distance_squared(point), "{k} {point}");
+            }
+        }
+        assert_eq!(boxes.distances_squared(DVec3::ZERO)[3], f64::INFINITY);
+    }
+
     /// However thin it is: points that the box is made round are within the edges that stand for it.
     #[test]
     fn edges_hold_the_box() {

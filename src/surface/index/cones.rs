@@ -209,3 +209,29 @@ impl Pyramid {
         self.cones.get_mut().into_iter().for_each(Cones::disable);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A packed cone is no narrower than asked for, and one round others holds their directions.
+    #[test]
+    fn packed_cones_are_rounded_outwards() {
+        let direction_of =
+            |k: usize| DVec3::new((k as f64).sin(), (2.7 * k as f64).cos(), (0.3 * k as f64).sin() + 0.1);
+        for k in 0..2000 {
+            let angle = 1e-3 * k as f64 + 1e-7 * (k % 7) as f64;
+            let (packed, direction) = PackedCone::packed_axis(direction_of(k)).unwrap();
+            let cone = PackedCone::new(packed, angle);
+            let NormalCone { axis, angle: held } = cone.unpack();
+            assert!(held >= angle && held < angle + 1e-4, "{angle} {held}");
+            assert_eq!(axis, direction);
+            let other = PackedCone::new(PackedCone::packed_axis(direction_of(k + 1)).unwrap().0, 0.1);
+            let both = PackedCone::around(&[cone, other]).unpack();
+            for one in [cone, other] {
+                let one = one.unpack();
+                assert!(both.angle == PI || both.angle >= one.angle + one.angle_to(both.axis), "{k}");
+            }
+        }
+    }
+}

@@ -279,3 +279,30 @@ fn oriented_above(below: &Level, r: usize, c: usize) -> OrientedBox {
     let exactly = Aabb { low: DVec3::ZERO, high: DVec3::ZERO };
     OrientedBox::around(&points[..count], along_u, along_v, exactly)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sides go outwards by less than a unit, and no vector of the box is longer than said.
+    #[test]
+    fn packed_boxes_hold_their_boxes() {
+        for k in 0..4000_u32 {
+            let part = |by: u32| f64::from(k.wrapping_mul(by) >> 8) / f64::from(1 << 23) - 1.0;
+            let (a, b) = (
+                DVec3::new(part(2_654_435_761), part(2_246_822_519), part(3_266_489_917)),
+                DVec3::new(part(668_265_263), part(374_761_393), part(2_869_860_233)),
+            );
+            // Thin ones, those that touch 0, and points too.
+            let b = [b, a + 1e-3 * b, a, DVec3::ZERO][k as usize % 4];
+            let bounds = Aabb::of([a, b]);
+            let packed = PackedBox::new(bounds);
+            let (held, length) = (packed.unpack(), f64::from(packed.max_length));
+            assert!(length >= bounds.max_norm() && length <= bounds.max_norm() * (1.0 + 1e-6), "{bounds:?}");
+            let off = (bounds.low - held.low).min(held.high - bounds.high);
+            assert!(off.min_element() >= 0.0, "{bounds:?} {held:?}");
+            let off = (bounds.low - held.low).max(held.high - bounds.high);
+            assert!(off.max_element() <= length / 127.0 * (1.0 + 1e-6), "{bounds:?} {held:?}");
+        }
+    }
+}

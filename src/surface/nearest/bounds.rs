@@ -156,3 +156,124 @@ impl ProductRange {
         ProductRange { low: factor * self.low, high: factor * self.high, max_length: factor * self.max_length.sqrt() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::foot::{MAX_STEPS, descend};
+    use super::*;
+
+    /// A patch through control points z(a, b) over a square grid.
+    fn graph(z: impl Fn(usize, usize) -> f64) -> Patch<4> {
+        let point = |a: usize, b: usize| DVec3::new(a as f64 / 3.0, b as f64 / 3.0, z(a, b));
+        Patch { points: std::array::from_fn(|a| std::array::from_fn(|b| point(a, b))) }
+    }
+
+    fn rough(seed: usize) -> Patch<4> {
+        graph(|a, b| ((7 * seed + 5 * a + 3 * b) as f64 * 12.9898).sin())
+    }
+
+    fn places() -> impl Iterator<Item = DVec2> {
+        (0..=400).map(|k| DVec2::new(f64::from(k / 21), f64::from(k % 21)) / 20.0).filter(|place| place.x <= 1.0)
+    }
+
+    fn queries() -> impl Iterator<Item = DVec3> {
+        (0..40).map(|k| {
+            let t = f64::from(k);
+            DVec3::new(0.5 + t.sin(), 0.5 + (2.0 * t).cos(), (0.7 * t).sin()) * [0.3, 1.0, 5.0, 1.5][k as usize % 4]
+        })
+    }
+
+    /// Against points of the patch: none is nearer than a lower bound, or farther than the upper one.
+    #[test]
+    fn bounds_hold() {
+        for (seed, query) in (0..20).flat_map(|seed| queries().map(move |query| (seed, query))) {
+            let patch = rough(seed);
+            let distances = || places().map(|place| patch.point(place.x, place.y).distance(query));
+            let (min, max) = distances().fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
+            assert!(patch.max_distance(query) >= max);
+            assert!(patch.box_distance(query) <= min);
+            for target in [patch.point(0.5, 0.5), patch.point(0.0, 1.0)] {
+                assert!(patch.half_space_distance(query, (query - target).normalize()) <= min + 1e-12);
+            }
+            for start in [DVec2::splat(0.5), DVec2::ZERO] {
+                let foot = descend(&patch, query, start, MAX_STEPS);
+                // A foot in another valley, too: the bound is of all the patch.
+                assert!(patch.convexity_distance(query, &foot) <= min + 1e-12, "{seed} {query}");
+                assert!(lower_bound(&patch, query, &foot, 0.0, 0.0) <= min + 1e-12, "{seed} {query}");
+                assert!(lower_bound(&patch, query, &foot, 0.25 * min, 0.0) >= 0.25 * min);
+            }
+        }
+    }
+
+    /// Where a bound is exact it must not be less: else searches would still be right, but slow.
+    #[test]
+    fn bounds_are_tight_on_a_plane() {
+        let patch = graph(|_, _| 0.0);
+        for (query, nearest) in [
+            (DVec3::new(0.4, 0.7, 2.0), DVec3::new(0.4, 0.7, 0.0)),
+            (DVec3::new(-3.0, 0.5, 4.0), DVec3::new(0.0, 0.5, 0.0)),
+            (DVec3::new(2.0, -1.0, -1.0), DVec3::new(1.0, 0.0, 0.0)),
+        ] {
+            let truth = query.distance(nearest);
+            let foot = descend(&patch, query, DVec2::splat(0.5), MAX_STEPS);
+            assert!((foot.distance - truth).abs() < 1e-12);
+            assert!((patch.box_distance(query) - truth).abs() < 1e-12);
+            assert!((patch.half_space_distance(query, (query - nearest).normalize()) - truth).abs() < 1e-12);
+            assert!((patch.convexity_distance(query, &foot) - truth).abs() < 1e-12);
+            assert!((lower_bound(&patch, query, &foot, 0.0, 1e-9) - truth).abs() <= 1e-9);
+        }
+        assert!((patch.max_distance(DVec3::ZERO) - 2.0_f64.sqrt()).abs() < 1e-12);
+        // A bowl seen from within: only convexity proves that its bottom is the nearest point.
+        let profile = [0.024, -0.008, -0.008, 0.024];
+        let bowl = graph(|a, b| profile[a] + profile[b]);
+        let query = DVec3::new(0.5, 0.5, 1.0);
+        let foot = descend(&bowl, query, DVec2::new(0.2, 0.9), MAX_STEPS);
+        let direction = (query - foot.jet.point).normalize();
+        assert!(bowl.half_space_distance(query, direction) < foot.distance - 0.04);
+        assert!(lower_bound(&bowl, query, &foot, 0.0, 0.0) >= foot.distance - 1e-12);
+    }
+
+    /// The ranges of second derivatives hold those of all points, and are hardly wider where one term
+    /// outweighs the others: each term is needed in full.
+    #[test]
+    fn ranges_of_second_derivatives_hold_and_are_tight() {
+        const STEEP: f64 = 40.0;
+        // z = STEEP u^2, STEEP v^2 and STEEP u v as Bezier patches.
+        let square = |k: usize| [0.0, 0.0, 1.0 / 3.0, 1.0][k];
+        let sheets = [
+            graph(|a, _| STEEP * square(a)),
+            graph(|_, b| STEEP * square(b)),
+            graph(|a, b| STEEP * (a * b) as f64 / 9.0),
+        ];
+        let at = |foot: &Foot, query: DVec3| {
+            let (_, hessian) = super::super::foot::gradient_and_hessian(&foot.jet, query);
+            [hessian.x_axis.x, hessian.x_axis.y, hessian.y_axis.y]
+        };
+        let mut widest = [0.0_f64; 3];
+        let all = sheets.into_iter().chain((0..20).map(rough)).enumerate();
+        for (k, patch) in all {
+            for (query, from) in queries().flat_map(|query| [0.0, 0.5, 1.0].map(|t| (query, DVec2::splat(t)))) {
+                let range = patch.hessian_range(query, &Foot::at(&patch, query, from));
+                let range = [range.uu, range.uv, range.vv];
+                let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+                for place in places() {
+                    let values = at(&Foot::at(&patch, query, place), query);
+                    for ([low, high], x) in found.iter_mut().zip(values) {
+                        (*low, *high) = (low.min(x), high.max(x));
+                    }
+                }
+                for ((range, found), name) in range.iter().zip(found).zip(["uu", "uv", "vv"]) {
+                    let slack = 1e-9 * STEEP * STEEP;
+                    assert!(range[0] <= found[0] + slack && range[1] >= found[1] - slack, "{k} {name} {query} {from}");
+                }
+                // The sheet of each term, from the end where it is flat.
+                if k < 3 && from == DVec2::ZERO {
+                    let term = [0, 2, 1][k];
+                    let [range, found] = [range[term], found[term]].map(|[low, high]| high - low);
+                    widest[k] = widest[k].max(found / range);
+                }
+            }
+        }
+        assert!(widest.iter().all(|&share| share > 0.4), "{widest:?}");
+    }
+}

@@ -164,3 +164,119 @@ fn nearest_on_bilinear(corners: &[DVec3; 4]) -> NearestOnBilinear {
     let direction = if distance > 0.0 { (middle + s * u + t * v) / -distance } else { DVec3::ZERO };
     NearestOnBilinear { distance: distance + 0.25 * twist.length(), direction, start: DVec2::new(s + 0.5, t + 0.5) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Job;
+    use crate::surface::{Grid, Nodes, Scheme};
+
+    /// One block of 4 x 3 cells through rough nodes.
+    fn rough(seed: u32) -> Grid<'static> {
+        let number = |k: u32| f64::from((seed * 1000 + k).wrapping_mul(2_654_435_761) >> 8) / f64::from(1 << 24);
+        let nodes = (0..20).flat_map(|k| {
+            let flat = [f64::from(k / 4), f64::from(k % 4), 0.0];
+            [0, 1, 2].map(|axis| flat[axis as usize] + 0.8 * number(3 * k + axis))
+        });
+        Grid::new(Nodes::strided(nodes.collect::<Vec<_>>(), 5, 4, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap()
+    }
+
+    fn nearest_by_force(grid: &Grid<'_>, [i, j]: [usize; 2], query: DVec3) -> f64 {
+        let patch = grid.patch(i, j);
+        let places = (0..289).map(|k| [f64::from(k / 17) / 16.0, f64::from(k % 17) / 16.0]);
+        places.map(|[u, v]| patch.point(u, v).distance(query)).fold(f64::INFINITY, f64::min)
+    }
+
+    fn queries() -> impl Iterator<Item = DVec3> {
+        (0..60).map(|k| {
+            let t = f64::from(k);
+            DVec3::new(2.0 + 3.0 * t.sin(), 2.0 + 3.0 * (2.3 * t).cos(), 4.0 * (0.7 * t).sin())
+        })
+    }
+
+    /// Against points of all cells: bounds of candidates hold; a cell that is excluded has no point
+    /// within the prune bound; the upper bound is above the least distance.
+    #[test]
+    fn no_cell_is_excluded_wrongly() {
+        let (mut candidates, mut excluded) = (Vec::new(), 0);
+        for (seed, query) in (0..12).flat_map(|seed| queries().map(move |query| (seed, query))) {
+            let grid = rough(seed);
+            let index = Pyramid::build(&grid, &Job::default()).unwrap();
+            let all: Vec<[usize; 2]> = (0..12).map(|k| [k / 3, k % 3]).collect();
+            let truth: Vec<f64> = all.iter().map(|&cell| nearest_by_force(&grid, cell, query)).collect();
+            let least = truth.iter().copied().fold(f64::INFINITY, f64::min);
+            let direction = (query - grid.patch(1, 1).point(0.5, 0.5)).normalize();
+            // The bound that an answer would give: near ties, where a bound too great excludes it.
+            for (limit, direction) in [(f64::INFINITY, DVec3::ZERO), (least, DVec3::ZERO), (least, direction)] {
+                candidates.clear();
+                let mut upper = UpperBound::new(limit, 0.0);
+                let leaf = Leaf { cells: &grid, index: &index, row: 0, column: 0 };
+                leaf.find_candidates(query, direction, &mut upper, &mut candidates);
+                // Points of the lattice are not the nearest, but near.
+                assert!(upper.distance() >= least - 0.05, "{seed} {query}");
+                for (&[i, j], &truth) in all.iter().zip(&truth) {
+                    let found = candidates.iter().find(|candidate| candidate.cell == [i as u32, j as u32]);
+                    match found {
+                        Some(candidate) => assert!(candidate.bound <= truth, "{seed} {query} {i} {j}"),
+                        None => assert!(truth >= upper.distance(), "{seed} {query} {i} {j}"),
+                    }
+                    excluded += usize::from(found.is_none());
+                }
+            }
+        }
+        // Of 25920, by corners alone, though the nodes have no order.
+        assert!(excluded > 7_500, "{excluded}");
+    }
+
+    /// Each bound of all cells of a block by itself, on a surface that its displacements matter to.
+    #[test]
+    fn bounds_of_blocks_hold() {
+        for (seed, query) in (0..12).flat_map(|seed| queries().map(move |query| (seed, query))) {
+            let grid = rough(seed);
+            let index = Pyramid::build(&grid, &Job::default()).unwrap();
+            let displacement = DisplacementBox::new(index.displacement(0, 0));
+            let corners = BlockCorners::new(&grid, [0, 0], [4, 3], query);
+            let direction = (query - grid.patch(2, 1).point(0.5, 0.5)).normalize();
+            let spaces = corners.half_spaces(direction, displacement.along(direction));
+            let squares = corners.box_squares(&displacement);
+            for [i, j] in (0..12).map(|k| [k / 3, k % 3]) {
+                let truth = nearest_by_force(&grid, [i, j], query);
+                assert!(spaces[i][j] <= truth, "{seed} {query} {i} {j}");
+                assert!(squares[i][j].sqrt() <= truth, "{seed} {query} {i} {j}");
+                let quad = corners.quad(i, j);
+                assert!(!is_beyond(&quad, truth + displacement.max_length), "{seed} {query} {i} {j}");
+                let near = nearest_on_bilinear(&quad);
+                assert!(near.distance + displacement.max_length >= truth - 0.05, "{seed} {query} {i} {j}");
+                let [a, b, c, d] = quad;
+                let (s, t) = (near.start.x, near.start.y);
+                let point = (a * (1.0 - t) + b * t) * (1.0 - s) + (c * (1.0 - t) + d * t) * s;
+                assert!(point.length() <= near.distance + 1e-12, "{seed} {query} {i} {j}");
+            }
+        }
+    }
+
+    /// Without displacements, bounds of a plane are exact: none may be halved or left out.
+    #[test]
+    fn bounds_of_a_plane_are_exact() {
+        let nodes = (0..25).flat_map(|k| [f64::from(k / 5), f64::from(k % 5), 0.0]).collect::<Vec<_>>();
+        let grid = Grid::new(Nodes::strided(nodes, 5, 5, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap();
+        let index = Pyramid::build(&grid, &Job::default()).unwrap();
+        let displacement = DisplacementBox::new(index.displacement(0, 0));
+        let query = DVec3::new(-1.0, -2.0, 2.0);
+        let corners = BlockCorners::new(&grid, [0, 0], [4, 4], query);
+        for [i, j] in (0..16).map(|k| [k / 4, k % 4]) {
+            let corner = DVec3::new(i as f64, j as f64, 0.0);
+            let truth = corner.distance(query);
+            let direction = (query - corner) / truth;
+            assert!((corners.box_squares(&displacement)[i][j].sqrt() - truth).abs() < 1e-9);
+            assert!((corners.half_spaces(direction, displacement.along(direction))[i][j] - truth).abs() < 1e-9);
+            assert!((nearest_on_bilinear(&corners.quad(i, j)).distance - truth).abs() < 1e-9);
+        }
+        assert!((corners.min_square() - 9.0).abs() < 1e-12);
+        assert!(is_beyond(&corners.quad(3, 3), 5.0) && !is_beyond(&corners.quad(3, 3), 9.0));
+        let mut candidates = Vec::new();
+        let leaf = Leaf { cells: &grid, index: &index, row: 0, column: 0 };
+        leaf.find_candidates(query, DVec3::ZERO, &mut UpperBound::new(f64::INFINITY, 0.0), &mut candidates);
+        assert_eq!(candidates.iter().map(|candidate| candidate.cell).collect::<Vec<_>>(), [[0, 0]]);
+    }
+}
