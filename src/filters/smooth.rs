@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::job::Job;
 use crate::mesh::{Mesh, MeshView};
 use crate::net::convert::net_of_grid;
-use crate::surface::contour::Between;
+use crate::surface::contour::PointSpacing;
 use crate::surface::{Grid, Nodes, Paths, Scheme, Sheet, Surface, SurfaceMeshOptions};
 use glam::DVec3;
 
@@ -81,9 +81,9 @@ pub(super) fn surface(mesh: &MeshView<'_>, values: &Values<'_>, job: &Job<'_>) -
 }
 
 /// The length that chords are held to.
-pub(super) fn chord(surface: &Surface<'_>, values: &Values<'_>) -> Between {
+pub(super) fn chord(surface: &Surface<'_>, values: &Values<'_>) -> PointSpacing {
     let [low, high] = surface.bounds();
-    Between::Chord((values.number("chord_error") * low.distance(high)).max(f64::MIN_POSITIVE))
+    PointSpacing::Chord((values.number("chord_error") * low.distance(high)).max(f64::MIN_POSITIVE))
 }
 
 /// The surface of one sheet as a mesh, and what there is to say of it.

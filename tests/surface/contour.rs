@@ -4,7 +4,7 @@ use crate::contours::{check, length, surface};
 use crate::shapes::{Random, SHAPES, Shape, grid, torus};
 use glam::DVec3;
 use gusset::Job;
-use gusset::surface::contour::{Between, Planes};
+use gusset::surface::contour::{PointSpacing, Planes};
 use gusset::surface::{Grid, Nodes, Paths, Scheme, Sheet, Surface};
 use gusset::{Element, Error, Progress};
 use std::collections::HashMap;
@@ -99,7 +99,7 @@ fn by_random(shape: &Shape, planes: usize, angles: usize, fine: usize, seed: u64
     let mut total = 0;
     for k in 0..planes {
         let (point, normal) = (random.point(0.7), random.point(1.0));
-        let paths = surface.section(&Planes { point, normal, offsets: &[0.0] }, Between::Auto, &job).unwrap();
+        let paths = surface.section(&Planes { point, normal, offsets: &[0.0] }, PointSpacing::Auto, &job).unwrap();
         check(&surface, &paths, shape.name);
         let unit = normal.normalize();
         for (&at, &direction) in paths.points.iter().zip(&paths.normals) {
@@ -114,7 +114,7 @@ fn by_random(shape: &Shape, planes: usize, angles: usize, fine: usize, seed: u64
     for k in 0..angles {
         let axis = random.point(1.0).normalize();
         let angle = if k % 2 == 0 { FRAC_PI_2 } else { 0.2 + 2.5 * random.next() };
-        let paths = surface.isophotes(axis, &[angle], false, Between::Auto, &job).unwrap();
+        let paths = surface.isophotes(axis, &[angle], false, PointSpacing::Auto, &job).unwrap();
         check(&surface, &paths, shape.name);
         for normal in &paths.normals {
             // Near a pole normals are limits.
@@ -160,7 +160,7 @@ fn circles_and_orders() {
         let offsets = [-0.35, -0.1, 0.0, 0.2];
         let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, offsets: &offsets };
         let chord = 1e-5;
-        let paths = surface.section(&planes, Between::Chord(chord), &job).unwrap();
+        let paths = surface.section(&planes, PointSpacing::Chord(chord), &job).unwrap();
         check(&surface, &paths, "torus");
         assert_eq!(paths.levels, [0, 0, 1, 1, 2, 2, 3, 3]);
         assert!(paths.closed.iter().all(|&closed| closed));
@@ -182,7 +182,7 @@ fn circles_and_orders() {
         assert!(worst[1] < 1.01 * chord + 10.0 * worst[0], "{h}: {worst:?}");
         // Tilted planes, the chords refined: points between the lines too.
         let tilted = Planes { point: DVec3::new(0.1, 0.0, 0.05), normal: DVec3::new(0.3, -0.2, 1.0), offsets: &[0.0] };
-        let paths = surface.section(&tilted, Between::Chord(1e-4), &job).unwrap();
+        let paths = surface.section(&tilted, PointSpacing::Chord(1e-4), &job).unwrap();
         errors.push(paths.points.iter().map(|&point| off_torus(point)).fold(worst[0], f64::max));
     }
     println!("points of sections: {errors:?}");
@@ -197,7 +197,7 @@ fn angles_of_contours() {
         let mut errors = Vec::new();
         for h in [32, 64, 128] {
             let surface = torus_of([h, 2 * h]);
-            let paths = surface.isophotes(axis, &angles, false, Between::Nothing, &job).unwrap();
+            let paths = surface.isophotes(axis, &angles, false, PointSpacing::CrossingsOnly, &job).unwrap();
             assert!(paths.len() == 4 && paths.closed.iter().all(|&closed| closed), "{h}: {}", paths.len());
             let mut worst = 0.0_f64;
             for k in 0..paths.len() {
@@ -219,7 +219,7 @@ fn angles_of_contours() {
         let surface = torus_of([h, 2 * h]);
         let nodes = (0..=h).flat_map(|i| (0..=2 * h).map(move |j| (i % h, j % (2 * h))));
         let values: Vec<f64> = nodes.map(|(i, j)| surface.sheet(0).normal(i, j, 0.0, 0.0).dot(axis)).collect();
-        let paths = surface.contours(&values, &[1.1_f64.cos()], Between::Nothing, &job).unwrap();
+        let paths = surface.contours(&values, &[1.1_f64.cos()], PointSpacing::CrossingsOnly, &job).unwrap();
         let angle = |point: &DVec3| (point.truncate().normalize().extend(0.0) - *point).angle_between(axis);
         errors.push(paths.points.iter().map(|point| (angle(point) - 1.1).abs()).fold(0.0, f64::max));
     }
@@ -235,7 +235,7 @@ fn lines_of_the_surface_and_tangent_planes() {
     for (normal, count) in [(DVec3::Z, 2), (DVec3::Y, 2), (DVec3::X, 2)] {
         for offset in [0.0, 1e-17, -1e-17, 1e-14] {
             let planes = Planes { point: DVec3::ZERO, normal, offsets: &[offset] };
-            let paths = surface.section(&planes, Between::Auto, &job).unwrap();
+            let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
             check(&surface, &paths, "lines");
             assert_eq!(paths.len(), count, "{normal} {offset}");
             assert!(paths.closed.iter().all(|&closed| closed) && paths.unresolved.is_empty(), "{normal} {offset}");
@@ -246,7 +246,7 @@ fn lines_of_the_surface_and_tangent_planes() {
     for (normal, offset) in [(villarceau, 0.0), (DVec3::Z, 0.4), (DVec3::X, 0.6), (DVec3::X, 1.4)] {
         for shift in [0.0, 1e-9, -1e-9, 1e-5, -1e-5, 1e-15] {
             let planes = Planes { point: DVec3::ZERO, normal, offsets: &[offset + shift] };
-            let paths = surface.section(&planes, Between::Auto, &job).unwrap();
+            let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
             check(&surface, &paths, "tangent");
             assert!(paths.closed.iter().all(|&closed| closed), "{normal} {offset} {shift}");
         }
@@ -256,7 +256,7 @@ fn lines_of_the_surface_and_tangent_planes() {
     let sheet = Grid::new(Nodes::strided(flat, 5, 6, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap();
     let surface = Surface::new(vec![Sheet::Grid(sheet)], None, &job).unwrap();
     let normal = DVec3::new(0.0, 0.0, 3.0);
-    let paths = surface.section(&Planes { point: DVec3::ZERO, normal, offsets: &[0.25] }, Between::Auto, &job).unwrap();
+    let paths = surface.section(&Planes { point: DVec3::ZERO, normal, offsets: &[0.25] }, PointSpacing::Auto, &job).unwrap();
     assert_eq!((paths.len(), paths.unresolved.len()), (0, 20));
 }
 
@@ -264,7 +264,7 @@ fn lines_of_the_surface_and_tangent_planes() {
 fn loops_round_every_summit() {
     let (shape, job) = (&SHAPES[2], Job::default());
     let surface = surface(shape);
-    let tops = surface.isophotes(DVec3::Z, &[0.0], false, Between::Auto, &job).unwrap();
+    let tops = surface.isophotes(DVec3::Z, &[0.0], false, PointSpacing::Auto, &job).unwrap();
     check_points(&surface, &tops);
     assert!(tops.len() > 3 && tops.unresolved.is_empty(), "{tops:?}");
     let mut loops = 0;
@@ -272,7 +272,7 @@ fn loops_round_every_summit() {
         // A little below a summit, above a pit: a closed curve round it, within a cell; or none, at saddles.
         for shift in [-1e-8, 1e-8] {
             let planes = Planes { point: top, normal: DVec3::Z, offsets: &[shift] };
-            let paths = surface.section(&planes, Between::Auto, &job).unwrap();
+            let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
             let near = |k: &usize| paths.points_of(*k).iter().all(|point| point.distance(top) < 1e-3);
             let small: Vec<usize> = (0..paths.len()).filter(near).collect();
             loops += small.len();
@@ -301,9 +301,9 @@ fn contours_of_heights_are_sections() {
         let all = (0..nodes.rows()).flat_map(|i| (0..nodes.columns()).map(move |j| (i, j)));
         let values: Vec<f64> = all.map(|(i, j)| nodes.get(i, j).z).collect();
         let levels = [-0.11, 0.017, 0.05, 0.1];
-        let contours = surface.contours(&values, &levels, Between::Auto, &job).unwrap();
+        let contours = surface.contours(&values, &levels, PointSpacing::Auto, &job).unwrap();
         let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, offsets: &levels };
-        let sections = surface.section(&planes, Between::Auto, &job).unwrap();
+        let sections = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
         assert!(!sections.is_empty() && sections.ends == contours.ends && sections.levels == contours.levels);
         assert!(sections.points.iter().zip(&contours.points).all(|(a, b)| a.distance(*b) < 1e-12), "{}", shape.name);
         // Greater values to the left.
@@ -326,16 +326,16 @@ fn stacks_threads_and_chains() {
     let offsets: Vec<f64> = (0..9).map(|k| 0.11 * f64::from(k) - 0.5).collect();
     let (point, normal) = (DVec3::new(0.1, 0.2, 0.0), DVec3::new(1.0, 0.3, 0.4));
     let planes = Planes { point, normal, offsets: &offsets };
-    let one = surface.section(&planes, Between::Auto, &Job::new(1, &Quiet)).unwrap();
-    assert_eq!(one, surface.section(&planes, Between::Auto, &Job::new(3, &Quiet)).unwrap());
+    let one = surface.section(&planes, PointSpacing::Auto, &Job::new(1, &Quiet)).unwrap();
+    assert_eq!(one, surface.section(&planes, PointSpacing::Auto, &Job::new(3, &Quiet)).unwrap());
     let angles = [0.3, 1.0, FRAC_PI_2, 3.0];
-    let round = surface.isophotes(normal, &angles, false, Between::Auto, &Job::new(1, &Quiet)).unwrap();
-    assert_eq!(round, surface.isophotes(normal, &angles, false, Between::Auto, &Job::new(3, &Quiet)).unwrap());
+    let round = surface.isophotes(normal, &angles, false, PointSpacing::Auto, &Job::new(1, &Quiet)).unwrap();
+    assert_eq!(round, surface.isophotes(normal, &angles, false, PointSpacing::Auto, &Job::new(3, &Quiet)).unwrap());
     // One by one.
     let mut count = 0;
     for (k, &offset) in offsets.iter().enumerate() {
         let single = Planes { point, normal, offsets: &[offset] };
-        let paths = surface.section(&single, Between::Auto, &Job::default()).unwrap();
+        let paths = surface.section(&single, PointSpacing::Auto, &Job::default()).unwrap();
         for own in 0..paths.len() {
             assert_eq!((one.levels[count], one.points_of(count)), (k as u32, paths.points_of(own)));
             count += 1;
@@ -345,8 +345,8 @@ fn stacks_threads_and_chains() {
     // The paper's chains: nearer to the torus than the chords are.
     let surface = torus_of([30, 60]);
     let planes = Planes { point: DVec3::ZERO, normal: DVec3::Z, offsets: &[0.1] };
-    let chords = surface.section(&planes, Between::Nothing, &Job::default()).unwrap();
-    let cubics = surface.section(&planes, Between::Leus(1), &Job::default()).unwrap();
+    let chords = surface.section(&planes, PointSpacing::CrossingsOnly, &Job::default()).unwrap();
+    let cubics = surface.section(&planes, PointSpacing::Leus(1), &Job::default()).unwrap();
     assert_eq!(cubics.points.len(), 2 * chords.points.len());
     let middles = (0..chords.points_of(0).len() - 1).map(|k| 0.5 * (chords.points[k] + chords.points[k + 1]));
     let worst = |points: &mut dyn Iterator<Item = DVec3>| points.map(off_torus).fold(0.0, f64::max);
@@ -393,7 +393,7 @@ fn nearest_angles() {
 fn what_is_refused() {
     let (surface, job) = (surface(&SHAPES[2]), Job::default());
     let plane = |point: DVec3, normal: DVec3, offsets: &[f64]| {
-        surface.section(&Planes { point, normal, offsets }, Between::Auto, &job).map(|paths| paths.len())
+        surface.section(&Planes { point, normal, offsets }, PointSpacing::Auto, &job).map(|paths| paths.len())
     };
     let out = |result: Result<usize, Error>| matches!(result, Err(Error::OptionOutOfRange { .. }));
     assert!(out(plane(DVec3::NAN, DVec3::Z, &[0.0])) && out(plane(DVec3::ZERO, DVec3::ZERO, &[0.0])));
@@ -402,21 +402,21 @@ fn what_is_refused() {
     assert_eq!((plane(DVec3::ZERO, DVec3::Z, &[]), plane(DVec3::ZERO, DVec3::Z, &[1e300])), (Ok(0), Ok(0)));
     assert_eq!(plane(DVec3::ZERO, 1e-300 * DVec3::Z, &[0.01]), plane(DVec3::ZERO, 1e300 * DVec3::Z, &[0.01]));
     let values = vec![0.5; 41 * 53];
-    assert!(matches!(surface.contours(&values[1..], &[0.1], Between::Auto, &job), Err(Error::ArrayTooShort { .. })));
+    assert!(matches!(surface.contours(&values[1..], &[0.1], PointSpacing::Auto, &job), Err(Error::ArrayTooShort { .. })));
     let mut bad = values.clone();
     bad[77] = f64::NAN;
     assert!(matches!(
-        surface.contours(&bad, &[0.1], Between::Auto, &job),
+        surface.contours(&bad, &[0.1], PointSpacing::Auto, &job),
         Err(Error::NotFinite { element: Element::Node, index: 77, .. })
     ));
     bad.push(0.0);
-    assert!(matches!(surface.contours(&bad, &[0.1], Between::Auto, &job), Err(Error::TooLarge { .. })));
+    assert!(matches!(surface.contours(&bad, &[0.1], PointSpacing::Auto, &job), Err(Error::TooLarge { .. })));
     let around = |angles: &[f64], unsigned| {
-        surface.isophotes(DVec3::X, angles, unsigned, Between::Auto, &job).map(|paths| paths.len())
+        surface.isophotes(DVec3::X, angles, unsigned, PointSpacing::Auto, &job).map(|paths| paths.len())
     };
     assert!(out(around(&[-0.1], false)) && out(around(&[1.7], true)) && out(around(&[3.2], false)));
     assert!(out(around(&[f64::NAN], false)) && out(around(&[1.0, 0.5], false)));
-    for between in [Between::Chord(0.0), Between::Chord(f64::NAN), Between::Leus(2000)] {
+    for between in [PointSpacing::Chord(0.0), PointSpacing::Chord(f64::NAN), PointSpacing::Leus(2000)] {
         assert!(out(surface
             .section(&Planes { point: DVec3::ZERO, normal: DVec3::Z, offsets: &[0.0] }, between, &job)
             .map(|paths| paths.len())));
@@ -428,7 +428,7 @@ fn what_is_refused() {
             ControlFlow::Break(())
         }
     }
-    let stopped = surface.isophotes(DVec3::X, &[1.0], false, Between::Auto, &Job::new(1, &Stop));
+    let stopped = surface.isophotes(DVec3::X, &[1.0], false, PointSpacing::Auto, &Job::new(1, &Stop));
     assert_eq!(stopped.err(), Some(Error::Cancelled));
 }
 
@@ -448,10 +448,10 @@ fn any_size_and_place() {
         let normal = DVec3::new(0.2, 0.5, 0.9);
         let offsets = [-0.1 * size, 0.07 * size];
         let planes = Planes { point: moved(DVec3::new(0.05, 0.0, 0.01)), normal, offsets: &offsets };
-        let paths = surface.section(&planes, Between::Auto, &job).unwrap();
+        let paths = surface.section(&planes, PointSpacing::Auto, &job).unwrap();
         let truth = self::surface(&SHAPES[1]);
         let planes = Planes { point: DVec3::new(0.05, 0.0, 0.01), normal, offsets: &[-0.1, 0.07] };
-        let truth = truth.section(&planes, Between::Auto, &job).unwrap();
+        let truth = truth.section(&planes, PointSpacing::Auto, &job).unwrap();
         assert_eq!((paths.len(), &paths.levels), (truth.len(), &truth.levels), "{size} {shift}");
         assert!(paths.closed.iter().all(|&closed| closed) && paths.unresolved.is_empty(), "{size} {shift}");
         for k in 0..paths.len() {
@@ -490,7 +490,7 @@ fn a_cell_is_unresolved_once() {
     let line = Surface::new(vec![Sheet::Grid(grid)], None, &job).unwrap();
     // No angle of any cell can be told.
     let angles: Vec<f64> = (1..20).map(|k| 0.1 * f64::from(k)).collect();
-    let paths = line.isophotes(DVec3::Z, &angles, false, Between::Auto, &job).unwrap();
+    let paths = line.isophotes(DVec3::Z, &angles, false, PointSpacing::Auto, &job).unwrap();
     let mut cells: Vec<_> = paths.unresolved.iter().map(|place| (place.sheet, place.cell)).collect();
     cells.sort_unstable();
     assert_eq!(cells.len(), 25);

@@ -4,7 +4,7 @@ use crate::contours::surface;
 use crate::shapes::{Random, SHAPES, Shape, grid, rough};
 use glam::DVec3;
 use gusset::Job;
-use gusset::surface::contour::{Between, Planes};
+use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::{Grid, Nodes, NormalKind, Paths, Place, Scheme, Sheet, Surface};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -26,7 +26,7 @@ fn through_nodes(grid: Grid<'static>, closed: [bool; 2], scheme: Scheme, planes:
         let point = nodes.get(i, j);
         let small = random.point(4.0).round();
         let normal = if k % 3 == 0 && small != DVec3::ZERO { small } else { random.point(1.0) };
-        let paths = surface.section(&Planes { point, normal, offsets: &[0.0] }, Between::Auto, &job).unwrap();
+        let paths = surface.section(&Planes { point, normal, offsets: &[0.0] }, PointSpacing::Auto, &job).unwrap();
         let unit = normal.normalize();
         let off = paths.points.iter().map(|&at| (at - point).dot(unit).abs()).fold(0.0, f64::max);
         assert!(off < 1e-12 && all_closed(&paths), "{k}: {off:e} from the plane through node {i} {j}, normal {normal}");
@@ -42,7 +42,7 @@ fn through_nodes(grid: Grid<'static>, closed: [bool; 2], scheme: Scheme, planes:
     for k in 0..levels {
         let [i, j] = node(&mut random);
         let level = values[i * (w + 1) + j];
-        let paths = surface.contours(&values, &[level], Between::Auto, &job).unwrap();
+        let paths = surface.contours(&values, &[level], PointSpacing::Auto, &job).unwrap();
         let value = |at: &Place| field.patch(at.cell[0] as usize, at.cell[1] as usize).point(at.u, at.v).x;
         let off = paths.places.iter().map(|at| (value(at) - level).abs()).fold(0.0, f64::max);
         assert!(off < 1e-12 && all_closed(&paths), "{k}: {off:e} from the value at node {i} {j}");
@@ -56,7 +56,7 @@ fn planes_and_contours_through_nodes() {
     let example = |shape: &Shape, [i, j]: [usize; 2], normal: DVec3| {
         let point = grid(shape).nodes().get(i, j);
         let planes = Planes { point, normal, offsets: &[0.0] };
-        let paths = surface(shape).section(&planes, Between::Auto, &job).unwrap();
+        let paths = surface(shape).section(&planes, PointSpacing::Auto, &job).unwrap();
         let off = paths.points.iter().map(|&at| (at - point).dot(normal.normalize()).abs()).fold(0.0, f64::max);
         assert!(off < 1e-12 && paths.unresolved.is_empty(), "{} {i} {j}: {off:e}", shape.name);
     };
@@ -73,7 +73,7 @@ fn planes_and_contours_through_nodes() {
 /// Every point of a curve of angle has the angle, or its cell is reported. Returns how many points were looked at, and how many are in
 /// reported cells only.
 fn check_angles(surface: &Surface<'_>, axis: DVec3, angle: f64) -> [usize; 2] {
-    let paths = surface.isophotes(axis, &[angle], false, Between::Auto, &Job::default()).unwrap();
+    let paths = surface.isophotes(axis, &[angle], false, PointSpacing::Auto, &Job::default()).unwrap();
     let mut counts = [0; 2];
     for &place in &paths.places {
         let local = surface.local(place);

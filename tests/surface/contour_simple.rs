@@ -4,7 +4,7 @@
 use crate::shapes::{Random, SHAPES, Shape, grid, rough};
 use glam::DVec3;
 use gusset::Job;
-use gusset::surface::contour::{Between, Planes};
+use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::{Grid, Nodes, Paths, Place, Scheme, Sheet, Surface};
 
 /// True if both have the same curves through the same cells; false where cells are unresolved.
@@ -17,7 +17,7 @@ fn same(surface: &Surface<'_>, nodes: &Nodes<'_>, point: DVec3, normal: DVec3, n
         .map(|(i, j)| (nodes.get(i, j) - point).dot(normal))
         .collect();
     let contours = |between| surface.contours(&values, &offsets, between, &job).unwrap();
-    [Between::Nothing, Between::Auto, Between::Chord(1e-5)].into_iter().all(|between| {
+    [PointSpacing::CrossingsOnly, PointSpacing::Auto, PointSpacing::Chord(1e-5)].into_iter().all(|between| {
         let (a, b) = (cut(between), contours(between));
         if !a.unresolved.is_empty() || !b.unresolved.is_empty() {
             return false;

@@ -4,7 +4,7 @@
 use crate::shapes::{Random, SHAPES, Shape, grid, rough};
 use glam::DVec3;
 use gusset::Job;
-use gusset::surface::contour::{Between, Planes};
+use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::line_intersection::{Line, Which};
 use gusset::surface::reference::{Diameters, Lattice, Object, Scale, cells_within, closest};
 use gusset::surface::{Grid, Patches, Place, Scheme, Sheet, Surface};
@@ -235,7 +235,7 @@ fn cells_of_sections() {
         for _ in 0..10 {
             let (point, normal) = (centre + random.point(0.4 * size), random.point(1.0).normalize());
             let planes = Planes { point, normal, offsets: &[0.0] };
-            let paths = case.surface.section(&planes, Between::Chord(1e-3 * size), &Job::default()).unwrap();
+            let paths = case.surface.section(&planes, PointSpacing::Chord(1e-3 * size), &Job::default()).unwrap();
             let object = Object::Plane { point, normal };
             let scale =
                 cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance, &Job::default()).unwrap();

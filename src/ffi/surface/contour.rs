@@ -2,7 +2,7 @@
 
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_paths, gusset_surface_place, read};
-use crate::surface::contour::{Between, NearestAngle, Planes};
+use crate::surface::contour::{NearestAngle, Planes, PointSpacing};
 
 /// What is between the points where a curve crosses the lines of the surface.
 pub type gusset_point_spacing = u32;
@@ -58,16 +58,16 @@ pub struct gusset_nearest_angle_report {
 versioned! { gusset_contour_options: 32 reserved, gusset_nearest_angle_report: 112 }
 
 /// The caller's options: what is between crossings, and whether normals are unsigned.
-fn options(given: *const gusset_contour_options) -> Result<(Between, bool), Failure> {
+fn options(given: *const gusset_contour_options) -> Result<(PointSpacing, bool), Failure> {
     let options = input::read(given, true, "options")?;
-    let between = match options.spacing {
-        GUSSET_POINT_SPACING_AUTO => Between::Auto,
-        GUSSET_POINT_SPACING_CHORD => Between::Chord(options.chord),
-        GUSSET_POINT_SPACING_CELL_EDGES => Between::Nothing,
-        GUSSET_POINT_SPACING_LEUS => Between::Leus(options.points),
+    let spacing = match options.spacing {
+        GUSSET_POINT_SPACING_AUTO => PointSpacing::Auto,
+        GUSSET_POINT_SPACING_CHORD => PointSpacing::Chord(options.chord),
+        GUSSET_POINT_SPACING_CELL_EDGES => PointSpacing::CrossingsOnly,
+        GUSSET_POINT_SPACING_LEUS => PointSpacing::Leus(options.points),
         other => return Err(Failure::unknown("spacing", other.into())),
     };
-    Ok((between, flag(options.unsigned_normals, "unsigned_normals")?))
+    Ok((spacing, flag(options.unsigned_normals, "unsigned_normals")?))
 }
 
 impl From<Option<NearestAngle>> for gusset_nearest_angle_report {

@@ -1,7 +1,7 @@
 //! Arcs, linked by the marks that they share, as strands: open ones and closed ones, in order.
 
 use super::lattice::Lattice;
-use super::search::{Arc, Found};
+use super::search::{Arc, FoundArcs};
 use crate::alloc;
 use crate::error::Result;
 use crate::par;
@@ -14,7 +14,7 @@ pub(super) type Step = ([u32; 2], DVec2);
 
 /// A curve of a sheet.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Strand {
+pub(super) struct ContourPath {
     pub(super) level: u32,
     pub(super) closed: bool,
     /// From where to where among the steps.
@@ -23,8 +23,8 @@ pub(super) struct Strand {
 
 /// The curves of a sheet, by level and lowest cell.
 #[derive(Debug, Default)]
-pub(super) struct Strands {
-    pub(super) strands: Vec<Strand>,
+pub(super) struct ContourPaths {
+    pub(super) paths: Vec<ContourPath>,
     pub(super) steps: Vec<Step>,
 }
 
@@ -64,22 +64,22 @@ impl<'a> Table<'a> {
 }
 
 /// Links the arcs of a sheet. `apart`: whether the cells at a side have marks of their own, which are linked first.
-pub(super) fn chain(found: &mut Found, lattice: &Lattice, apart: bool, threads: usize) -> Result<Strands> {
+pub(super) fn chain(found: &mut FoundArcs, lattice: &Lattice, apart: bool, threads: usize) -> Result<ContourPaths> {
     by_level(&mut found.arcs)?;
     if apart {
         stitch(&mut found.arcs, lattice)?;
     }
     let levels: Vec<&[Arc]> = found.arcs.chunk_by(|a, b| a.level == b.level).collect();
-    let mut parts = par::map(threads, levels.into_iter(), |arcs| strands(arcs, &found.inner)).into_iter();
+    let mut parts = par::map(threads, levels.into_iter(), |arcs| paths(arcs, &found.inner)).into_iter();
     // Of one level, as it is.
-    let mut made = parts.next().unwrap_or_else(|| Ok(Strands::default()))?;
+    let mut made = parts.next().unwrap_or_else(|| Ok(ContourPaths::default()))?;
     for part in parts {
         let part = part?;
         let shift = made.steps.len();
         alloc::append(&mut made.steps, &part.steps)?;
-        alloc::reserve(&mut made.strands, part.strands.len())?;
-        let moved = |strand: Strand| Strand { steps: strand.steps.map(|step| step + shift), ..strand };
-        made.strands.extend(part.strands.into_iter().map(moved));
+        alloc::reserve(&mut made.paths, part.paths.len())?;
+        let moved = |path: ContourPath| ContourPath { steps: path.steps.map(|step| step + shift), ..path };
+        made.paths.extend(part.paths.into_iter().map(moved));
     }
     Ok(made)
 }
@@ -96,18 +96,18 @@ fn by_level(arcs: &mut Vec<Arc>) -> Result<()> {
 }
 
 /// The strands of one level, by lowest cell.
-fn strands(arcs: &[Arc], inner: &[DVec2]) -> Result<Strands> {
-    let mut made = Strands::default();
+fn paths(arcs: &[Arc], inner: &[DVec2]) -> Result<ContourPaths> {
+    let mut made = ContourPaths::default();
     let mut order = Vec::new();
     follow(arcs, inner, &mut made, &mut order)?;
     let mut by: Vec<usize> = (0..order.len()).collect();
     by.sort_unstable_by_key(|&k| order[k]);
-    made.strands = by.into_iter().map(|k| made.strands[k]).collect();
+    made.paths = by.into_iter().map(|k| made.paths[k]).collect();
     Ok(made)
 }
 
 /// The strands of one level; `order` receives the lowest cell of each, and the key of its mark.
-fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut Strands, order: &mut Vec<([u32; 2], u64)>) -> Result<()> {
+fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut ContourPaths, order: &mut Vec<([u32; 2], u64)>) -> Result<()> {
     let table = Table::new(arcs)?;
     let mut next = alloc::filled(NONE, arcs.len())?;
     let mut entered = alloc::filled(false, arcs.len())?;
@@ -157,8 +157,8 @@ fn follow(arcs: &[Arc], inner: &[DVec2], made: &mut Strands, order: &mut Vec<([u
             }
             at = next[at] as usize;
         }
-        let strand = Strand { level: arcs[head].level, closed, steps: [first, made.steps.len()] };
-        alloc::push(&mut made.strands, strand)?;
+        let path = ContourPath { level: arcs[head].level, closed, steps: [first, made.steps.len()] };
+        alloc::push(&mut made.paths, path)?;
         alloc::push(order, lowest(least))?;
     }
     Ok(())

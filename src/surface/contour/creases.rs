@@ -1,7 +1,8 @@
 //! Sides between cells along which normals jump past an angle: they belong to the isophote themselves, and no cell shows it.
 
-use super::seen::Normals;
-use super::{Lattice, facing};
+use super::cone_culling;
+use super::lattice::Lattice;
+use super::projected_normals::ProjectedNormals;
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -26,7 +27,7 @@ const SIDES: [Side; 2] = [
 
 /// Adds the middles of sides at whose ends the angle is less than one of `angles` in one cell and greater in the other.
 pub(super) fn creases<C: Cells<N>, const N: usize>(
-    normals: &Normals<'_, C>,
+    normals: &ProjectedNormals<'_, C>,
     cones: &Cones,
     lattice: &Lattice,
     angles: &[f64],
@@ -45,7 +46,7 @@ pub(super) fn creases<C: Cells<N>, const N: usize>(
         let around = [(r, c), (behind(r, 0), c), (r, behind(c, 1))];
         let ranges = around.into_iter().filter_map(|(r, c)| Some(cones.get(0, r, c)?.angles(normals.frame[2])));
         let whole = ranges.fold([PI, 0.0], |[low, high]: [f64; 2], [from, to]| [low.min(from), high.max(to)]);
-        facing::have(angles, unsigned, whole)
+        cone_culling::may_have(angles, unsigned, whole)
     };
     let [rows, columns] = lattice.counts;
     let mut jumps_in = Vec::new();

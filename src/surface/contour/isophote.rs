@@ -4,13 +4,17 @@
 //! of cos alpha and sin^2 alpha H^2 = cos^2 alpha P; at 90 degrees where H = 0; at 0 and 180 where both components across are 0, which is so
 //! at single points. None of it suffers from cancellation, whatever the angle.
 
+use super::checks::{direction, rising};
+use super::cone_culling;
 use super::creases::creases;
-use super::facing;
+use super::lattice::Lattice;
 use super::normals::squares;
-use super::search::Found;
-use super::seen::{Corners, Normals, frame};
-use super::source::{Sides, Source, between};
-use super::{Between, Gathered, Lattice, direction, lattice, paths};
+use super::paths::{self, ContourSet};
+use super::point_spacing::{PointSpacing, add_leus_points};
+use super::projected_normals::{Corners, ProjectedNormals, frame};
+use super::search::FoundArcs;
+use super::search::Search;
+use super::source::{Continuity, Source, between};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -25,15 +29,15 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Sines and cosines smaller than that are 0.
-const SMALL: f64 = 1e-8;
+const MIN_SINE: f64 = 1e-8;
 /// By how much the angles of points may be off for rounding, in radians.
-const SLACK: f64 = 1e-6;
+const ANGLE_TOLERANCE: f64 = 1e-6;
 /// Blocks that are one thread's work, and such works between two reports of progress.
 const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
 
 /// H = 0.
-struct Silhouette<'a, C, const N: usize>(Normals<'a, C>);
+struct Silhouette<'a, C, const N: usize>(ProjectedNormals<'a, C>);
 
 impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C, N> {
     type Block = Corners;
@@ -50,14 +54,14 @@ impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C
             return false;
         }
         let of = self.0.hodographs::<N>(cell);
-        let noise = self.0.noise(&of);
+        let rounding_error = self.0.rounding_error(&of);
         let [low, high] = of.ranges()[2];
-        low <= noise && high >= -noise
+        low <= rounding_error && high >= -rounding_error
     }
 
     fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> (Field<M>, f64) {
         let of = self.0.hodographs::<N>(cell);
-        (of.normal(2), self.0.noise(&of))
+        (of.normal(2), self.0.rounding_error(&of))
     }
 
     fn level_count(&self) -> usize {
@@ -72,18 +76,18 @@ impl<C: Cells<N>, const N: usize, const M: usize> Source<M> for Silhouette<'_, C
         base.0
     }
 
-    fn sides(&self) -> Sides {
-        self.0.sides
+    fn continuity(&self) -> Continuity {
+        self.0.continuity
     }
 
-    fn noise(&self, base: &(Field<M>, f64)) -> f64 {
+    fn rounding_error(&self, base: &(Field<M>, f64)) -> f64 {
         base.1
     }
 }
 
 /// sin^2 alpha H^2 = cos^2 alpha P.
 struct Isophotes<'a, C, const N: usize, const H: usize> {
-    normals: Normals<'a, C>,
+    normals: ProjectedNormals<'a, C>,
     /// Sines and cosines.
     angles: &'a [[f64; 2]],
     radians: &'a [f64],
@@ -94,7 +98,7 @@ struct Isophotes<'a, C, const N: usize, const H: usize> {
 struct Squares<const M: usize> {
     along: Field<M>,
     across: Field<M>,
-    noise: f64,
+    rounding_error: f64,
     levels: Range<usize>,
 }
 
@@ -127,16 +131,16 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
             return false;
         }
         let of = self.normals.hodographs::<N>(cell);
-        !self.within(angles(&of.ranges(), self.normals.noise(&of))).is_empty()
+        !self.within(angles(&of.ranges(), self.normals.rounding_error(&of))).is_empty()
     }
 
     fn base(&self, _: &Corners, cell: [usize; 2], (): &mut ()) -> Squares<M> {
         let of = self.normals.hodographs::<N>(cell);
         let [first, second, along]: [Field<H>; 3] = std::array::from_fn(|k| of.normal(k));
         let [u, v] = of.speeds();
-        let levels = self.within(angles(&of.ranges(), self.normals.noise(&of)));
-        let noise = 4.0 * u * v * self.normals.noise(&of);
-        Squares { along: squares(&[along]), across: squares(&[first, second]), noise, levels }
+        let levels = self.within(angles(&of.ranges(), self.normals.rounding_error(&of)));
+        let rounding_error = 4.0 * u * v * self.normals.rounding_error(&of);
+        Squares { along: squares(&[along]), across: squares(&[first, second]), rounding_error, levels }
     }
 
     fn level_count(&self) -> usize {
@@ -161,26 +165,26 @@ impl<C: Cells<N>, const N: usize, const H: usize, const M: usize> Source<M> for 
         if self.unsigned {
             return Some(true);
         }
-        let noise = self.normals.noise(&self.normals.hodographs::<N>(cell));
+        let rounding_error = self.normals.rounding_error(&self.normals.hodographs::<N>(cell));
         let patch = self.normals.cells.patch(cell[0], cell[1]);
         let sign = self.angles[level][1].signum();
         let along = places().map(|at| sign * patch.jet(at.x, at.y).normal().dot(self.normals.frame[2]));
-        let (right, wrong) = (along.iter().any(|&x| x > noise), along.iter().any(|&x| x < -noise));
+        let (right, wrong) = (along.iter().any(|&x| x > rounding_error), along.iter().any(|&x| x < -rounding_error));
         if right && wrong { None } else { Some(!wrong) }
     }
 
-    fn sides(&self) -> Sides {
-        self.normals.sides
+    fn continuity(&self) -> Continuity {
+        self.normals.continuity
     }
 
-    fn noise(&self, base: &Squares<M>) -> f64 {
-        base.noise
+    fn rounding_error(&self, base: &Squares<M>) -> f64 {
+        base.rounding_error
     }
 }
 
 /// Which of the angles asked for are what.
 #[derive(Default)]
-struct Kinds {
+struct AngleClasses {
     silhouettes: Vec<u32>,
     /// Of 0 and 180 degrees: the sign of the cosine.
     poles: Vec<(u32, f64)>,
@@ -215,46 +219,74 @@ impl Surface<'_> {
         axis: DVec3,
         angles: &[f64],
         unsigned: bool,
-        between: Between,
+        spacing: PointSpacing,
         job: &Job<'_>,
     ) -> Result<Paths> {
         let axis = direction(axis, "direction")?;
-        super::rising(angles, "angles")?;
+        rising(angles, "angles")?;
         let most = if unsigned { 0.5 * PI } else { PI };
         if let Some(&value) = angles.iter().find(|&&angle| !(0.0..=most + 1e-15).contains(&angle)) {
             return Err(Error::OptionOutOfRange { option: "angles", value });
         }
-        let kinds = Kinds::new(angles, unsigned)?;
-        let chord = self.chord(between)?;
+        let classes = AngleClasses::new(angles, unsigned)?;
+        let chord = self.chord(spacing)?;
         let frame = frame(axis);
         let reach = self.reach();
-        let (mut curves, mut points) = (Gathered { threads: job.threads(), ..Gathered::default() }, Vec::new());
+        let (mut curves, mut points) = (ContourSet { threads: job.threads(), ..ContourSet::default() }, Vec::new());
         for k in 0..self.len() {
-            let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
+            let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
             let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
             match sheet {
                 Sheet::Grid(grid) => {
                     let smooth = grid.axes().iter().all(|axis| axis.is_smooth());
-                    let sides = if smooth { Sides::Alike } else { Sides::Apart };
-                    let of = Sought { sheet: k, cells: grid, index, cones, frame, reach, sides, chord, unsigned };
-                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
+                    let continuity = if smooth { Continuity::UpToRounding } else { Continuity::Discontinuous };
+                    let of = IsophoteSearch {
+                        sheet: k,
+                        cells: grid,
+                        index,
+                        cones,
+                        frame,
+                        reach,
+                        continuity,
+                        chord,
+                        unsigned,
+                    };
+                    of.find::<4, 6, 11>(&classes, Lattice::of(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::Cubic(cells) => {
-                    let of =
-                        Sought { sheet: k, cells, index, cones, frame, reach, sides: Sides::Apart, chord, unsigned };
-                    of.find::<4, 6, 11>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
+                    let of = IsophoteSearch {
+                        sheet: k,
+                        cells,
+                        index,
+                        cones,
+                        frame,
+                        reach,
+                        continuity: Continuity::Discontinuous,
+                        chord,
+                        unsigned,
+                    };
+                    of.find::<4, 6, 11>(&classes, Lattice::of(sheet), &mut curves, &mut points, &part)?;
                 }
                 Sheet::High(cells) => {
-                    let of =
-                        Sought { sheet: k, cells, index, cones, frame, reach, sides: Sides::Apart, chord, unsigned };
-                    of.find::<8, 14, 27>(&kinds, lattice(sheet), &mut curves, &mut points, &part)?;
+                    let of = IsophoteSearch {
+                        sheet: k,
+                        cells,
+                        index,
+                        cones,
+                        frame,
+                        reach,
+                        continuity: Continuity::Discontinuous,
+                        chord,
+                        unsigned,
+                    };
+                    of.find::<8, 14, 27>(&classes, Lattice::of(sheet), &mut curves, &mut points, &part)?;
                 }
             }
         }
         let mut found = paths::paths(self, &curves.sheets, curves.unresolved, &job.part(0.9, 1.0))?;
         paths::add_points(self, &points, &mut found)?;
         self.report_angles(axis, angles, unsigned, &mut found)?;
-        super::point_spacing::between(found, between)
+        add_leus_points(found, spacing)
     }
 
     /// Reports the places of curves where the normal is regular and makes another angle: once for points of a cell that follow each other.
@@ -267,7 +299,10 @@ impl Surface<'_> {
                 let along = normal.dot(axis);
                 let angle = libm::atan2(normal.cross(axis).length(), if unsigned { along.abs() } else { along });
                 let known = last.is_some_and(|last| (last.sheet, last.cell) == (place.sheet, place.cell));
-                if (angle - goal).abs() > SLACK && !known && self.local(place).normal.kind == NormalKind::Regular {
+                if (angle - goal).abs() > ANGLE_TOLERANCE
+                    && !known
+                    && self.local(place).normal.kind == NormalKind::Regular
+                {
                     alloc::push(&mut paths.unresolved, place)?;
                     last = Some(place);
                 }
@@ -283,107 +318,115 @@ impl Surface<'_> {
     }
 }
 
-impl Kinds {
+impl AngleClasses {
     fn new(angles: &[f64], unsigned: bool) -> Result<Self> {
-        let mut kinds = Kinds::default();
+        let mut classes = AngleClasses::default();
         for (k, &angle) in angles.iter().enumerate() {
             let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-            if sin.abs() >= SMALL {
-                alloc::push(&mut kinds.crossed, angle)?;
+            if sin.abs() >= MIN_SINE {
+                alloc::push(&mut classes.crossed, angle)?;
             }
-            if cos.abs() < SMALL {
-                alloc::push(&mut kinds.silhouettes, k as u32)?;
-            } else if sin.abs() < SMALL {
-                alloc::push(&mut kinds.poles, (k as u32, cos))?;
+            if cos.abs() < MIN_SINE {
+                alloc::push(&mut classes.silhouettes, k as u32)?;
+            } else if sin.abs() < MIN_SINE {
+                alloc::push(&mut classes.poles, (k as u32, cos))?;
                 if unsigned {
-                    alloc::push(&mut kinds.poles, (k as u32, -cos))?;
+                    alloc::push(&mut classes.poles, (k as u32, -cos))?;
                 }
             } else {
-                alloc::push(&mut kinds.others, [sin, cos])?;
-                alloc::push(&mut kinds.radians, angle)?;
-                alloc::push(&mut kinds.numbers, k as u32)?;
+                alloc::push(&mut classes.others, [sin, cos])?;
+                alloc::push(&mut classes.radians, angle)?;
+                alloc::push(&mut classes.numbers, k as u32)?;
             }
         }
-        Ok(kinds)
+        Ok(classes)
     }
 }
 
 /// What is looked for on a sheet.
-struct Sought<'a, C> {
+struct IsophoteSearch<'a, C> {
     sheet: usize,
     cells: &'a C,
     index: &'a Pyramid,
     cones: &'a Cones,
     frame: [DVec3; 3],
     reach: f64,
-    sides: Sides,
+    continuity: Continuity,
     chord: Option<f64>,
     unsigned: bool,
 }
 
-impl<C> Sought<'_, C> {
-    fn normals(&self) -> Normals<'_, C> {
-        Normals { cells: self.cells, index: self.index, frame: self.frame, reach: self.reach, sides: self.sides }
+impl<C> IsophoteSearch<'_, C> {
+    fn normals(&self) -> ProjectedNormals<'_, C> {
+        ProjectedNormals {
+            cells: self.cells,
+            index: self.index,
+            frame: self.frame,
+            reach: self.reach,
+            continuity: self.continuity,
+        }
     }
 
     /// The blocks that may have one of some angles, row after row.
     fn blocks(&self, angles: &[f64]) -> Result<Vec<[u32; 2]>> {
-        facing::blocks(self.cones, self.frame[2], |range| facing::have(angles, self.unsigned, range))
+        cone_culling::blocks(self.cones, self.frame[2], |range| cone_culling::may_have(angles, self.unsigned, range))
     }
 
     fn find<const N: usize, const H: usize, const M: usize>(
         &self,
-        kinds: &Kinds,
+        classes: &AngleClasses,
         lattice: Lattice,
-        curves: &mut Gathered,
+        curves: &mut ContourSet,
         points: &mut Vec<(u32, Place)>,
         job: &Job<'_>,
     ) -> Result<()>
     where
         C: Cells<N>,
     {
-        let apart = self.sides == Sides::Apart;
-        let Sought { cells, chord, .. } = *self;
-        let passes =
-            kinds.silhouettes.len() + usize::from(!kinds.others.is_empty()) + kinds.poles.len() + usize::from(apart);
+        let jumps = self.continuity == Continuity::Discontinuous;
+        let IsophoteSearch { cells, chord, .. } = *self;
+        let passes = classes.silhouettes.len()
+            + usize::from(!classes.others.is_empty())
+            + classes.poles.len()
+            + usize::from(jumps);
         let mut pass = 0;
         let mut next = || {
             pass += 1;
             job.share(pass - 1, passes)
         };
-        let blocks = if kinds.silhouettes.is_empty() { Vec::new() } else { self.blocks(&[0.5 * PI])? };
-        for &number in &kinds.silhouettes {
+        let blocks = if classes.silhouettes.is_empty() { Vec::new() } else { self.blocks(&[0.5 * PI])? };
+        for &number in &classes.silhouettes {
             let source = Silhouette::<C, N>(self.normals());
-            let search = super::Search { cells, source: &source, lattice, chord };
+            let search = Search { cells, source: &source, lattice, chord };
             let mut found = search.run::<N, H>(blocks.len(), |k| blocks[k], &next())?;
             found.arcs.iter_mut().for_each(|arc| arc.level = number);
-            curves.add(self.sheet, found, &lattice, apart)?;
+            curves.add(self.sheet, found, &lattice, jumps)?;
         }
-        if !kinds.others.is_empty() {
+        if !classes.others.is_empty() {
             let (normals, unsigned) = (self.normals(), self.unsigned);
-            let source = Isophotes::<C, N, H> { normals, angles: &kinds.others, radians: &kinds.radians, unsigned };
-            let search = super::Search { cells, source: &source, lattice, chord };
-            let blocks = self.blocks(&kinds.radians)?;
+            let source = Isophotes::<C, N, H> { normals, angles: &classes.others, radians: &classes.radians, unsigned };
+            let search = Search { cells, source: &source, lattice, chord };
+            let blocks = self.blocks(&classes.radians)?;
             let found = search.run::<N, M>(blocks.len(), |k| blocks[k], &next())?;
-            curves.add(self.sheet, found, &lattice, apart)?;
-            if let Some((_, strands)) = curves.sheets.last_mut() {
-                strands.strands.iter_mut().for_each(|strand| strand.level = kinds.numbers[strand.level as usize]);
+            curves.add(self.sheet, found, &lattice, jumps)?;
+            if let Some((_, paths)) = curves.sheets.last_mut() {
+                paths.paths.iter_mut().for_each(|path| path.level = classes.numbers[path.level as usize]);
             }
         }
-        if apart {
-            let mut found = Found::default();
+        if jumps {
+            let mut found = FoundArcs::default();
             creases(
                 &self.normals(),
                 self.cones,
                 &lattice,
-                &kinds.crossed,
+                &classes.crossed,
                 self.unsigned,
                 &mut found.unresolved,
                 &next(),
             )?;
             curves.add(self.sheet, found, &lattice, true)?;
         }
-        for &(number, sign) in &kinds.poles {
+        for &(number, sign) in &classes.poles {
             self.poles::<N, H>(sign, number, &lattice, curves, points, &next())?;
         }
         Ok(())
@@ -395,7 +438,7 @@ impl<C> Sought<'_, C> {
         sign: f64,
         number: u32,
         lattice: &Lattice,
-        curves: &mut Gathered,
+        curves: &mut ContourSet,
         points: &mut Vec<(u32, Place)>,
         job: &Job<'_>,
     ) -> Result<()>
@@ -421,9 +464,9 @@ impl<C> Sought<'_, C> {
             });
             for part in parts {
                 let part: Vec<_> = part?;
-                for (cell, (simple, unresolved)) in part {
+                for (cell, (crossing_by_corners, unresolved)) in part {
                     let place = |at: DVec2| Place { sheet: self.sheet as u32, cell, u: at.x, v: at.y };
-                    for at in simple {
+                    for at in crossing_by_corners {
                         let [i, j] = cell.map(|k| k as usize);
                         let along = self.cells.patch(i, j).jet(at.x, at.y).normal().dot(self.frame[2]);
                         if along * sign > 0.0 {

@@ -1,5 +1,6 @@
 //! The cells of a sheet, their sides, and what these are called.
 
+use crate::surface::Sheet;
 use crate::surface::cells::BLOCK;
 use std::ops::Range;
 
@@ -13,6 +14,15 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
+    /// The lattice of a sheet.
+    pub(super) fn of(sheet: &Sheet<'_>) -> Self {
+        let closed = match sheet {
+            Sheet::Grid(grid) => grid.is_closed(),
+            _ => [false; 2],
+        };
+        Lattice { counts: sheet.cells(), closed }
+    }
+
     /// The numbers of blocks in u and in v.
     pub(super) fn blocks(&self) -> [usize; 2] {
         self.counts.map(|count| count.div_ceil(BLOCK))

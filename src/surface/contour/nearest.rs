@@ -4,11 +4,12 @@
 //! bounds are cones of normals, then those of the components of N, and, sharper near the answer, the signs of the coefficients of sin^2 theta H^2 - cos^2 theta P (see
 //! `isophote`), which tell on which side of theta all angles of a part are.
 
-use super::facing;
+use super::checks::direction;
+use super::cone_culling;
+use super::lattice::Lattice;
 use super::normals::{Hodographs, squares};
-use super::seen::{Normals, frame};
-use super::source::Sides;
-use super::{Lattice, direction, lattice};
+use super::projected_normals::{ProjectedNormals, frame};
+use super::source::Continuity;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
@@ -32,7 +33,7 @@ const MAX_PARTS: usize = 4096;
 const CHUNK: usize = 64;
 const CHUNKS: usize = 16;
 /// Blocks of each level that are looked at for a first bound.
-const PROMISING: usize = 16;
+const BLOCKS_FOR_FIRST_BOUND: usize = 16;
 
 /// Where a normal's angle is nearest to a given one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +54,7 @@ pub struct NearestAngle {
 
 /// The angle asked for.
 #[derive(Clone, Copy)]
-struct Goal {
+struct TargetAngle {
     angle: f64,
     unsigned: bool,
 }
@@ -72,10 +73,10 @@ struct Candidate {
     cell: [u32; 2],
 }
 
-impl Goal {
-    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for what may be 0, but for `noise`.
-    fn deviation(&self, [x, y, z]: [f64; 3], noise: f64) -> f64 {
-        if x.abs() <= noise && y.abs() <= noise && z.abs() <= noise {
+impl TargetAngle {
+    /// How far the angle of a vector, seen in the frame, is from the goal; infinite for what may be 0, but for `rounding_error`.
+    fn deviation(&self, [x, y, z]: [f64; 3], rounding_error: f64) -> f64 {
+        if x.abs() <= rounding_error && y.abs() <= rounding_error && z.abs() <= rounding_error {
             return f64::INFINITY;
         }
         let along = if self.unsigned { z.abs() } else { z };
@@ -114,8 +115,8 @@ impl Goal {
 }
 
 /// True if all components are within the noise.
-fn vanish(ranges: &[[f64; 2]; 3], noise: f64) -> bool {
-    ranges.iter().all(|&[low, high]| low >= -noise && high <= noise)
+fn vanish(ranges: &[[f64; 2]; 3], rounding_error: f64) -> bool {
+    ranges.iter().all(|&[low, high]| low >= -rounding_error && high <= rounding_error)
 }
 
 /// Part of a cell.
@@ -124,49 +125,55 @@ struct Part<const H: usize> {
     from: DVec2,
     size: f64,
     /// What components of normals may be off by.
-    noise: f64,
+    rounding_error: f64,
     deviation: f64,
 }
 
 impl<const H: usize> Part<H> {
-    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, noise: f64, goal: &Goal) -> Self {
-        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value), noise);
-        Part { normal, from, size, noise, deviation }
+    fn new(normal: [Field<H>; 3], from: DVec2, size: f64, rounding_error: f64, goal: &TargetAngle) -> Self {
+        let deviation = goal.deviation([0, 1, 2].map(|k| normal[k].at(0.5, 0.5).value), rounding_error);
+        Part { normal, from, size, rounding_error, deviation }
     }
 
-    fn quarters(&self, goal: &Goal) -> [Part<H>; 4] {
+    fn quarters(&self, goal: &TargetAngle) -> [Part<H>; 4] {
         let [first, second, along] = [0, 1, 2].map(|k| self.normal[k].quarters());
         let half = 0.5 * self.size;
         [DVec2::ZERO, DVec2::Y, DVec2::X, DVec2::ONE].map(|corner| {
             let k = 2 * corner.x as usize + corner.y as usize;
             let from = self.from + half * corner;
-            Part::new([first[k], second[k], along[k]], from, half, self.noise, goal)
+            Part::new([first[k], second[k], along[k]], from, half, self.rounding_error, goal)
         })
     }
 }
 
 /// A sheet's normals, of which the nearest is sought.
-struct Sought<'a, C> {
-    normals: Normals<'a, C>,
+struct NearestAngleSearch<'a, C> {
+    normals: ProjectedNormals<'a, C>,
     sheet: u32,
-    goal: Goal,
+    goal: TargetAngle,
 }
 
 /// What is asked for on all sheets.
-struct Asked {
-    goal: Goal,
+struct AngleQuery {
+    goal: TargetAngle,
     frame: [DVec3; 3],
     reach: f64,
 }
 
-impl Asked {
-    fn of<'a, C>(&self, sheet: u32, cells: &'a C, index: &'a Pyramid) -> Sought<'a, C> {
-        let normals = Normals { cells, index, frame: self.frame, reach: self.reach, sides: Sides::Apart };
-        Sought { normals, sheet, goal: self.goal }
+impl AngleQuery {
+    fn of<'a, C>(&self, sheet: u32, cells: &'a C, index: &'a Pyramid) -> NearestAngleSearch<'a, C> {
+        let normals = ProjectedNormals {
+            cells,
+            index,
+            frame: self.frame,
+            reach: self.reach,
+            continuity: Continuity::Discontinuous,
+        };
+        NearestAngleSearch { normals, sheet, goal: self.goal }
     }
 }
 
-impl<C> Sought<'_, C> {
+impl<C> NearestAngleSearch<'_, C> {
     /// Which blocks may hold something no worse than the best, and than what the most promising of them show.
     fn blocks<const N: usize>(&self, cones: &Cones, lattice: &Lattice, best: &Best) -> Result<Vec<[u32; 2]>>
     where
@@ -179,7 +186,7 @@ impl<C> Sought<'_, C> {
             let bound = |at: [usize; 2]| Some((self.goal.bound(cones.get(level, at[0], at[1])?.angles(direction)), at));
             let mut bounds: Vec<(f64, [usize; 2])> = below.filter_map(bound).collect();
             bounds.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            front = bounds.into_iter().take(PROMISING).map(|(_, at)| at).collect();
+            front = bounds.into_iter().take(BLOCKS_FOR_FIRST_BOUND).map(|(_, at)| at).collect();
         }
         let mut shown = *best;
         for [r, c] in front {
@@ -187,7 +194,7 @@ impl<C> Sought<'_, C> {
                 self.cell::<N>(cell.map(|k| k as u32), &mut shown, &mut Vec::new())?;
             }
         }
-        facing::blocks(cones, direction, |range| self.goal.bound(range) <= shown.deviation)
+        cone_culling::blocks(cones, direction, |range| self.goal.bound(range) <= shown.deviation)
     }
 
     /// The best at the middles of cells, and the cells that may hold something better.
@@ -243,13 +250,13 @@ impl<C> Sought<'_, C> {
         let [i, j] = cell.map(|k| k as usize);
         let patch = self.normals.cells.patch(i, j);
         let of = Hodographs::new(&patch, &self.normals.frame);
-        let (ranges, noise) = (of.ranges(), self.normals.noise(&of));
+        let (ranges, rounding_error) = (of.ranges(), self.normals.rounding_error(&of));
         let bound = self.goal.bound(angles(&ranges, 0.0));
-        if bound >= best.deviation || vanish(&ranges, noise) {
+        if bound >= best.deviation || vanish(&ranges, rounding_error) {
             return Ok(());
         }
         let normal = patch.jet(0.5, 0.5).normal();
-        let deviation = self.goal.deviation(self.normals.frame.map(|axis| normal.dot(axis)), noise);
+        let deviation = self.goal.deviation(self.normals.frame.map(|axis| normal.dot(axis)), rounding_error);
         if deviation < best.deviation {
             *best = Best { deviation, place: Some(Place { sheet: self.sheet, cell, u: 0.5, v: 0.5 }) };
         }
@@ -263,8 +270,8 @@ impl<C> Sought<'_, C> {
     {
         let [i, j] = cell.map(|k| k as usize);
         let of = Hodographs::new(&self.normals.cells.patch(i, j), &self.normals.frame);
-        let (normal, noise) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.noise(&of));
-        let whole = Part::new(normal, DVec2::ZERO, 1.0, noise, &self.goal);
+        let (normal, rounding_error) = (std::array::from_fn(|k| of.normal::<H>(k)), self.normals.rounding_error(&of));
+        let whole = Part::new(normal, DVec2::ZERO, 1.0, rounding_error, &self.goal);
         let mut search = CellSearch::<M> { goal: &self.goal, sheet: self.sheet, cell, best, bound: f64::INFINITY };
         let limits = Limits { max_depth: MAX_SUBDIVISION_DEPTH, max_boxes: MAX_PARTS };
         let Ok(()) = subdivide(&mut search, whole, &mut Vec::new(), limits);
@@ -274,7 +281,7 @@ impl<C> Sought<'_, C> {
 
 /// The search of one cell. M: one more than the degree of squares of normals.
 struct CellSearch<'a, const M: usize> {
-    goal: &'a Goal,
+    goal: &'a TargetAngle,
     sheet: u32,
     cell: [u32; 2],
     best: &'a mut Best,
@@ -294,7 +301,7 @@ impl<const H: usize, const M: usize> Subdivision<Part<H>, 4> for CellSearch<'_, 
             *self.best = Best { deviation: part.deviation, place: Some(place) };
         }
         let ranges = part.normal.map(|field| field.range());
-        if vanish(&ranges, part.noise) {
+        if vanish(&ranges, part.rounding_error) {
             // Here is no normal.
             return Ok(BoxTest::Empty);
         }
@@ -345,16 +352,16 @@ impl Surface<'_> {
         if !(0.0..=most + 1e-15).contains(&angle) {
             return Err(Error::OptionOutOfRange { option: "angle", value: angle });
         }
-        let (goal, frame, reach) = (Goal { angle, unsigned }, frame(axis), self.reach());
+        let (goal, frame, reach) = (TargetAngle { angle, unsigned }, frame(axis), self.reach());
         let mut best = Best { deviation: f64::INFINITY, place: None };
         let mut candidates = Vec::new();
-        let asked = Asked { goal, frame, reach };
+        let query = AngleQuery { goal, frame, reach };
         for k in 0..self.len() {
-            let (part, (sheet, index)) = (self.part(k, job), self.indexed(k));
-            let (cells_of, number) = (lattice(sheet), k as u32);
+            let (part, (sheet, index)) = (self.sheet_job(k, job), self.indexed(k));
+            let (cells_of, number) = (Lattice::of(sheet), k as u32);
             let (cones, part) = (self.cones(k, &part.part(0.0, 0.5))?, part.part(0.5, 1.0));
             each_sheet!(sheet, cells => {
-                asked.of(number, cells, index).candidates(cones, &cells_of, &mut best, &mut candidates, &part)
+                query.of(number, cells, index).candidates(cones, &cells_of, &mut best, &mut candidates, &part)
             })?;
         }
         let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
@@ -371,16 +378,16 @@ impl Surface<'_> {
             let (sheet, index) = self.indexed(candidate.sheet as usize);
             let (number, cell) = (candidate.sheet, candidate.cell);
             bound = bound.min(match sheet {
-                Sheet::Grid(cells) => asked.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
-                Sheet::Cubic(cells) => asked.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
-                Sheet::High(cells) => asked.of(number, cells, index).search::<8, 14, 27>(cell, &mut best),
+                Sheet::Grid(cells) => query.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::Cubic(cells) => query.of(number, cells, index).search::<4, 6, 11>(cell, &mut best),
+                Sheet::High(cells) => query.of(number, cells, index).search::<8, 14, 27>(cell, &mut best),
             });
         }
         Ok(best.place.map(|place| {
             let (point, normal) = self.point_and_normal(place);
-            let seen = frame.map(|axis| normal.dot(axis));
-            let found = Goal { angle: 0.0, unsigned }.deviation(seen, 0.0);
-            let deviation = goal.deviation(seen, 0.0);
+            let projected_normals = frame.map(|axis| normal.dot(axis));
+            let found = TargetAngle { angle: 0.0, unsigned }.deviation(projected_normals, 0.0);
+            let deviation = goal.deviation(projected_normals, 0.0);
             NearestAngle {
                 place,
                 point,

@@ -1,39 +1,59 @@
 //! Strands of all sheets as paths: joined across sheets, with points and normals.
 
-use super::chain::{Strand, Strands};
-use super::lattice;
+use super::chain::{ContourPath, ContourPaths, chain};
+use super::lattice::Lattice;
+use super::search::FoundArcs;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
 use crate::surface::{Paths, Place, Surface};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// Places that are one thread's work.
 const CHUNK: usize = 1024;
 /// Such works between two reports of progress.
 const CHUNKS: usize = 64;
 
+/// The strands of sheets, and what could not be resolved.
+#[derive(Default)]
+pub(super) struct ContourSet {
+    pub(super) threads: usize,
+    pub(super) sheets: Vec<(usize, ContourPaths)>,
+    pub(super) unresolved: Vec<Place>,
+}
+
+impl ContourSet {
+    pub(super) fn add(&mut self, sheet: usize, mut found: FoundArcs, lattice: &Lattice, apart: bool) -> Result<()> {
+        alloc::reserve(&mut self.unresolved, found.unresolved.len())?;
+        let place = |&([i, j], at): &([u32; 2], DVec2)| Place { sheet: sheet as u32, cell: [i, j], u: at.x, v: at.y };
+        self.unresolved.extend(found.unresolved.iter().map(place));
+        let paths = chain(&mut found, lattice, apart, self.threads)?;
+        alloc::push(&mut self.sheets, (sheet, paths))
+    }
+}
+
 /// The strands of all sheets.
-struct All {
-    strands: Vec<Strand>,
+struct SheetContours {
+    contours: Vec<ContourPath>,
     places: Vec<Place>,
     points: Vec<DVec3>,
     normals: Vec<DVec3>,
 }
 
-impl All {
-    fn new(surface: &Surface<'_>, sheets: &[(usize, Strands)], job: &Job<'_>) -> Result<Self> {
-        let count = sheets.iter().map(|(_, strands)| strands.steps.len()).sum();
+impl SheetContours {
+    fn new(surface: &Surface<'_>, sheets: &[(usize, ContourPaths)], job: &Job<'_>) -> Result<Self> {
+        let count = sheets.iter().map(|(_, contours)| contours.steps.len()).sum();
         let mut places = alloc::with_capacity(count)?;
-        let mut strands = alloc::with_capacity(sheets.iter().map(|(_, strands)| strands.strands.len()).sum())?;
+        let mut contours = alloc::with_capacity(sheets.iter().map(|(_, contours)| contours.paths.len()).sum())?;
         for (sheet, own) in sheets {
             let shift = places.len();
             places.extend(own.steps.iter().map(|&(cell, at)| Place { sheet: *sheet as u32, cell, u: at.x, v: at.y }));
-            let moved = |strand: &Strand| Strand { steps: strand.steps.map(|step| step + shift), ..*strand };
-            strands.extend(own.strands.iter().map(moved));
+            let moved =
+                |contour: &ContourPath| ContourPath { steps: contour.steps.map(|step| step + shift), ..*contour };
+            contours.extend(own.paths.iter().map(moved));
         }
-        strands.sort_by_key(|strand| strand.level);
+        contours.sort_by_key(|contour| contour.level);
         let (mut points, mut normals) = (alloc::filled(DVec3::ZERO, count)?, alloc::filled(DVec3::ZERO, count)?);
         let mut parts = places.chunks(CHUNK).zip(points.chunks_mut(CHUNK)).zip(normals.chunks_mut(CHUNK));
         for first in (0..count).step_by(CHUNK * CHUNKS) {
@@ -43,34 +63,34 @@ impl All {
                 surface.points_and_normals(places, points, normals);
             });
         }
-        Ok(All { strands, places, points, normals })
+        Ok(SheetContours { contours, places, points, normals })
     }
 
     /// Which strands follow each other: open ones whose ends are within `tolerance`, the nearest first come.
     fn followers(&self, tolerance: f64) -> Result<Vec<Option<usize>>> {
-        let mut after = alloc::filled(None, self.strands.len())?;
-        let open = || (0..self.strands.len()).filter(|&k| !self.strands[k].closed);
-        let head = |k: usize| self.points[self.strands[k].steps[0]];
-        let tail = |k: usize| self.points[self.strands[k].steps[1] - 1];
+        let mut after = alloc::filled(None, self.contours.len())?;
+        let open = || (0..self.contours.len()).filter(|&k| !self.contours[k].closed);
+        let head = |k: usize| self.points[self.contours[k].steps[0]];
+        let tail = |k: usize| self.points[self.contours[k].steps[1] - 1];
         let mut heads: Vec<usize> = Vec::new();
         alloc::reserve(&mut heads, open().count())?;
         heads.extend(open());
         heads.sort_by(|&a, &b| {
-            let by = |k: usize| self.strands[k].level;
+            let by = |k: usize| self.contours[k].level;
             by(a).cmp(&by(b)).then(head(a).x.total_cmp(&head(b).x))
         });
         let mut taken = alloc::filled(false, heads.len())?;
         for k in open() {
-            let (level, end) = (self.strands[k].level, tail(k));
-            let before = |&other: &usize| (self.strands[other].level, head(other).x) < (level, end.x - tolerance);
+            let (level, end) = (self.contours[k].level, tail(k));
+            let before = |&other: &usize| (self.contours[other].level, head(other).x) < (level, end.x - tolerance);
             let from = heads.partition_point(before);
             let mut best: Option<(f64, usize)> = None;
             for (at, &other) in heads.iter().enumerate().skip(from) {
-                if self.strands[other].level != level || head(other).x > end.x + tolerance {
+                if self.contours[other].level != level || head(other).x > end.x + tolerance {
                     break;
                 }
                 let distance = head(other).distance(end);
-                if !taken[at] && distance <= tolerance && best.is_none_or(|(least, _)| distance < least) {
+                if !taken[at] && distance <= tolerance && best.is_none_or(|(min, _)| distance < min) {
                     best = Some((distance, at));
                 }
             }
@@ -84,9 +104,9 @@ impl All {
 
     /// Adds one path, of strands that follow each other. Points nearer than `tolerance` to the one before are left out; what is no
     /// larger than a point is unresolved.
-    fn add(&self, strands: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
+    fn add(&self, contours: &[usize], closed: bool, tolerance: f64, paths: &mut Paths) -> Result<()> {
         let first = paths.points.len();
-        let steps = || strands.iter().flat_map(|&k| self.strands[k].steps[0]..self.strands[k].steps[1]);
+        let steps = || contours.iter().flat_map(|&k| self.contours[k].steps[0]..self.contours[k].steps[1]);
         for step in steps() {
             let near = paths.points.len() > first
                 && paths.points.last().is_some_and(|last| last.distance(self.points[step]) <= tolerance);
@@ -98,16 +118,16 @@ impl All {
         let ends = |paths: &Paths| paths.points.len() > first + 1;
         if closed {
             while ends(paths) && paths.points[paths.points.len() - 1].distance(paths.points[first]) <= tolerance {
-                self.cut(paths, paths.points.len() - 1);
+                self.truncate(paths, paths.points.len() - 1);
             }
         } else if let Some(last) = last.filter(|&last| ends(paths) && paths.points.last() != Some(&self.points[last])) {
             // The end itself is kept, and what is near it left out.
-            self.cut(paths, paths.points.len() - 1);
+            self.truncate(paths, paths.points.len() - 1);
             self.push(last, paths)?;
         }
         if paths.points.len() < first + if closed { 3 } else { 2 } {
             alloc::push(&mut paths.unresolved, paths.places[first])?;
-            self.cut(paths, first);
+            self.truncate(paths, first);
             return Ok(());
         }
         let end = u32::try_from(paths.points.len()).map_err(|_| Error::TooLarge {
@@ -117,13 +137,13 @@ impl All {
         })?;
         alloc::push(&mut paths.ends, end)?;
         alloc::push(&mut paths.closed, closed)?;
-        alloc::push(&mut paths.levels, self.strands[strands[0]].level)
+        alloc::push(&mut paths.levels, self.contours[contours[0]].level)
     }
 
     /// Ends that are on no open edge are unresolved: where fields jump, and nothing goes on.
     fn report_inner(&self, surface: &Surface<'_>, ends: [usize; 2], paths: &mut Paths) -> Result<()> {
         for place in ends.map(|end| self.places[end]) {
-            let sheet = lattice(surface.sheet(place.sheet as usize));
+            let sheet = Lattice::of(surface.sheet(place.sheet as usize));
             if !sheet.on_edge(place.cell, [place.u, place.v]) {
                 alloc::push(&mut paths.unresolved, place)?;
             }
@@ -137,7 +157,7 @@ impl All {
         alloc::push(&mut paths.normals, self.normals[step])
     }
 
-    fn cut(&self, paths: &mut Paths, to: usize) {
+    fn truncate(&self, paths: &mut Paths, to: usize) {
         paths.places.truncate(to);
         paths.points.truncate(to);
         paths.normals.truncate(to);
@@ -147,11 +167,11 @@ impl All {
 /// The paths of the strands of all sheets, by level and then by first strand.
 pub(super) fn paths(
     surface: &Surface<'_>,
-    sheets: &[(usize, Strands)],
+    sheets: &[(usize, ContourPaths)],
     unresolved: Vec<Place>,
     job: &Job<'_>,
 ) -> Result<Paths> {
-    let all = All::new(surface, sheets, job)?;
+    let all = SheetContours::new(surface, sheets, job)?;
     let tolerance = surface.tolerance();
     let after = all.followers(tolerance)?;
     let mut entered = alloc::filled(false, after.len())?;
@@ -164,10 +184,10 @@ pub(super) fn paths(
         if used[k] {
             continue;
         }
-        while let Some(strand) = at.filter(|&strand| !used[strand]) {
-            used[strand] = true;
-            lowest = lowest.min(strand);
-            at = after[strand];
+        while let Some(contour) = at.filter(|&contour| !used[contour]) {
+            used[contour] = true;
+            lowest = lowest.min(contour);
+            at = after[contour];
         }
         alloc::push(&mut sequences, (lowest, k))?;
     }
@@ -180,24 +200,24 @@ pub(super) fn paths(
     for (_, first) in sequences {
         sequence.clear();
         let mut at = Some(first);
-        while let Some(strand) = at {
-            alloc::push(&mut sequence, strand)?;
-            at = after[strand].filter(|&next| next != first);
+        while let Some(contour) = at {
+            alloc::push(&mut sequence, contour)?;
+            at = after[contour].filter(|&next| next != first);
         }
         let last = sequence[sequence.len() - 1];
-        let closed = all.strands[first].closed || after[last] == Some(first);
+        let closed = all.contours[first].closed || after[last] == Some(first);
         if !closed {
-            let ends = [all.strands[first].steps[0], all.strands[last].steps[1] - 1];
+            let ends = [all.contours[first].steps[0], all.contours[last].steps[1] - 1];
             all.report_inner(surface, ends, &mut paths)?;
         }
         all.add(&sequence, closed, tolerance, &mut paths)?;
     }
-    once(&mut paths.unresolved)?;
+    keep_first_of_each_cell(&mut paths.unresolved)?;
     Ok(paths)
 }
 
 /// Leaves the first place of each cell, in their order: of several levels, or of pieces of curves, there may be many.
-fn once(places: &mut Vec<Place>) -> Result<()> {
+fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
     let cell = |place: &Place| (place.sheet, place.cell);
     let mut by: Vec<usize> = alloc::collect(0..places.len())?;
     by.sort_by_key(|&k| cell(&places[k]));

@@ -6,6 +6,17 @@ use crate::error::Result;
 use crate::surface::index::Pyramid;
 use glam::DVec3;
 
+/// Parallel planes.
+#[derive(Debug, Clone, Copy)]
+pub struct Planes<'a> {
+    /// A point of the plane of offset 0.
+    pub point: DVec3,
+    /// Not 0; of any length.
+    pub normal: DVec3,
+    /// How far the planes are from the point, along the normal; rising.
+    pub offsets: &'a [f64],
+}
+
 /// The blocks, row and column, that planes at `offsets` from `point` may cross; `counts`: of blocks in u and in v.
 pub(super) fn blocks(
     index: &Pyramid,
@@ -13,11 +24,11 @@ pub(super) fn blocks(
     point: DVec3,
     normal: DVec3,
     offsets: &[f64],
-    play: f64,
+    slack: f64,
 ) -> Result<Vec<[u32; 2]>> {
     // Boxes are relative to the index's origin.
     let shift = (index.origin() - point).dot(normal);
-    let crossed = |[low, high]: [f64; 2]| !between(offsets, [low + shift, high + shift], play).is_empty();
+    let crossed = |[low, high]: [f64; 2]| !between(offsets, [low + shift, high + shift], slack).is_empty();
     let levels = index.levels();
     let mut found = Vec::new();
     let mut waiting = vec![(levels.len(), 0, 0)];

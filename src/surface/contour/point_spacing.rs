@@ -1,19 +1,49 @@
 //! The paper's own approximation of a section: the chord between two crossings with lines of the surface, and, of higher order, the curve
 //! through the crossings with the neighbouring lines too.
 
-use super::Between;
 use crate::alloc;
 use crate::error::{Error, Result};
-use crate::surface::Paths;
+use crate::surface::{Paths, Surface};
 use glam::DVec3;
 
-/// The most points between two crossings.
-pub(super) const MOST: u32 = 1000;
+/// What is between the points where a curve crosses the lines of the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum PointSpacing {
+    /// As many points of the surface as keep the chords within 1e-4 of the diagonal of the surface's box.
+    #[default]
+    Auto,
+    /// As many points of the surface as keep the chords within this length.
+    Chord(f64),
+    /// Nothing: chords, as the paper has them at first. Their order is two.
+    CrossingsOnly,
+    /// As many points of the paper's approximation of higher order: on the cubic through the crossings with the neighbouring lines of
+    /// the surface, two before and two behind, over their chords. These points are near the surface, not on it: of order four where
+    /// crossings are evenly spaced, and less reliable where they cluster. Each has the place of the crossing before it.
+    Leus(u32),
+}
 
-/// Adds the points of [`Between::Leus`] to paths that consist of crossings; other paths stay as they are.
-pub(super) fn between(given: Paths, between: Between) -> Result<Paths> {
-    let count = match between {
-        Between::Leus(count) if count > 0 => count as usize,
+/// The most points between two crossings.
+pub(super) const MAX_POINTS: u32 = 1000;
+
+impl Surface<'_> {
+    /// The length that chords are held to.
+    pub(super) fn chord(&self, spacing: PointSpacing) -> Result<Option<f64>> {
+        let [low, high] = self.bounds();
+        match spacing {
+            PointSpacing::Auto => Ok(Some(1e-4 * low.distance(high))),
+            PointSpacing::CrossingsOnly => Ok(None),
+            PointSpacing::Leus(count) if count <= MAX_POINTS => Ok(None),
+            PointSpacing::Leus(count) => Err(Error::OptionOutOfRange { option: "points", value: count.into() }),
+            PointSpacing::Chord(chord) if chord > 0.0 && chord.is_finite() => Ok(Some(chord.max(self.tolerance()))),
+            PointSpacing::Chord(value) => Err(Error::OptionOutOfRange { option: "chord", value }),
+        }
+    }
+}
+
+/// Adds the points of [`PointSpacing::Leus`] to paths that consist of crossings; other paths stay as they are.
+pub(super) fn add_leus_points(given: Paths, spacing: PointSpacing) -> Result<Paths> {
+    let count = match spacing {
+        PointSpacing::Leus(count) if count > 0 => count as usize,
         _ => return Ok(given),
     };
     let total = (given.points.len() as u64).saturating_mul(count as u64 + 1);

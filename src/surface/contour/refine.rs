@@ -17,7 +17,7 @@ struct Curve<'a, const N: usize, const M: usize> {
     graph: Graph,
     chord: f64,
     /// Greater values are not 0.
-    noise: f64,
+    rounding_error: f64,
 }
 
 /// A place on it.
@@ -50,36 +50,36 @@ pub(super) fn stays_near(corners: &[DVec3; 4], over: usize, slope: f64, deviatio
     let [p00, p01, p10, p11] = corners;
     let twist = *p00 + *p11 - *p01 - *p10;
     let steps = if over == 0 { [*p01 - *p00, *p11 - *p10] } else { [*p10 - *p00, *p11 - *p01] };
-    let room = chord - 2.0 * deviation;
+    let margin = chord - 2.0 * deviation;
     let near = |twist: f64, step: f64| {
         let bend = 2.0 * deviation + 0.25 * twist;
-        bend * (slope + step) <= room * slope
+        bend * (slope + step) <= margin * slope
     };
     // First with sums of coordinates, which are no less than lengths.
     let [a, b] = steps.map(|step| step.abs().element_sum());
     let exactly = || near(twist.length(), steps[0].length_squared().max(steps[1].length_squared()).sqrt());
-    slope > 0.0 && room > 0.0 && (near(twist.abs().element_sum(), a.max(b)) || exactly())
+    slope > 0.0 && margin > 0.0 && (near(twist.abs().element_sum(), a.max(b)) || exactly())
 }
 
 /// What rounding may leave of the field at a root, in parts of the field's noise.
 const RESIDUAL: f64 = 16.0;
 
 /// The place amid an arc in the parameter that it is a graph over; `None` if the field is not 0 there, or the arc is no graph.
-pub(super) fn middle<const M: usize>(field: &Field<M>, link: &Link, noise: f64) -> Option<DVec2> {
-    amid(field, link.graph?, [link.from.at, link.to.at], noise).ok()
+pub(super) fn middle<const M: usize>(field: &Field<M>, link: &Link, rounding_error: f64) -> Option<DVec2> {
+    amid(field, link.graph?, [link.from.at, link.to.at], rounding_error).ok()
 }
 
 /// Adds the places between the ends of an arc that keep the chords within `chord` of it, as seen at their middles and quarters. Values up
-/// to `noise` may be 0. Returns where the field is not 0 although the arc should be there; no such place is added.
+/// to `rounding_error` may be 0. Returns where the field is not 0 although the arc should be there; no such place is added.
 pub(super) fn refine<const N: usize, const M: usize>(
     patch: &Patch<N>,
     field: &Field<M>,
     link: &Link,
     chord: f64,
-    noise: f64,
+    rounding_error: f64,
     places: &mut Vec<DVec2>,
 ) -> Option<DVec2> {
-    let curve = Curve { patch, field, graph: link.graph?, chord, noise };
+    let curve = Curve { patch, field, graph: link.graph?, chord, rounding_error };
     let [from, to] = [link.from.at, link.to.at].map(|at| Node { at, point: patch.point(at.x, at.y) });
     curve.between(from, to).and_then(|middle| curve.halve(from, middle, to, DEPTH, places)).err()
 }
@@ -89,7 +89,7 @@ fn amid<const M: usize>(
     field: &Field<M>,
     Graph { over, range }: Graph,
     [a, b]: [DVec2; 2],
-    noise: f64,
+    rounding_error: f64,
 ) -> Result<DVec2, DVec2> {
     let along = 0.5 * (a[over] + b[over]);
     let c: [f64; M] = match over {
@@ -100,13 +100,13 @@ fn amid<const M: usize>(
     at[1 - over] = bracketed(&c, range);
     let [value, slope] = polynomial(&c, at[1 - over]);
     // Beside rounding of the field, that of the parameter.
-    if value.abs() <= RESIDUAL * (noise + f64::EPSILON * slope.abs()) { Ok(at) } else { Err(at) }
+    if value.abs() <= RESIDUAL * (rounding_error + f64::EPSILON * slope.abs()) { Ok(at) } else { Err(at) }
 }
 
 impl<const N: usize, const M: usize> Curve<'_, N, M> {
     /// The place whose parameter is amid two others.
     fn between(&self, a: Node, b: Node) -> Result<Node, DVec2> {
-        let at = amid(self.field, self.graph, [a.at, b.at], self.noise)?;
+        let at = amid(self.field, self.graph, [a.at, b.at], self.rounding_error)?;
         Ok(Node { at, point: self.patch.point(at.x, at.y) })
     }
 

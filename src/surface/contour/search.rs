@@ -1,11 +1,11 @@
 //! The arcs of a sheet: block by block, cell by cell, level by level.
 
 use super::cell::{Keys, Link, Mark, SIDES, arcs, one_sign};
+use super::corner_crossing::{CornerCrossing, chord_root, crossing_by_corners, roots};
 use super::lattice::Lattice;
 use super::refine::{is_straight, middle, refine, stays_near};
 use super::side::{crossings, positive};
-use super::simple::{Simple, chord_root, roots, simple};
-use super::source::{Glance, Sides, Source};
+use super::source::{Continuity, CornerTest, Source};
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
@@ -39,15 +39,15 @@ pub(super) struct Arc {
 
 /// What was found on a sheet.
 #[derive(Debug, Default)]
-pub(super) struct Found {
+pub(super) struct FoundArcs {
     pub(super) arcs: Vec<Arc>,
     pub(super) inner: Vec<DVec2>,
     /// Cells, and where in them, that are unresolved.
     pub(super) unresolved: Vec<([u32; 2], DVec2)>,
 }
 
-impl Found {
-    fn append(&mut self, other: &Found) -> Result<()> {
+impl FoundArcs {
+    fn append(&mut self, other: &FoundArcs) -> Result<()> {
         let shift = self.inner.len() as u32;
         alloc::append(&mut self.inner, &other.inner)?;
         alloc::append(&mut self.unresolved, &other.unresolved)?;
@@ -79,7 +79,7 @@ struct Workspace {
 
 impl Workspace {
     /// Finds the ends that are left.
-    fn settle(&mut self, arcs: &mut [Arc]) {
+    fn finish_roots(&mut self, arcs: &mut [Arc]) {
         roots(&self.sides, &mut self.roots);
         for (&(arc, end, side), &root) in self.open.iter().zip(&self.roots) {
             arcs[arc as usize].ends[usize::from(end)] = on_side(usize::from(side), root);
@@ -102,11 +102,11 @@ fn on_side(side: usize, t: f64) -> DVec2 {
 }
 
 /// One level in a cell.
-struct Piece<'a, const M: usize> {
+struct CellLevel<'a, const M: usize> {
     cell: [usize; 2],
     level: usize,
     field: &'a Field<M>,
-    noise: f64,
+    rounding_error: f64,
     /// How far it and the surface are from bilinear.
     deviation: f64,
     /// Polynomials along the sides.
@@ -122,28 +122,28 @@ impl<C, S> Search<'_, C, S> {
         count: usize,
         block: impl Fn(usize) -> [u32; 2] + Sync,
         job: &Job<'_>,
-    ) -> Result<Found>
+    ) -> Result<FoundArcs>
     where
         C: Cells<N>,
         S: Source<M>,
     {
-        let mut found = Found::default();
+        let mut found = FoundArcs::default();
         for first in (0..count).step_by(CHUNK * CHUNKS) {
             let blocks = (count - first).min(CHUNK * CHUNKS);
             let part = job.part(first as f64 / count as f64, (first + blocks) as f64 / count as f64);
             // Of many levels a block is long work.
             let chunk = (MANY / self.source.level_count()).clamp(1, CHUNK);
             let parts = par::chunks_cancellable(&part, "contours", blocks, chunk, |range| {
-                let mut part = Found::default();
+                let mut part = FoundArcs::default();
                 let (mut workspace, mut cache) = (Workspace::default(), S::Cache::default());
                 for k in range {
                     self.block(block(first + k), &mut cache, &mut workspace, &mut part)?;
                 }
-                workspace.settle(&mut part.arcs);
+                workspace.finish_roots(&mut part.arcs);
                 Ok(part)
             });
             for part in parts? {
-                let part: Found = part?;
+                let part: FoundArcs = part?;
                 if found.arcs.is_empty() && found.unresolved.is_empty() {
                     found = part;
                 } else {
@@ -159,7 +159,7 @@ impl<C, S> Search<'_, C, S> {
         block: [u32; 2],
         cache: &mut S::Cache,
         workspace: &mut Workspace,
-        found: &mut Found,
+        found: &mut FoundArcs,
     ) -> Result<()>
     where
         C: Cells<N>,
@@ -168,33 +168,33 @@ impl<C, S> Search<'_, C, S> {
         let [rows, columns] = self.lattice.block(block);
         let Some(block) = self.source.block([rows.clone(), columns.clone()], cache) else { return Ok(()) };
         for cell in rows.flat_map(|i| columns.clone().map(move |j| [i, j])) {
-            if !self.source.may_cross(&block, cell) || self.simple(&block, cell, workspace, found)? {
+            if !self.source.may_cross(&block, cell) || self.crossing_by_corners(&block, cell, workspace, found)? {
                 continue;
             }
             let base = self.source.base(&block, cell, cache);
             let mut patch = None;
             for level in self.source.levels(&base) {
-                let noise = self.source.noise(&base);
-                let field = snapped(self.source.field(&base, level), noise);
+                let rounding_error = self.source.rounding_error(&base);
+                let field = snapped(self.source.field(&base, level), rounding_error);
                 let [low, high] = field.range();
                 // With rounding: where sides are alike only, a neighbour's may have marks that this cell's own have not.
-                if low > noise || high < -noise {
+                if low > rounding_error || high < -rounding_error {
                     continue;
                 }
-                if self.source.sides() != Sides::Alike && one_sign(&field) {
-                    if high - low <= noise {
+                if self.source.continuity() != Continuity::UpToRounding && one_sign(&field) {
+                    if high - low <= rounding_error {
                         // All of the cell, as far as one can tell.
                         alloc::push(&mut found.unresolved, (cell.map(|k| k as u32), DVec2::splat(0.5)))?;
                     }
                     continue;
                 }
-                let (sides, corners) = match self.source.sides() {
-                    Sides::Alike => self.common_border(&block, cell, &field, level, cache),
+                let (sides, corners) = match self.source.continuity() {
+                    Continuity::UpToRounding => self.common_border(&block, cell, &field, level, cache),
                     _ => own_border(&field),
                 };
                 let deviation = self.source.deviation(&block);
-                let piece = Piece { cell, level, field: &field, noise, deviation, sides, corners };
-                self.piece(&piece, &mut patch, workspace, found)?;
+                let cell_level = CellLevel { cell, level, field: &field, rounding_error, deviation, sides, corners };
+                self.cell_level(&cell_level, &mut patch, workspace, found)?;
             }
         }
         Ok(())
@@ -202,12 +202,12 @@ impl<C, S> Search<'_, C, S> {
 
     /// The arcs of a cell, if it is simple for all levels, and these need no points between; else false, and nothing is done.
     #[inline]
-    fn simple<const N: usize, const M: usize>(
+    fn crossing_by_corners<const N: usize, const M: usize>(
         &self,
         block: &S::Block,
         cell: [usize; 2],
         workspace: &mut Workspace,
-        found: &mut Found,
+        found: &mut FoundArcs,
     ) -> Result<bool>
     where
         C: Cells<N>,
@@ -216,15 +216,19 @@ impl<C, S> Search<'_, C, S> {
         if self.chord.is_some_and(|chord| 4.0 * self.source.deviation(block) > chord) {
             return Ok(false);
         }
-        let Some(Glance { levels, corners, play, noise }) = self.source.glance(block, cell) else { return Ok(false) };
+        let Some(CornerTest { levels, corners, slack, rounding_error }) = self.source.corner_test(block, cell) else {
+            return Ok(false);
+        };
         let (arcs, open) = (found.arcs.len(), workspace.open.len());
         for level in levels {
             let values = corners.map(|x| x - self.source.level(level));
-            let done = match simple(values, play, noise) {
-                Some(Simple::Misses) => continue,
-                Some(Simple::Crosses { over, slope, .. }) if !self.is_straight(block, cell, over, slope) => false,
-                Some(Simple::Crosses { sides, .. }) => {
-                    self.cross(cell, level, sides, (values, noise), workspace, found)?;
+            let done = match crossing_by_corners(values, slack, rounding_error) {
+                Some(CornerCrossing::Misses) => continue,
+                Some(CornerCrossing::Crosses { over, slope, .. }) if !self.is_straight(block, cell, over, slope) => {
+                    false
+                }
+                Some(CornerCrossing::Crosses { sides, .. }) => {
+                    self.cross(cell, level, sides, (values, rounding_error), workspace, found)?;
                     true
                 }
                 None => false,
@@ -265,9 +269,9 @@ impl<C, S> Search<'_, C, S> {
         cell: [usize; 2],
         level: usize,
         sides: [usize; 2],
-        (corners, noise): ([f64; 4], f64),
+        (corners, rounding_error): ([f64; 4], f64),
         workspace: &mut Workspace,
-        found: &mut Found,
+        found: &mut FoundArcs,
     ) -> Result<()>
     where
         S: Source<M>,
@@ -281,7 +285,7 @@ impl<C, S> Search<'_, C, S> {
             if end == 0 || self.lattice.is_open(cell, side) {
                 alloc::push(&mut workspace.open, (arc, end as u8, side as u8))?;
                 let along = self.source.along(cell, side, level);
-                alloc::push(&mut workspace.sides, along.map(|x| snap(x, noise)))?;
+                alloc::push(&mut workspace.sides, along.map(|x| snap(x, rounding_error)))?;
             }
         }
         let cell = cell.map(|k| k as u32);
@@ -307,7 +311,7 @@ impl<C, S> Search<'_, C, S> {
                 *own
             } else {
                 let base = self.source.base(block, owner, cache);
-                snapped(self.source.field(&base, level), self.source.noise(&base))
+                snapped(self.source.field(&base, level), self.source.rounding_error(&base))
             };
             let corner = field.c[if ends[0] { M - 1 } else { 0 }][if ends[1] { M - 1 } else { 0 }];
             corners[2 * usize::from(after[0]) + usize::from(after[1])] = positive(corner);
@@ -321,12 +325,12 @@ impl<C, S> Search<'_, C, S> {
     }
 
     /// The arcs of one level in one cell.
-    fn piece<const N: usize, const M: usize>(
+    fn cell_level<const N: usize, const M: usize>(
         &self,
-        piece: &Piece<'_, M>,
+        cell_level: &CellLevel<'_, M>,
         patch: &mut Option<Patch<N>>,
         workspace: &mut Workspace,
-        found: &mut Found,
+        found: &mut FoundArcs,
     ) -> Result<()>
     where
         C: Cells<N>,
@@ -334,22 +338,25 @@ impl<C, S> Search<'_, C, S> {
     {
         let Workspace { marks, links, .. } = workspace;
         links.clear();
-        self.marks(piece, marks);
-        let [i, j] = piece.cell;
+        self.marks(cell_level, marks);
+        let [i, j] = cell_level.cell;
         let cell = [i as u32, j as u32];
         let number = (i * self.lattice.counts[1] + j) as u64;
         let mut keys = Keys(1 << 63 | number << 24);
-        let unresolved = arcs(piece.field, marks, piece.corners, piece.noise, &mut keys, |link| links.push(link));
+        let unresolved =
+            arcs(cell_level.field, marks, cell_level.corners, cell_level.rounding_error, &mut keys, |link| {
+                links.push(link)
+            });
         if let Some(at) = unresolved {
             alloc::push(&mut found.unresolved, (cell, at))?;
         }
         for link in links.iter() {
             // Places of the arc itself: what is amid its ends need not be near it.
             let places = || {
-                let amid = middle(piece.field, link, piece.noise).unwrap_or(link.from.at);
+                let amid = middle(cell_level.field, link, cell_level.rounding_error).unwrap_or(link.from.at);
                 [link.from.at, amid, link.to.at]
             };
-            let keeps = self.source.keeps(piece.cell, piece.level, places);
+            let keeps = self.source.keeps(cell_level.cell, cell_level.level, places);
             if keeps.is_none() {
                 alloc::push(&mut found.unresolved, (cell, link.from.at))?;
             }
@@ -359,16 +366,19 @@ impl<C, S> Search<'_, C, S> {
             let first = found.inner.len() as u32;
             let corners = || [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)].map(|(i, j)| self.cells.corner(i, j));
             let straight = |chord: f64| {
-                piece.deviation < chord && is_straight(&corners(), piece.field, link, piece.deviation, chord)
+                cell_level.deviation < chord
+                    && is_straight(&corners(), cell_level.field, link, cell_level.deviation, chord)
             };
             if let Some(chord) = self.chord.filter(|&chord| !straight(chord)) {
                 let patch = patch.get_or_insert_with(|| self.cells.patch(i, j));
-                if let Some(at) = refine(patch, piece.field, link, chord, piece.noise, &mut found.inner) {
+                if let Some(at) =
+                    refine(patch, cell_level.field, link, chord, cell_level.rounding_error, &mut found.inner)
+                {
                     alloc::push(&mut found.unresolved, (cell, at))?;
                 }
             }
             let arc = Arc {
-                level: piece.level as u32,
+                level: cell_level.level as u32,
                 cell,
                 keys: [link.from.key, link.to.key],
                 ends: [link.from.at, link.to.at],
@@ -381,18 +391,18 @@ impl<C, S> Search<'_, C, S> {
     }
 
     /// Where a level crosses the sides of a cell.
-    fn marks<const M: usize>(&self, piece: &Piece<'_, M>, marks: &mut Vec<Mark>)
+    fn marks<const M: usize>(&self, cell_level: &CellLevel<'_, M>, marks: &mut Vec<Mark>)
     where
         S: Source<M>,
     {
         marks.clear();
-        let apart = self.source.sides() == Sides::Apart;
-        let [c00, c01, c10, c11] = piece.corners;
+        let apart = self.source.continuity() == Continuity::Discontinuous;
+        let [c00, c01, c10, c11] = cell_level.corners;
         let ends = [[c00, c10], [c10, c11], [c01, c11], [c00, c01]];
-        for (side, (c, ends)) in piece.sides.iter().zip(ends).enumerate() {
+        for (side, (c, ends)) in cell_level.sides.iter().zip(ends).enumerate() {
             // Where fields jump, the two cells at a side have marks of their own.
             let which = u64::from(apart && (side == 1 || side == 2));
-            let key = (2 * self.lattice.side(piece.cell, side) + which) << 6;
+            let key = (2 * self.lattice.side(cell_level.cell, side) + which) << 6;
             let mut count = 0;
             crossings(c, ends, |crossing| {
                 marks.push(Mark { key: key | count, at: on_side(side, crossing.t), side, rising: crossing.rising });
@@ -405,13 +415,13 @@ impl<C, S> Search<'_, C, S> {
 /// What cannot be told from 0 is 0: so what lies in a plane within rounding lies in it, and is no heap of tiny curves. The same
 /// coefficients stay the same.
 #[inline]
-fn snapped<const M: usize>(field: Field<M>, noise: f64) -> Field<M> {
-    Field { c: field.c.map(|row| row.map(|x| snap(x, noise))) }
+fn snapped<const M: usize>(field: Field<M>, rounding_error: f64) -> Field<M> {
+    Field { c: field.c.map(|row| row.map(|x| snap(x, rounding_error))) }
 }
 
 #[inline]
-fn snap(x: f64, noise: f64) -> f64 {
-    if x.abs() <= noise { 0.0 } else { x }
+fn snap(x: f64, rounding_error: f64) -> f64 {
+    if x.abs() <= rounding_error { 0.0 } else { x }
 }
 
 /// As the cell has it itself.

@@ -8,13 +8,13 @@ use std::ops::Range;
 
 /// How the fields of two cells fit along their common side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Sides {
+pub(super) enum Continuity {
     /// To the bit.
-    Same,
+    Exact,
     /// But for rounding.
-    Alike,
+    UpToRounding,
     /// They may jump.
-    Apart,
+    Discontinuous,
 }
 
 /// A field over each cell, for a number of levels.
@@ -36,7 +36,7 @@ pub(super) trait Source<const M: usize>: Sync {
 
     /// What the corners alone tell of a cell, if that is much.
     #[inline]
-    fn glance(&self, _block: &Self::Block, _cell: [usize; 2]) -> Option<Glance> {
+    fn corner_test(&self, _block: &Self::Block, _cell: [usize; 2]) -> Option<CornerTest> {
         None
     }
 
@@ -75,32 +75,32 @@ pub(super) trait Source<const M: usize>: Sync {
     }
 
     /// How cells fit.
-    fn sides(&self) -> Sides;
+    fn continuity(&self) -> Continuity;
 
     /// Values up to that may be 0.
-    fn noise(&self, base: &Self::Base) -> f64;
+    fn rounding_error(&self, base: &Self::Base) -> f64;
 }
 
 /// A field over a cell, as its corners show it.
-pub(super) struct Glance {
+pub(super) struct CornerTest {
     /// The levels that may cross the cell.
     pub(super) levels: Range<usize>,
     /// The values at the corners 2 u + v, from which levels are taken.
     pub(super) corners: [f64; 4],
     /// How far coefficients may be from those of the bilinear field.
-    pub(super) play: f64,
+    pub(super) slack: f64,
     /// Values up to that may be 0.
-    pub(super) noise: f64,
+    pub(super) rounding_error: f64,
 }
 
 /// The levels, which rise, from `low` to `high`, with some play.
 #[inline]
-pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], play: f64) -> Range<usize> {
+pub(super) fn between(levels: &[f64], [low, high]: [f64; 2], slack: f64) -> Range<usize> {
     if let &[level] = levels {
-        return 0..usize::from(low - play <= level && level <= high + play);
+        return 0..usize::from(low - slack <= level && level <= high + slack);
     }
-    let first = levels.partition_point(|&level| level < low - play);
-    let count = levels[first..].partition_point(|&level| level <= high + play);
+    let first = levels.partition_point(|&level| level < low - slack);
+    let count = levels[first..].partition_point(|&level| level <= high + slack);
     first..first + count
 }
 
@@ -201,9 +201,9 @@ pub(super) struct Nodes {
 
 /// A window, made when a cell of a block needs more than its corners, and the first cell of that block.
 #[derive(Default)]
-pub(super) struct Kept(Option<([usize; 2], Window)>);
+pub(super) struct CachedWindow(Option<([usize; 2], Window)>);
 
-impl Kept {
+impl CachedWindow {
     fn get(&mut self, first: [usize; 2], make: impl FnOnce() -> Window) -> &Window {
         if self.0.as_ref().is_some_and(|(of, _)| *of != first) {
             self.0 = None;
@@ -237,7 +237,7 @@ pub(super) struct Nodal<'a, F, D> {
     pub(super) axes: [&'a Axis; 2],
     pub(super) value: F,
     pub(super) levels: &'a [f64],
-    pub(super) noise: f64,
+    pub(super) rounding_error: f64,
     /// How far values of cells may be outside those of their nodes, in parts of the half range: |w| sums to at most 1 + `excess`.
     pub(super) excess: f64,
     /// By the first cell of a block: how far the field over its cells may be from the ranges of their corners.
@@ -251,10 +251,10 @@ where
 {
     type Block = Nodes;
     type Base = Field<4>;
-    type Cache = Kept;
+    type Cache = CachedWindow;
 
     #[inline]
-    fn block(&self, cells: [Range<usize>; 2], cache: &mut Kept) -> Option<Nodes> {
+    fn block(&self, cells: [Range<usize>; 2], cache: &mut CachedWindow) -> Option<Nodes> {
         let deviation = (self.deviation)(cells[0].start, cells[1].start);
         let mut block = Nodes { cells, corners: [[0.0; BLOCK + 1]; BLOCK + 1], deviation };
         if deviation.is_finite() {
@@ -267,23 +267,23 @@ where
             return Some(block);
         }
         let [low, high] = self.window(&block, cache).range();
-        let play = 0.5 * self.excess * (high - low) + self.noise;
-        (!between(self.levels, [low, high], play).is_empty()).then_some(block)
+        let slack = 0.5 * self.excess * (high - low) + self.rounding_error;
+        (!between(self.levels, [low, high], slack).is_empty()).then_some(block)
     }
 
     #[inline]
     fn may_cross(&self, block: &Nodes, cell: [usize; 2]) -> bool {
-        !between(self.levels, block.near(cell), self.noise).is_empty()
+        !between(self.levels, block.near(cell), self.rounding_error).is_empty()
     }
 
-    /// A control point of the surface may be 2 deviations from that of the bilinear patch: see `seen`.
+    /// A control point of the surface may be 2 deviations from that of the bilinear patch: see `projected_normals`.
     #[inline]
-    fn glance(&self, block: &Nodes, cell: [usize; 2]) -> Option<Glance> {
-        block.deviation.is_finite().then(|| Glance {
-            levels: between(self.levels, block.near(cell), self.noise),
+    fn corner_test(&self, block: &Nodes, cell: [usize; 2]) -> Option<CornerTest> {
+        block.deviation.is_finite().then(|| CornerTest {
+            levels: between(self.levels, block.near(cell), self.rounding_error),
             corners: block.around(cell),
-            play: 2.0 * block.deviation,
-            noise: self.noise,
+            slack: 2.0 * block.deviation,
+            rounding_error: self.rounding_error,
         })
     }
 
@@ -309,7 +309,7 @@ where
     }
 
     #[inline]
-    fn base(&self, block: &Nodes, cell: [usize; 2], cache: &mut Kept) -> Field<4> {
+    fn base(&self, block: &Nodes, cell: [usize; 2], cache: &mut CachedWindow) -> Field<4> {
         self.window(block, cache).field(cell)
     }
 
@@ -319,7 +319,7 @@ where
 
     #[inline]
     fn levels(&self, base: &Field<4>) -> Range<usize> {
-        between(self.levels, base.range(), self.noise)
+        between(self.levels, base.range(), self.rounding_error)
     }
 
     #[inline]
@@ -332,17 +332,17 @@ where
         block.deviation
     }
 
-    fn sides(&self) -> Sides {
-        Sides::Same
+    fn continuity(&self) -> Continuity {
+        Continuity::Exact
     }
 
-    fn noise(&self, _: &Self::Base) -> f64 {
-        self.noise
+    fn rounding_error(&self, _: &Self::Base) -> f64 {
+        self.rounding_error
     }
 }
 
 impl<F: Fn(usize, usize) -> f64, D> Nodal<'_, F, D> {
-    fn window<'a>(&self, block: &Nodes, cache: &'a mut Kept) -> &'a Window {
+    fn window<'a>(&self, block: &Nodes, cache: &'a mut CachedWindow) -> &'a Window {
         let first = [block.cells[0].start, block.cells[1].start];
         cache.get(first, || Window::new(self.axes, &block.cells, &self.value))
     }
@@ -360,7 +360,7 @@ pub(super) struct Plane<'a, C, const N: usize> {
     pub(super) normal: DVec3,
     pub(super) origin: DVec3,
     pub(super) levels: &'a [f64],
-    pub(super) noise: f64,
+    pub(super) rounding_error: f64,
 }
 
 impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
@@ -382,18 +382,18 @@ impl<C: Cells<N>, const N: usize> Source<N> for Plane<'_, C, N> {
     }
 
     fn levels(&self, base: &Field<N>) -> Range<usize> {
-        between(self.levels, base.range(), self.noise)
+        between(self.levels, base.range(), self.rounding_error)
     }
 
     fn field(&self, base: &Field<N>, level: usize) -> Field<N> {
         shifted(base, self.levels[level])
     }
 
-    fn sides(&self) -> Sides {
-        Sides::Apart
+    fn continuity(&self) -> Continuity {
+        Continuity::Discontinuous
     }
 
-    fn noise(&self, _: &Self::Base) -> f64 {
-        self.noise
+    fn rounding_error(&self, _: &Self::Base) -> f64 {
+        self.rounding_error
     }
 }

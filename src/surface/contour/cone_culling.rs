@@ -9,27 +9,27 @@ use std::f64::consts::PI;
 
 /// By how much an angle may be off where a curve is still found within rounding, in radians: the zero set of an angle is that of a function
 /// that has the slope sin 2 alpha across it.
-const PLAY: f64 = 1e-9;
+const ANGLE_SLACK: f64 = 1e-9;
 /// Slopes below that are no slopes.
-const LEVEL: f64 = 1e-8;
+const MIN_SLOPE: f64 = 1e-8;
 
 /// That much about an angle.
-fn about(angle: f64) -> [f64; 2] {
+fn interval_of(angle: f64) -> [f64; 2] {
     let slope = libm::sin(2.0 * angle).abs();
-    let play = if slope > LEVEL { PLAY / slope } else { PLAY };
-    [angle - play, angle + play]
+    let slack = if slope > MIN_SLOPE { ANGLE_SLACK / slope } else { ANGLE_SLACK };
+    [angle - slack, angle + slack]
 }
 
 /// True if normals at angles from `low` to `high` may have one of those given, which rise.
-pub(super) fn have(goals: &[f64], unsigned: bool, [low, high]: [f64; 2]) -> bool {
+pub(super) fn may_have(goals: &[f64], unsigned: bool, [low, high]: [f64; 2]) -> bool {
     let near = |[low, high]: [f64; 2]| {
         let meets = |&angle: &f64| {
-            let [from, to] = about(angle);
+            let [from, to] = interval_of(angle);
             low <= to && from <= high
         };
         // Of many angles most need not be looked at.
         !between(goals, [low, high], 0.0).is_empty()
-            || goals[between(goals, [low, high], PLAY / LEVEL)].iter().any(meets)
+            || goals[between(goals, [low, high], ANGLE_SLACK / MIN_SLOPE)].iter().any(meets)
     };
     near([low, high]) || (unsigned && near([PI - high, PI - low]))
 }
@@ -58,7 +58,7 @@ pub(super) fn blocks(cones: &Cones, direction: DVec3, wanted: impl Fn([f64; 2]) 
 
 #[cfg(test)]
 mod tests {
-    use super::super::Between;
+    use super::super::PointSpacing;
     use crate::Job;
     use crate::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
     use glam::DVec3;
@@ -145,7 +145,8 @@ mod tests {
                 let most = if unsigned { FRAC_PI_2 } else { PI };
                 let angles = [0.0, 1e-3, 0.6, FRAC_PI_2, 2.0, PI];
                 let angles: Vec<f64> = angles.into_iter().filter(|&angle| angle <= most).collect();
-                let ask = |of: &Surface<'_>| of.isophotes(direction, &angles, unsigned, Between::Auto, &job).unwrap();
+                let ask =
+                    |of: &Surface<'_>| of.isophotes(direction, &angles, unsigned, PointSpacing::Auto, &job).unwrap();
                 let (found, truth) = (ask(&sharp), ask(&blunt));
                 assert_eq!(found, truth, "sheet {number}, {direction}, unsigned {unsigned}");
                 for &angle in &angles {

@@ -1,8 +1,8 @@
 //! Normals of a sheet, seen along a direction: what is known of a cell's without much work.
 
-use super::Lattice;
+use super::lattice::Lattice;
 use super::normals::Hodographs;
-use super::source::Sides;
+use super::source::Continuity;
 use crate::alloc;
 use crate::error::Result;
 use crate::surface::cells::{BLOCK, Cells};
@@ -13,14 +13,14 @@ use glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// Normals of a sheet, seen along a direction.
-pub(super) struct Normals<'a, C> {
+pub(super) struct ProjectedNormals<'a, C> {
     pub(super) cells: &'a C,
     pub(super) index: &'a Pyramid,
     /// Two directions across the given one, and that one.
     pub(super) frame: [DVec3; 3],
     /// Of the greatest coordinates.
     pub(super) reach: f64,
-    pub(super) sides: Sides,
+    pub(super) continuity: Continuity,
 }
 
 /// The corners of a block's cells, seen in the frame.
@@ -28,7 +28,7 @@ pub(super) struct Corners {
     at: [[DVec3; BLOCK + 1]; BLOCK + 1],
     start: [usize; 2],
     /// By how much control vectors of S_u and S_v differ from the sides of the quadrilateral at most.
-    play: f64,
+    slack: f64,
 }
 
 impl Corners {
@@ -38,14 +38,14 @@ impl Corners {
         let (r, c) = (i - self.start[0], j - self.start[1]);
         let [[p00, p01], [p10, p11]] = [[self.at[r][c], self.at[r][c + 1]], [self.at[r + 1][c], self.at[r + 1][c + 1]]];
         let range = |a: DVec3, b: DVec3| {
-            let (low, high) = (a.min(b) - self.play, a.max(b) + self.play);
+            let (low, high) = (a.min(b) - self.slack, a.max(b) + self.slack);
             [0, 1, 2].map(|k| [low[k], high[k]])
         };
         cross(range(p10 - p00, p11 - p01), range(p01 - p00, p11 - p10))
     }
 }
 
-impl<C> Normals<'_, C> {
+impl<C> ProjectedNormals<'_, C> {
     /// What tells most cells apart without making their patches.
     ///
     /// With c the control points of the difference of surface and bilinear patch, S_u differs from a side of the quadrilateral, or from what
@@ -65,8 +65,8 @@ impl<C> Normals<'_, C> {
                 *corner = DVec3::from_array(self.frame.map(|axis| axis.dot(point)));
             }
         }
-        let play = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.reach;
-        Corners { at, start: [rows.start, columns.start], play }
+        let slack = 4.0 * (N - 1) as f64 * deviation + 16.0 * f64::EPSILON * self.reach;
+        Corners { at, start: [rows.start, columns.start], slack }
     }
 
     /// The corners of a block, and its cells, row after row.
@@ -101,26 +101,26 @@ impl<C> Normals<'_, C> {
     where
         C: Cells<N>,
     {
-        let zero = |[low, high]: [f64; 2], noise: f64| low <= noise && high >= -noise;
+        let zero = |[low, high]: [f64; 2], rounding_error: f64| low <= rounding_error && high >= -rounding_error;
         let [x, y, _] = corners.ranges(cell);
         if !(zero(x, 0.0) && zero(y, 0.0)) {
             return Ok(None);
         }
         let of = self.hodographs::<N>(cell);
-        let noise = self.noise(&of);
+        let rounding_error = self.rounding_error(&of);
         let [x, y, along] = of.ranges();
-        let right = if sign > 0.0 { along[1] >= -noise } else { along[0] <= noise };
-        if !(zero(x, noise) && zero(y, noise) && right) {
+        let right = if sign > 0.0 { along[1] >= -rounding_error } else { along[0] <= rounding_error };
+        if !(zero(x, rounding_error) && zero(y, rounding_error) && right) {
             return Ok(None);
         }
         let mut found = Roots::default();
-        roots([of.normal::<H>(0), of.normal::<H>(1)], noise, noise, &mut found)?;
+        roots([of.normal::<H>(0), of.normal::<H>(1)], rounding_error, rounding_error, &mut found)?;
         let unresolved = found.unresolved.iter().map(|cluster| cluster.best.middle.truncate());
         Ok(Some((found.simple, alloc::collect(unresolved)?)))
     }
 
     /// By what components of normals may be wrong for rounding.
-    pub(super) fn noise<const N: usize>(&self, of: &Hodographs<N>) -> f64 {
+    pub(super) fn rounding_error<const N: usize>(&self, of: &Hodographs<N>) -> f64 {
         let [u, v] = of.speeds();
         32.0 * f64::EPSILON * (self.reach * (u + v) + u * v)
     }

@@ -12,7 +12,7 @@ use crate::simd::{self, Kernel};
 
 /// How a level is in such a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Simple {
+pub(super) enum CornerCrossing {
     /// Not at all.
     Misses,
     /// As one arc.
@@ -26,30 +26,30 @@ pub(super) enum Simple {
     },
 }
 
-/// What the values at the corners 2 u + v show, if that is enough. Coefficients are within `play` of the bilinear ones; values up to `noise`
+/// What the values at the corners 2 u + v show, if that is enough. Coefficients are within `slack` of the bilinear ones; values up to `rounding_error`
 /// may be 0.
 #[inline]
-pub(super) fn simple(corners: [f64; 4], play: f64, noise: f64) -> Option<Simple> {
+pub(super) fn crossing_by_corners(corners: [f64; 4], slack: f64, rounding_error: f64) -> Option<CornerCrossing> {
     let [c00, c01, c10, c11] = corners;
     // Of steps that have one sign the lesser, else 0.
     let least = |a: f64, b: f64| if (a > 0.0) == (b > 0.0) { a.abs().min(b.abs()) } else { 0.0 };
     let steps = [least(c10 - c00, c11 - c01), least(c01 - c00, c11 - c10)];
     let over = usize::from(steps[0] > steps[1]);
-    let monotone = 6.0 * (play + noise);
+    let monotone = 6.0 * (slack + rounding_error);
     let slope = steps[1 - over] - monotone;
     if slope <= 0.0 || slope.is_nan() || corners.iter().any(|x| x.is_nan()) {
         return None;
     }
     // As `snapped` has them.
-    let signs = corners.map(|x| positive(x + noise));
+    let signs = corners.map(|x| positive(x + rounding_error));
     let mut sides = [SIDES; 2];
     for (side, [start, end]) in CORNERS.into_iter().enumerate() {
         let (rise, near) = ((corners[end] - corners[start]).abs(), corners[start].abs().min(corners[end].abs()));
         if signs[start] == signs[end] {
-            if rise <= monotone && near <= play + noise {
+            if rise <= monotone && near <= slack + rounding_error {
                 return None;
             }
-        } else if rise <= STEEP * (play + noise) {
+        } else if rise <= STEEP * (slack + rounding_error) {
             return None;
         } else {
             let rising = signs[end];
@@ -57,9 +57,9 @@ pub(super) fn simple(corners: [f64; 4], play: f64, noise: f64) -> Option<Simple>
         }
     }
     match sides {
-        [SIDES, SIDES] => Some(Simple::Misses),
+        [SIDES, SIDES] => Some(CornerCrossing::Misses),
         [SIDES, _] | [_, SIDES] => None,
-        _ => Some(Simple::Crosses { sides, over, slope }),
+        _ => Some(CornerCrossing::Crosses { sides, over, slope }),
     }
 }
 
@@ -82,7 +82,7 @@ const NEWTON: usize = 4;
 /// Sides whose roots are found together.
 pub(super) const LANES: usize = 8;
 
-/// The roots of polynomials of degree 3 along sides that [`simple`] has found to be crossed.
+/// The roots of polynomials of degree 3 along sides that [`crossing_by_corners`] has found to be crossed.
 pub(super) fn roots(sides: &[[f64; 4]], found: &mut Vec<f64>) {
     simd::run(Roots { sides, found });
 }
