@@ -7,7 +7,7 @@ use super::param::Values;
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::surface::line_intersection::Which;
+use crate::surface::line_intersection::HitSelection;
 use std::fmt::Write;
 
 /// Hits that the report lists one by one.
@@ -38,7 +38,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let job = job.part(0.6, 1.0);
     for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.view().is_empty()) {
         let part = job.share(c, curves.len());
-        let hits = surface.curve(&curve.view(), Which::All, &part).map_err(|error| match error {
+        let hits = surface.curve(&curve.view(), HitSelection::All, &part).map_err(|error| match error {
             Error::OptionOutOfRange { .. } => Error::InputUnfit { input: 1, why: "coordinates up to 1e150 are needed" },
             error => error,
         })?;

@@ -7,7 +7,7 @@ use super::param::{Choice, PLACES, Param, ParamKind, Values};
 use super::smooth::{self, CATEGORY, REFERENCE, SCHEME};
 use crate::error::Result;
 use crate::job::Job;
-use crate::surface::line_intersection::{Line, Which};
+use crate::surface::line_intersection::{HitSelection, Line};
 use std::fmt::Write;
 
 pub(super) const FILTER: Filter = Filter {
@@ -63,9 +63,9 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
     let surface = smooth::surface(inputs[0].mesh()?, values, &job.part(0.0, 0.9))?;
     job.step(0.9, "line")?;
     let (line, which) = match values.chosen("which") {
-        0 => (Line::new(point, direction), Which::All),
-        1 => (Line::ray(point, direction), Which::All),
-        _ => (Line::ray(point, direction), Which::First),
+        0 => (Line::new(point, direction), HitSelection::All),
+        1 => (Line::ray(point, direction), HitSelection::All),
+        _ => (Line::ray(point, direction), HitSelection::First),
     };
     let hits = surface.line(&line, which)?;
     let (mut points, mut text) = (Curves::none(), format!("{} hits\n", hits.len()));

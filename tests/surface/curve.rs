@@ -4,7 +4,7 @@ use crate::shapes::{Random, SHAPES, Shape, grid};
 use glam::DVec3;
 use gusset::Job;
 use gusset::outline::{Curve, CurveView, Place};
-use gusset::surface::line_intersection::{Line, Which};
+use gusset::surface::line_intersection::{HitSelection, Line};
 use gusset::surface::{Grid, Patches, Scheme, Sheet, Surface, curve_through};
 use std::f64::consts::TAU;
 
@@ -26,13 +26,13 @@ fn straight_curves_are_segments() {
         let mut total = 0;
         for k in 0..120 {
             let (a, b) = (random.point(1.5), random.point(1.3));
-            let lines = surface.line(&Line::segment(a, b), Which::All).unwrap();
+            let lines = surface.line(&Line::segment(a, b), HitSelection::All).unwrap();
             // As a line, a cubic, and a curve of degree 7.
             for degree in [1_u32, 3, 7] {
                 let points: Vec<DVec3> = (0..=degree).map(|n| a.lerp(b, f64::from(n) / f64::from(degree))).collect();
                 let ends = [0, degree];
                 let curve = CurveView::new(&points, &ends, false).unwrap();
-                let hits = surface.curve(&curve, Which::All, &Job::default()).unwrap();
+                let hits = surface.curve(&curve, HitSelection::All, &Job::default()).unwrap();
                 assert_eq!(hits.len(), lines.len(), "{} {k} {degree}: {lines:?} {hits:?}", shape.name);
                 for (hit, line) in hits.iter().zip(&lines) {
                     assert_eq!((hit.tangent, hit.multiplicity), (line.tangent, line.multiplicity));
@@ -42,9 +42,12 @@ fn straight_curves_are_segments() {
                     );
                     assert_eq!(hit.point, surface.jet(hit.place).point);
                 }
-                let first = surface.curve(&curve, Which::First, &Job::default()).unwrap();
+                let first = surface.curve(&curve, HitSelection::First, &Job::default()).unwrap();
                 assert_eq!(first.first(), hits.first());
-                assert_eq!(surface.curve(&curve, Which::Any, &Job::default()).unwrap().is_empty(), hits.is_empty());
+                assert_eq!(
+                    surface.curve(&curve, HitSelection::Any, &Job::default()).unwrap().is_empty(),
+                    hits.is_empty()
+                );
             }
             total += lines.len();
         }
@@ -62,7 +65,7 @@ fn compare(shape: &Shape, count: usize) {
         let points: Vec<DVec3> = (0..=degree).map(|_| random.point(1.5)).collect();
         let ends = [0, degree];
         let curve = CurveView::new(&points, &ends, false).unwrap();
-        let hits = surface.curve(&curve, Which::All, &Job::default()).unwrap();
+        let hits = surface.curve(&curve, HitSelection::All, &Job::default()).unwrap();
         for hit in &hits {
             assert!(at(&curve, hit.at).distance(hit.point) < if hit.tangent { 1e-6 } else { 1e-12 }, "{hit:?}");
         }
@@ -71,7 +74,7 @@ fn compare(shape: &Shape, count: usize) {
             (0..=pieces).map(|n| at(&curve, Place { segment: 0, t: f64::from(n) / f64::from(pieces) })).collect();
         let fine_ends: Vec<u32> = (0..=pieces).collect();
         let polyline = CurveView::new(&fine, &fine_ends, false).unwrap();
-        let rough = surface.curve(&polyline, Which::All, &Job::default()).unwrap();
+        let rough = surface.curve(&polyline, HitSelection::All, &Job::default()).unwrap();
         let rough: Vec<f64> =
             rough.iter().map(|hit| (f64::from(hit.at.segment) + hit.at.t) / f64::from(pieces)).collect();
         let fine: Vec<f64> = hits.iter().map(|hit| hit.at.t).collect();
@@ -119,7 +122,7 @@ fn joints_on_nodes_are_found_once() {
             let cubics = vec![a, a.lerp(node, 0.3), node - middle, node, node + middle, b.lerp(node, 0.3), b];
             for (points, ends) in [polyline, (cubics, vec![0, 3, 6])] {
                 let curve = CurveView::new(&points, &ends, false).unwrap();
-                let hits = surface.curve(&curve, Which::All, &Job::default()).unwrap();
+                let hits = surface.curve(&curve, HitSelection::All, &Job::default()).unwrap();
                 let here = hits.iter().filter(|hit| hit.point.distance(node) < 1e-8).count();
                 assert_eq!(here, 1, "{} {k}: {hits:?}", shape.name);
                 assert!(hits.windows(2).all(|pair| {
@@ -130,7 +133,7 @@ fn joints_on_nodes_are_found_once() {
             // Closed: its start and end at the node.
             let triangle = [node, a, b, node];
             let curve = CurveView::new(&triangle, &[0, 1, 2, 3], true).unwrap();
-            let hits = surface.curve(&curve, Which::All, &Job::default()).unwrap();
+            let hits = surface.curve(&curve, HitSelection::All, &Job::default()).unwrap();
             let here = hits.iter().filter(|hit| hit.point.distance(node) < 1e-8).count();
             assert_eq!(here, 1, "{} {k}: {hits:?}", shape.name);
         }
@@ -143,12 +146,12 @@ fn coordinate_curves_run_inside() {
     let sheet = Sheet::Grid(grid.clone());
     for (curve, cells) in [(sheet.row_curve(3.3).unwrap(), 52), (sheet.column_curve(7.0).unwrap(), 40)] {
         assert_eq!(curve.view().len(), cells);
-        let hits = surface.curve(&curve.view(), Which::All, &Job::default()).unwrap();
+        let hits = surface.curve(&curve.view(), HitSelection::All, &Job::default()).unwrap();
         assert_eq!(hits.len(), 1, "{hits:?}");
         assert_eq!((hits[0].multiplicity, hits[0].tangent), (0, true));
         let along = |at: Place| f64::from(at.segment) + at.t;
         assert!(along(hits[0].span[0]) < 0.05 && along(hits[0].span[1]) > cells as f64 - 0.05, "{hits:?}");
-        let first = surface.curve(&curve.view(), Which::First, &Job::default()).unwrap();
+        let first = surface.curve(&curve.view(), HitSelection::First, &Job::default()).unwrap();
         assert_eq!(first, hits);
     }
 }
@@ -345,14 +348,14 @@ fn what_is_refused() {
     let (_, surface) = surface(&SHAPES[2]);
     let points: Vec<DVec3> = (0..9).map(|k| DVec3::splat(f64::from(k))).collect();
     let high = CurveView::new(&points, &[0, 8], false).unwrap();
-    assert!(surface.curve(&high, Which::All, &Job::default()).is_err());
+    assert!(surface.curve(&high, HitSelection::All, &Job::default()).is_err());
     let empty = CurveView::new(&[], &[0], false).unwrap();
-    assert!(surface.curve(&empty, Which::All, &Job::default()).is_err());
+    assert!(surface.curve(&empty, HitSelection::All, &Job::default()).is_err());
     // Segments without extent, far away, and huge ones.
     for points in
         [[DVec3::ZERO; 4], [DVec3::splat(1e12); 4], [DVec3::splat(-1e100), DVec3::X, DVec3::Y, DVec3::splat(1e100)]]
     {
         let curve = CurveView::new(&points, &[0, 3], false).unwrap();
-        assert!(surface.curve(&curve, Which::All, &Job::default()).is_ok());
+        assert!(surface.curve(&curve, HitSelection::All, &Job::default()).is_ok());
     }
 }

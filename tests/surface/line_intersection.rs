@@ -2,7 +2,7 @@
 
 use crate::shapes::{Random, SHAPES, Shape, grid};
 use glam::{DMat3, DVec3};
-use gusset::surface::line_intersection::{Line, Which};
+use gusset::surface::line_intersection::{HitSelection, Line};
 use gusset::surface::{Grid, Nodes, Patches, Scheme, Sheet, Surface};
 use gusset::{Error, Job};
 
@@ -61,7 +61,7 @@ fn hits_by_force_and_parity() {
                 1 => Line::ray(a, b - a),
                 _ => Line::segment(a, b),
             };
-            let hits = surface.line(&line, Which::All).unwrap();
+            let hits = surface.line(&line, HitSelection::All).unwrap();
             let truth = by_force(&grid, &line);
             let found: Vec<f64> = hits.iter().filter(|hit| !hit.tangent).map(|hit| hit.t).collect();
             assert_eq!(found.len(), truth.len(), "{} {k}: {line:?}: {hits:?} {truth:?}", shape.name);
@@ -72,9 +72,9 @@ fn hits_by_force_and_parity() {
             if shape.closed == [true, true] && k % 3 == 0 {
                 assert!(hits.len().is_multiple_of(2), "{} {k}: {hits:?}", shape.name);
             }
-            let first = surface.line(&line, Which::First).unwrap();
+            let first = surface.line(&line, HitSelection::First).unwrap();
             assert_eq!(first.first().map(|hit| hit.t), hits.first().map(|hit| hit.t));
-            assert_eq!(surface.line(&line, Which::Any).unwrap().is_empty(), hits.is_empty());
+            assert_eq!(surface.line(&line, HitSelection::Any).unwrap().is_empty(), hits.is_empty());
             total += hits.len();
         }
         assert!(total > 30, "{}: {total}", shape.name);
@@ -87,7 +87,7 @@ fn through_nodes_and_along_seams() {
     let shape = &SHAPES[0];
     let surface = Surface::new(vec![Sheet::Grid(grid(shape))], None, &Job::default()).unwrap();
     let line = Line::new(DVec3::new(-3.0, 0.0, 0.0), DVec3::X);
-    let hits = surface.line(&line, Which::All).unwrap();
+    let hits = surface.line(&line, HitSelection::All).unwrap();
     let expected = [1.6, 2.4, 3.6, 4.4];
     assert_eq!(hits.len(), 4, "{hits:?}");
     for (hit, t) in hits.iter().zip(expected) {
@@ -96,7 +96,7 @@ fn through_nodes_and_along_seams() {
     // A line that touches the top of the ring.
     let top = surface.jet(gusset::surface::Place { sheet: 0, cell: [5, 0], u: 0.0, v: 0.0 }).point;
     let line = Line::new(DVec3::new(top.x, -3.0, top.z), DVec3::Y);
-    let hits = surface.line(&line, Which::All).unwrap();
+    let hits = surface.line(&line, HitSelection::All).unwrap();
     assert!(!hits.is_empty() && hits.len() <= 2, "{hits:?}");
 }
 
@@ -109,7 +109,7 @@ fn lines_that_are_none() {
         Line::new(DVec3::ZERO, DVec3::INFINITY),
         Line { from: 1.0, to: 0.0, ..Line::new(DVec3::ZERO, DVec3::X) },
     ] {
-        assert!(surface.line(&line, Which::All).is_err());
+        assert!(surface.line(&line, HitSelection::All).is_err());
     }
 }
 
@@ -141,7 +141,7 @@ fn compare(shape: &Shape, count: usize) {
     for k in 0..count {
         let (a, b) = (random.point(1.5), random.point(1.2));
         let line = if k % 2 == 0 { Line::new(a, b - a) } else { Line::segment(a, b) };
-        let hits = surface.line(&line, Which::All).unwrap();
+        let hits = surface.line(&line, HitSelection::All).unwrap();
         let truth = by_force(&grid, &line);
         let found: Vec<f64> = hits.iter().filter(|hit| !hit.tangent).map(|hit| hit.t).collect();
         // Near touches may be a pair for the one and a spot for the other.
@@ -197,7 +197,7 @@ fn batches_are_single_lines() {
         let grid = grid(shape);
         let surface = Surface::new(vec![Sheet::Grid(grid.clone())], None, &Job::default()).unwrap();
         let lines = lines(&grid, 1200);
-        for which in [Which::All, Which::First, Which::Any] {
+        for which in [HitSelection::All, HitSelection::First, HitSelection::Any] {
             let one = surface.lines(&lines, which, &Job::new(1, &Quiet)).unwrap();
             for threads in [2, 5] {
                 assert_eq!(surface.lines(&lines, which, &Job::new(threads, &Quiet)).unwrap(), one);
@@ -206,7 +206,7 @@ fn batches_are_single_lines() {
                 assert_eq!(surface.line(line, which).unwrap(), one.hits_of(k), "{} {line:?}", shape.name);
             }
         }
-        let all = surface.lines(&lines, Which::All, &Job::default()).unwrap();
+        let all = surface.lines(&lines, HitSelection::All, &Job::default()).unwrap();
         let first = surface.first_hits(&lines, &Job::default()).unwrap();
         for k in 0..lines.len() {
             assert_eq!(all.hits_of(k).first().copied(), first[k], "{} {:?}", shape.name, lines[k]);
@@ -237,7 +237,7 @@ fn through_any_node_once() {
             let node = grid.nodes().get((k * 5) % (h + 1), (k * 11) % (w + 1));
             let direction = random.point(1.0);
             let line = Line::new(node, direction);
-            let hits = surface.line(&line, Which::All).unwrap();
+            let hits = surface.line(&line, HitSelection::All).unwrap();
             let here: Vec<_> = hits.iter().filter(|hit| hit.point.distance(node) < 1e-7).collect();
             assert_eq!(here.len(), 1, "{} {k}: {line:?}: {hits:?}", shape.name);
             let normal = here[0].normal;
@@ -270,7 +270,7 @@ fn sheets_that_share_sides_are_one_surface() {
     for k in 0..200 {
         let node = grid.nodes().get(if k % 2 == 0 { 7 } else { 0 }, k % w);
         let line = Line::new(node, random.point(1.0));
-        let (a, b) = (two.line(&line, Which::All).unwrap(), whole.line(&line, Which::All).unwrap());
+        let (a, b) = (two.line(&line, HitSelection::All).unwrap(), whole.line(&line, HitSelection::All).unwrap());
         assert_eq!(a.len(), b.len(), "{k}: {a:?} {b:?}");
         assert!(a.iter().zip(&b).all(|(a, b)| (a.t - b.t).abs() < 1e-9 && a.multiplicity == b.multiplicity));
     }
@@ -287,12 +287,12 @@ fn touching_and_running_inside() {
         let jet = surface.jet(place);
         for along in [jet.v, jet.u + 0.3 * jet.v, jet.u] {
             let line = Line::new(jet.point, along);
-            let hits = surface.line(&line, Which::All).unwrap();
+            let hits = surface.line(&line, HitSelection::All).unwrap();
             let here: Vec<_> = hits.iter().filter(|hit| hit.point.distance(jet.point) < 1e-3).collect();
             assert_eq!(here.len(), 1, "{j} {along}: {hits:?}");
             assert_eq!((here[0].multiplicity, here[0].tangent), (2, true), "{hits:?}");
             assert!(here[0].point.distance(jet.point) < 1e-4 && here[0].span[0] <= 0.0 && here[0].span[1] >= 0.0);
-            assert_eq!(surface.line(&line, Which::First).unwrap()[0], hits[0]);
+            assert_eq!(surface.line(&line, HitSelection::First).unwrap()[0], hits[0]);
         }
     }
     // In a plane: in the middle of cells, along their sides, and across.
@@ -304,16 +304,16 @@ fn touching_and_running_inside() {
         (DVec3::new(-2.0, -2.0, 0.0), DVec3::new(2.0, 2.0, 0.0), 0.25, 0.75),
         (DVec3::new(-0.3, 0.1, 0.0), DVec3::new(0.3, 0.2, 0.0), 0.0, 1.0),
     ] {
-        let hits = surface.line(&Line::segment(a, b), Which::All).unwrap();
+        let hits = surface.line(&Line::segment(a, b), HitSelection::All).unwrap();
         assert_eq!(hits.len(), 1, "{a} {b}: {hits:?}");
         assert_eq!((hits[0].multiplicity, hits[0].tangent), (0, true));
         let [start, end] = hits[0].span;
         assert!((start - from).abs() < 0.01 && (end - to).abs() < 0.01, "{a} {b}: {hits:?}");
-        assert_eq!(surface.line(&Line::segment(a, b), Which::First).unwrap(), hits);
+        assert_eq!(surface.line(&Line::segment(a, b), HitSelection::First).unwrap(), hits);
     }
     // In the same plane, past the sheet.
     let past = Line::new(DVec3::new(-2.0, 0.5, 0.0), DVec3::new(1.0, 1.0, 0.0));
-    assert!(surface.line(&past, Which::All).unwrap().is_empty());
+    assert!(surface.line(&past, HitSelection::All).unwrap().is_empty());
     // Rulings of a cylinder.
     let cylinder = |u: f64, v: f64| {
         let turn = std::f64::consts::TAU * v;
@@ -323,7 +323,7 @@ fn touching_and_running_inside() {
     let surface = Surface::new(vec![Sheet::Grid(pipe.clone())], None, &Job::default()).unwrap();
     for (j, v) in [(0, 0.0), (3, 0.5), (39, 0.25)] {
         let foot = pipe.patch(4, j).point(0.5, v);
-        let hits = surface.line(&Line::new(foot, DVec3::Z), Which::All).unwrap();
+        let hits = surface.line(&Line::new(foot, DVec3::Z), HitSelection::All).unwrap();
         assert_eq!(hits.len(), 1, "{j}: {hits:?}");
         let span = hits[0].span;
         assert!(hits[0].multiplicity == 0 && (span[0] + 1.0).abs() < 0.02 && (span[1] - 1.0).abs() < 0.02, "{hits:?}");
@@ -346,8 +346,8 @@ fn any_size_and_anywhere() {
         let mut random = Random(21);
         for k in 0..100 {
             let (a, b) = (random.point(1.5), random.point(1.2));
-            let hits = surface.line(&Line::new(a, b - a), Which::All).unwrap();
-            let same = other.line(&Line::new(moved(a), scale * (b - a)), Which::All).unwrap();
+            let hits = surface.line(&Line::new(a, b - a), HitSelection::All).unwrap();
+            let same = other.line(&Line::new(moved(a), scale * (b - a)), HitSelection::All).unwrap();
             assert_eq!(hits.len(), same.len(), "{scale} {shift} {k}: {hits:?} {same:?}");
             let play = if shift == 0.0 { 1e-10 } else { 1e-6 };
             assert!(hits.iter().zip(&same).all(|(x, y)| (x.t - y.t).abs() < play), "{scale} {shift} {k}");
@@ -388,7 +388,7 @@ fn fourth_order_on_a_torus() {
         for _ in 0..400 {
             let direction = random.point(1.0).normalize();
             let line = Line::new(random.point(1.0), direction);
-            let hits = surface.line(&line, Which::All).unwrap();
+            let hits = surface.line(&line, HitSelection::All).unwrap();
             // Not where it nearly touches: there the parameter is far off for little.
             if hits.iter().any(|hit| hit.normal.dot(direction).abs() < 0.3) {
                 continue;
@@ -410,13 +410,13 @@ fn directions_whose_squares_vanish_or_overflow() {
     let job = Job::default();
     let along = |length: f64| Line::ray(DVec3::new(-9.0, 0.1, 0.0), DVec3::new(length, 0.0, 0.0));
     for length in [1e-320, 1e-160, 1e160] {
-        assert!(surface.line(&along(length), Which::First).is_err(), "{length}");
+        assert!(surface.line(&along(length), HitSelection::First).is_err(), "{length}");
         let lines = [along(1.0), along(length)];
         let refused = surface.first_hits(&lines, &job).unwrap_err();
         assert!(matches!(refused, Error::BadLine { line: 1, value } if value == length), "{refused:?}");
     }
     for length in [1e-150, 1e150] {
-        let hit = surface.line(&along(length), Which::First).unwrap();
+        let hit = surface.line(&along(length), HitSelection::First).unwrap();
         assert!(hit[0].t.is_finite() && hit[0].t > 0.0, "{hit:?}");
     }
 }

@@ -4,7 +4,7 @@ use crate::shapes::{Random, SHAPES};
 use glam::DVec3;
 use gusset::Job;
 use gusset::outline::CurveView;
-use gusset::surface::line_intersection::{Hit, Line, Which};
+use gusset::surface::line_intersection::{Hit, HitSelection, Line};
 use gusset::surface::{Grid, Nodes, Place, Scheme, Sheet, Surface};
 
 /// A sheet through points, closed lines of which are repeated to the bit.
@@ -54,7 +54,7 @@ fn poles_have_normals_and_count_by_their_cells() {
     lines.push(Line::new(DVec3::new(0.0, 2.6313462855769325, 1.0), DVec3::Y));
     let mut touches = 0;
     for line in &lines {
-        let hits = sphere.line(line, Which::All).unwrap();
+        let hits = sphere.line(line, HitSelection::All).unwrap();
         let here: Vec<_> = hits.iter().filter(|hit| (hit.point.z.abs() - 1.0).abs() < 1e-12).collect();
         assert!(!here.is_empty(), "{line:?}");
         for hit in here {
@@ -67,7 +67,7 @@ fn poles_have_normals_and_count_by_their_cells() {
         assert!(multiplicities(&hits).is_multiple_of(2), "{line:?} {hits:?}");
     }
     assert!(touches < 20, "{touches}");
-    assert!(sphere.line(&lines[1001], Which::All).unwrap()[1].tangent);
+    assert!(sphere.line(&lines[1001], HitSelection::All).unwrap()[1].tangent);
 }
 
 #[test]
@@ -84,11 +84,11 @@ fn one_crossing_is_one_hit_far_from_the_origin() {
             ));
         }
         for line in &lines {
-            let hits = torus.line(line, Which::All).unwrap();
+            let hits = torus.line(line, HitSelection::All).unwrap();
             let in_doubt = hits.iter().any(|hit| hit.tangent);
             assert!(in_doubt || multiplicities(&hits).is_multiple_of(2), "{far} {line:?} {hits:?}");
         }
-        let in_doubt = |line: &&Line| torus.line(line, Which::All).unwrap().iter().any(|hit| hit.tangent);
+        let in_doubt = |line: &&Line| torus.line(line, HitSelection::All).unwrap().iter().any(|hit| hit.tangent);
         assert!(lines.iter().filter(in_doubt).count() <= 2);
     }
 }
@@ -103,12 +103,12 @@ fn creases_are_touched_or_passed() {
         let mut touches = 0;
         for k in 0..1500 {
             let line = through_a_node_or_side(surface, &mut random, k);
-            let hits = surface.line(&line, Which::All).unwrap();
+            let hits = surface.line(&line, HitSelection::All).unwrap();
             assert!(multiplicities(&hits).is_multiple_of(2), "{line:?} {hits:?}");
             let touch = hits.iter().find(|hit| hit.tangent);
             touches += u32::from(touch.is_some());
             assert!(touch.is_none_or(|hit| hit.multiplicity == 2), "{hits:?}");
-            assert_eq!(surface.line(&line, Which::First).unwrap().first(), hits.first());
+            assert_eq!(surface.line(&line, HitSelection::First).unwrap().first(), hits.first());
             // As a curve of one segment, straight and raised.
             if k % 10 == 0 || touch.is_some() {
                 let [a, b] = [-10.0, 10.0].map(|t| line.origin + t * line.direction);
@@ -116,7 +116,7 @@ fn creases_are_touched_or_passed() {
                 for points in [vec![a, b], cubic] {
                     let starts = [0, points.len() as u32 - 1];
                     let curve = CurveView::new(&points, &starts, false).unwrap();
-                    let found = surface.curve(&curve, Which::All, &Job::default()).unwrap();
+                    let found = surface.curve(&curve, HitSelection::All, &Job::default()).unwrap();
                     assert!(
                         found.iter().map(|hit| hit.multiplicity).sum::<u32>().is_multiple_of(2),
                         "{line:?} {found:?}"
@@ -127,7 +127,7 @@ fn creases_are_touched_or_passed() {
         assert!(touches > 10, "{touches}");
     }
     let line = Line::new(DVec3::new(0.9826822705510558, 8.016941675008606, -0.34147652693884484), DVec3::Y);
-    let hits = bumpy.line(&line, Which::All).unwrap();
+    let hits = bumpy.line(&line, HitSelection::All).unwrap();
     assert_eq!(
         hits.iter().map(|hit| (hit.multiplicity, hit.tangent)).collect::<Vec<_>>(),
         [(1, false), (2, true), (1, false)]
@@ -158,7 +158,7 @@ fn what_is_simple_is_on_the_line() {
             // Along the surface, nearly.
             let direction = size * (random.next() * jet.u + random.next() * jet.v).normalize();
             let line = Line::new(jet.point - direction, direction);
-            for hit in surface.line(&line, Which::All).unwrap() {
+            for hit in surface.line(&line, HitSelection::All).unwrap() {
                 assert!(hit.span[0] <= hit.t && hit.t <= hit.span[1], "{line:?} {hit:?}");
                 let miss = (hit.point - line.origin).cross(direction.normalize()).length();
                 assert!(hit.tangent || miss <= 1.01 * surface.tolerance(), "{line:?} {hit:?}: {miss}");
@@ -175,7 +175,7 @@ fn creases_between_sheets() {
     for j in [3, 11, 20, 29] {
         let keel = hull.jet(Place { sheet: 0, cell: [j, 0], u: 0.3, v: 0.0 }).point;
         for (direction, expected) in [(DVec3::Y, (2, true)), (DVec3::new(0.1, 0.0, 1.0), (1, false))] {
-            let hits = hull.line(&Line::new(keel - direction, direction), Which::All).unwrap();
+            let hits = hull.line(&Line::new(keel - direction, direction), HitSelection::All).unwrap();
             let here: Vec<_> = hits.iter().filter(|hit| hit.point.distance(keel) < 1e-9).collect();
             assert_eq!(here.len(), 1, "{hits:?}");
             assert_eq!((here[0].multiplicity, here[0].tangent), expected, "{hits:?}");

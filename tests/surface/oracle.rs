@@ -5,7 +5,7 @@ use crate::shapes::{Random, SHAPES, Shape, grid, rough};
 use glam::DVec3;
 use gusset::Job;
 use gusset::surface::contour::{Planes, PointSpacing};
-use gusset::surface::line_intersection::{Line, Which};
+use gusset::surface::line_intersection::{HitSelection, Line};
 use gusset::surface::reference::{Diameters, Lattice, Object, Scale, cells_within, closest};
 use gusset::surface::{Grid, Patches, Place, Scheme, Sheet, Surface};
 use std::path::{Path, PathBuf};
@@ -213,7 +213,7 @@ fn compare_lines(lines: usize, seed: u64) -> usize {
         let mut random = Random(seed);
         for _ in 0..lines {
             let line = Line::new(centre + random.point(0.5 * size), random.point(1.0));
-            let hits = case.surface.line(&line, Which::All).unwrap();
+            let hits = case.surface.line(&line, HitSelection::All).unwrap();
             let object = Object::Line(line);
             let scale =
                 cells_within(&case.sheet, &case.diameters, object, 0.0, case.tolerance, &Job::default()).unwrap();

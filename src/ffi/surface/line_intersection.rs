@@ -3,7 +3,7 @@
 use crate::ffi::curve::{gusset_curve, gusset_place, view};
 use crate::ffi::prelude::*;
 use crate::ffi::surface::{gusset_surface, gusset_surface_place, read};
-use crate::surface::line_intersection::{CurveHit, Hit, Line, Lines, Which};
+use crate::surface::line_intersection::{CurveHit, Hit, HitSelection, Line, Lines};
 use glam::DVec3;
 
 /// A line, ray or segment: the points origin + t * direction for t from `from` to `to`.
@@ -144,7 +144,7 @@ pub(crate) fn lines(lines: *const gusset_line, count: usize) -> Result<Vec<Line>
     Ok(alloc::collect(lines)?)
 }
 
-c_enum! { selection: Which { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST => First, GUSSET_HITS_ANY => Any } }
+c_enum! { selection: HitSelection { GUSSET_HITS_ALL => All, GUSSET_HITS_FIRST => First, GUSSET_HITS_ANY => Any } }
 
 /// Where lines, rays or segments meet a surface; for each line what a call with it alone gives.
 ///

@@ -409,7 +409,7 @@ fn breaks(own: &[&[f64]], points: &[bool]) -> Result<(Vec<f64>, Vec<Vec<f64>>)> 
         alloc::reserve(&mut all, ends.len())?;
         all.extend(ends[..ends.len() - 1].iter().map(|&end| (end, curve)));
     }
-    all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    all.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut ends: Vec<Vec<f64>> = own.iter().map(|_| Vec::new()).collect();
     breaks = Vec::new();
     for (end, curve) in all {

@@ -185,7 +185,7 @@ impl<C> NearestAngleSearch<'_, C> {
             let below = front.iter().flat_map(|&[r, c]| (0..4).map(move |k| [2 * r + k / 2, 2 * c + k % 2]));
             let bound = |at: [usize; 2]| Some((self.goal.bound(cones.get(level, at[0], at[1])?.angles(direction)), at));
             let mut bounds: Vec<(f64, [usize; 2])> = below.filter_map(bound).collect();
-            bounds.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            bounds.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             front = bounds.into_iter().take(BLOCKS_FOR_FIRST_BOUND).map(|(_, at)| at).collect();
         }
         let mut shown = *best;
@@ -365,7 +365,7 @@ impl Surface<'_> {
             })?;
         }
         let order = |candidate: &Candidate| (candidate.sheet, candidate.cell);
-        candidates.sort_by(|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
+        candidates.sort_unstable_by(|a, b| a.bound.total_cmp(&b.bound).then(order(a).cmp(&order(b))));
         let mut bound = f64::INFINITY;
         for (k, candidate) in candidates.iter().enumerate() {
             if k % 16 == 0 {

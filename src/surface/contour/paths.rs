@@ -75,9 +75,9 @@ impl SheetContours {
         let mut heads: Vec<usize> = Vec::new();
         alloc::reserve(&mut heads, open().count())?;
         heads.extend(open());
-        heads.sort_by(|&a, &b| {
+        heads.sort_unstable_by(|&a, &b| {
             let by = |k: usize| self.contours[k].level;
-            by(a).cmp(&by(b)).then(head(a).x.total_cmp(&head(b).x))
+            by(a).cmp(&by(b)).then(head(a).x.total_cmp(&head(b).x)).then(a.cmp(&b))
         });
         let mut taken = alloc::filled(false, heads.len())?;
         for k in open() {
@@ -220,7 +220,7 @@ pub(super) fn paths(
 fn keep_first_of_each_cell(places: &mut Vec<Place>) -> Result<()> {
     let cell = |place: &Place| (place.sheet, place.cell);
     let mut by: Vec<usize> = alloc::collect(0..places.len())?;
-    by.sort_by_key(|&k| cell(&places[k]));
+    by.sort_unstable_by_key(|&k| (cell(&places[k]), k));
     by.dedup_by_key(|&mut k| cell(&places[k]));
     by.sort_unstable();
     *places = alloc::collect(by.into_iter().map(|k| places[k]))?;
@@ -235,7 +235,9 @@ pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: 
     }
     let frames = alloc::collect(points.iter().map(|&(_, place)| surface.point_and_normal(place)))?;
     let mut by: Vec<usize> = alloc::collect(0..points.len())?;
-    by.sort_by(|&a, &b| points[a].0.cmp(&points[b].0).then(frames[a].0.x.total_cmp(&frames[b].0.x)).then(a.cmp(&b)));
+    by.sort_unstable_by(|&a, &b| {
+        points[a].0.cmp(&points[b].0).then(frames[a].0.x.total_cmp(&frames[b].0.x)).then(a.cmp(&b))
+    });
     let mut dropped = alloc::filled(false, points.len())?;
     for (at, &k) in by.iter().enumerate() {
         for &other in &by[at + 1..] {
@@ -262,7 +264,7 @@ pub(super) fn add_points(surface: &Surface<'_>, points: &[(u32, Place)], paths: 
 /// The same paths by rising level.
 fn by_level(given: Paths) -> Result<Paths> {
     let mut order: Vec<usize> = alloc::collect(0..given.len())?;
-    order.sort_by_key(|&k| given.levels[k]);
+    order.sort_unstable_by_key(|&k| (given.levels[k], k));
     let mut sorted = Paths { ends: vec![0], unresolved: given.unresolved, ..Paths::default() };
     for k in order {
         let range = given.ends[k] as usize..given.ends[k + 1] as usize;

@@ -1,7 +1,7 @@
 //! Many lines at once.
 
+use super::line::{Hit, HitSelection, Line};
 use super::search::Workspace;
-use super::{Hit, Line, Which};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -32,13 +32,13 @@ impl Surface<'_> {
     ///
     /// # Errors
     /// [`Error::BadLine`] with the first line that is not finite or has no direction, [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn lines(&self, lines: &[Line], which: Which, job: &Job<'_>) -> Result<Lines> {
+    pub fn lines(&self, lines: &[Line], selection: HitSelection, job: &Job<'_>) -> Result<Lines> {
         let mut all = Lines { ends: alloc::with_capacity(lines.len() + 1)?, hits: Vec::new() };
         all.ends.push(0);
         let each = |lines: &[Line], workspace: &mut Workspace| {
             let (mut counts, mut hits) = (alloc::with_capacity(lines.len())?, Vec::new());
             for line in lines {
-                self.strike(line, which, workspace)?;
+                self.find_hits(line, selection, workspace)?;
                 counts.push(workspace.hits.len() as u64);
                 alloc::append(&mut hits, &workspace.hits)?;
             }
@@ -62,7 +62,7 @@ impl Surface<'_> {
         let each = |lines: &[Line], workspace: &mut Workspace| {
             let mut hits = alloc::with_capacity(lines.len())?;
             for line in lines {
-                self.strike(line, Which::First, workspace)?;
+                self.find_hits(line, HitSelection::First, workspace)?;
                 hits.push(workspace.hits.first().copied());
             }
             Ok(hits)

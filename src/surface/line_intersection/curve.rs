@@ -3,10 +3,10 @@
 //! Parts of the curve go down the index together with blocks of cells: of the two the larger is divided, and what is apart is dropped. What
 //! a part of the curve and a cell have in common, `solve` finds with proof.
 
-use super::hits::POINT;
+use super::curve_search::{CurveFind, CurveSolver, Part, Search};
+use super::hits::MAX_POINT_LENGTH;
+use super::line::{HitSelection, Line, MAX_COORDINATE};
 use super::search::Workspace;
-use super::walk::{Part, Search, Work};
-use super::{LARGEST, Line, Which};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
@@ -35,31 +35,12 @@ pub struct CurveHit {
     pub multiplicity: u32,
 }
 
-/// A hit as one cell has it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Find {
-    /// The segment and the parameter on it, as one number each.
-    pub(super) at: f64,
-    pub(super) span: [f64; 2],
-    /// Where the curve is at the ends of the span, and how long it is.
-    pub(super) ends: [DVec3; 2],
-    pub(super) length: f64,
-    pub(super) place: Place,
-    pub(super) point: DVec3,
-    /// How far the curve is from the surface there.
-    pub(super) gap: f64,
-    pub(super) tangent: bool,
-    pub(super) runs_inside: bool,
-    /// True for a touch that is resolved: at a crease, say.
-    pub(super) touches: bool,
-}
-
 /// The highest degree of a segment.
-const MOST: usize = 7;
+const MAX_SEGMENT_DEGREE: usize = 7;
 /// Segments that one thread takes at once.
 const BATCH: usize = 64;
 /// Finds on the same curve whose parameters differ by no more may be one.
-const SAME: f64 = 1e-6;
+const SAME_PARAMETER: f64 = 1e-6;
 
 impl Surface<'_> {
     /// Where a curve meets the surface, in the order of the curve.
@@ -71,31 +52,31 @@ impl Surface<'_> {
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a segment of a degree above 7 or a coordinate above 1e150, [`Error::EmptyCurve`], [`Error::OutOfMemory`],
     /// [`Error::Cancelled`].
-    pub fn curve(&self, curve: &CurveView<'_>, which: Which, job: &Job<'_>) -> Result<Vec<CurveHit>> {
+    pub fn curve(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveHit>> {
         if curve.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        if let Some(segment) = curve.segments().find(|segment| segment.len() > MOST + 1) {
+        if let Some(segment) = curve.segments().find(|segment| segment.len() > MAX_SEGMENT_DEGREE + 1) {
             return Err(Error::OptionOutOfRange { option: "degree", value: (segment.len() - 1) as f64 });
         }
         let numbers = curve.points().iter().flat_map(DVec3::to_array);
-        if let Some(value) = { numbers }.find(|x| x.abs() > LARGEST) {
+        if let Some(value) = { numbers }.find(|x| x.abs() > MAX_COORDINATE) {
             return Err(Error::OptionOutOfRange { option: "curve", value });
         }
-        let finds = self.finds(curve, which, job)?;
+        let finds = self.finds(curve, selection, job)?;
         let mut hits = self.hits(curve, finds)?;
-        if which == Which::First && hits.first().is_some_and(|hit| hit.tangent) {
+        if selection == HitSelection::First && hits.first().is_some_and(|hit| hit.tangent) {
             // What belongs to the spot may go on.
-            hits = self.hits(curve, self.finds(curve, Which::All, job)?)?;
+            hits = self.hits(curve, self.finds(curve, HitSelection::All, job)?)?;
         }
-        if which != Which::All {
+        if selection != HitSelection::All {
             hits.truncate(1);
         }
         Ok(hits)
     }
 
     /// The finds of all segments, or of the first ones up to some that have any.
-    fn finds(&self, curve: &CurveView<'_>, which: Which, job: &Job<'_>) -> Result<Vec<Find>> {
+    fn finds(&self, curve: &CurveView<'_>, selection: HitSelection, job: &Job<'_>) -> Result<Vec<CurveFind>> {
         let mut finds = Vec::new();
         let count = curve.len();
         let round = BATCH * par::at_most(count.div_ceil(BATCH), job.threads());
@@ -111,7 +92,7 @@ impl Surface<'_> {
             }) {
                 alloc::append(&mut finds, &part?)?;
             }
-            if which != Which::All && !finds.is_empty() {
+            if selection != HitSelection::All && !finds.is_empty() {
                 break;
             }
         }
@@ -132,10 +113,10 @@ impl Surface<'_> {
     }
 
     fn straight(&self, k: usize, [a, b]: [DVec3; 2], finder: &mut Finder) -> Result<()> {
-        self.strike(&Line::segment(a, b), Which::All, &mut finder.lines)?;
+        self.find_hits(&Line::segment(a, b), HitSelection::All, &mut finder.lines)?;
         for hit in &finder.lines.hits {
             let ends = hit.span.map(|t| a.lerp(b, t));
-            let find = Find {
+            let find = CurveFind {
                 at: k as f64 + hit.t,
                 span: hit.span.map(|t| k as f64 + t),
                 ends,
@@ -158,25 +139,25 @@ impl Surface<'_> {
             let (kind, index) = self.indexed(sheet);
             each_sheet!(kind, cells => {
                 let search = Search { cells, index, sheet: sheet as u32, segment: k, tolerance: self.tolerance() };
-                search.run(&part, &mut Work::default(), &mut finder.finds)
+                search.run(&part, &mut CurveSolver::default(), &mut finder.finds)
             })?;
         }
         Ok(())
     }
 
     /// Makes hits of finds: each once, in the order of the curve.
-    fn hits(&self, curve: &CurveView<'_>, mut finds: Vec<Find>) -> Result<Vec<CurveHit>> {
+    fn hits(&self, curve: &CurveView<'_>, mut finds: Vec<CurveFind>) -> Result<Vec<CurveHit>> {
         let reach = self.apart();
-        join_spots(&mut finds, reach);
+        merge_overlapping(&mut finds, reach);
         for find in finds.iter_mut().filter(|find| find.tangent) {
             find.runs_inside = find.length > self.longest_touch();
-            let point = find.length <= POINT * reach || self.passes(find.place, direction(curve, find.at));
+            let point = find.length <= MAX_POINT_LENGTH * reach || self.passes(find.place, direction(curve, find.at));
             find.tangent = find.runs_inside || find.touches || !point;
         }
         finds.sort_unstable_by(in_order);
-        let mut kept: Vec<Find> = alloc::with_capacity(finds.len())?;
+        let mut kept: Vec<CurveFind> = alloc::with_capacity(finds.len())?;
         for find in finds {
-            let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= SAME);
+            let mut near = kept.iter().rev().take_while(|other| find.at - other.at <= SAME_PARAMETER);
             let known = near.any(|other| is_same(other, &find, reach));
             if !known {
                 kept.push(find);
@@ -187,7 +168,7 @@ impl Surface<'_> {
         if let [first, .., last] = &kept[..]
             && curve.is_closed()
             && !(first.tangent || last.tangent)
-            && last.at - round + SAME >= first.at
+            && last.at - round + SAME_PARAMETER >= first.at
             && first.point.distance(last.point) <= reach
         {
             kept.pop();
@@ -222,13 +203,13 @@ fn direction(curve: &CurveView<'_>, at: f64) -> DVec3 {
 }
 
 /// By the place on the curve, then by cells.
-fn in_order(a: &Find, b: &Find) -> Ordering {
+fn in_order(a: &CurveFind, b: &CurveFind) -> Ordering {
     a.at.total_cmp(&b.at).then_with(|| (a.place.sheet, a.place.cell).cmp(&(b.place.sheet, b.place.cell)))
 }
 
 /// Makes one of the spots that overlap along the curve: where it runs on, of the first; else of the nearest.
-fn join_spots(finds: &mut Vec<Find>, reach: f64) {
-    let by_span = |a: &Find, b: &Find| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
+fn merge_overlapping(finds: &mut Vec<CurveFind>, reach: f64) {
+    let by_span = |a: &CurveFind, b: &CurveFind| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
     finds.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
     let mut kept = finds.partition_point(|find| !find.tangent);
     let mut from = kept;
@@ -254,13 +235,13 @@ fn join_spots(finds: &mut Vec<Find>, reach: f64) {
 }
 
 /// True if a spot begins where another is, or ends.
-fn runs_on(spot: &Find, next: &Find, reach: f64) -> bool {
+fn runs_on(spot: &CurveFind, next: &CurveFind, reach: f64) -> bool {
     let near = next.span[0] - spot.span[1] <= 1e-3 && spot.ends[1].distance(next.ends[0]) <= 2.0 * reach;
     next.span[0] <= spot.span[1] || near
 }
 
 /// True for two finds of one crossing: the same place of the curve and of the surface.
-fn is_same(a: &Find, b: &Find, reach: f64) -> bool {
+fn is_same(a: &CurveFind, b: &CurveFind, reach: f64) -> bool {
     !a.tangent && !b.tangent && a.point.distance(b.point) <= reach
 }
 
@@ -281,5 +262,5 @@ pub(super) fn raised<const M: usize>(controls: &[DVec3]) -> [DVec3; M] {
 #[derive(Default)]
 struct Finder {
     lines: Workspace,
-    finds: Vec<Find>,
+    finds: Vec<CurveFind>,
 }

@@ -1,14 +1,14 @@
 //! What becomes of hits when those of all cells are known: each is one, and says what kind it is.
 
-use super::search::noise;
-use super::{Hit, Line};
+use super::line::{Hit, Line};
+use super::search::rounding_error;
 use crate::surface::{Place, Surface};
 use glam::DVec3;
 use std::cmp::Ordering;
 
 /// A spot that is no longer than so many times the least distance is no touch, which takes the root of it: there the parameters are not
 /// regular, as at a pole.
-pub(super) const POINT: f64 = 16.0;
+pub(super) const MAX_POINT_LENGTH: f64 = 16.0;
 
 impl Surface<'_> {
     /// Hits that are nearer to each other than this, in different cells, are one.
@@ -36,15 +36,15 @@ impl Surface<'_> {
     }
 
     /// Makes one hit of those that neighbouring cells have found, tells touching from passing and from running in the surface, and sorts.
-    pub(super) fn settle(&self, line: &Line, hits: &mut Vec<Hit>) {
+    pub(super) fn merge_hits(&self, line: &Line, hits: &mut Vec<Hit>) {
         for hit in hits.iter_mut().filter(|hit| hit.normal == DVec3::ZERO) {
             hit.normal = self.normal(hit.place);
         }
         if hits.iter().any(|hit| hit.tangent) {
-            self.join_spots(line, hits);
+            self.merge_overlapping(line, hits);
         }
         hits.sort_unstable_by(in_order);
-        let play = Play::new(self, line);
+        let slack = LineRounding::new(self, line);
         // What else is the same as a hit that is kept.
         let mut others: Vec<(usize, Hit)> = Vec::new();
         let mut kept: usize = 0;
@@ -53,9 +53,9 @@ impl Surface<'_> {
             // What is the same is next to each other along the line.
             let same = hits[..kept]
                 .iter()
-                .rposition(|other| (hit.t - other.t) * play.length > play.farthest())
+                .rposition(|other| (hit.t - other.t) * slack.length > slack.farthest())
                 .map_or(0, |last| last + 1);
-            match (same..kept).rev().find(|&other| self.is_same(&hits[other], &hit, &play)) {
+            match (same..kept).rev().find(|&other| self.is_same(&hits[other], &hit, &slack)) {
                 Some(other) => others.push((other, hit)),
                 None => {
                     hits[kept] = hit;
@@ -66,14 +66,14 @@ impl Surface<'_> {
         hits.truncate(kept);
         for (k, hit) in hits.iter_mut().enumerate().filter(|(_, hit)| !hit.tangent) {
             let others = || others.iter().filter(|other| other.0 == k).map(|other| &other.1);
-            let reach = play.rounding(others().map(|other| play.sine(other)).fold(play.sine(hit), f64::min));
-            if play.may_be_on_side(hit.place, reach)
+            let reach = slack.rounding(others().map(|other| slack.sine(other)).fold(slack.sine(hit), f64::min));
+            if slack.may_be_on_side(hit.place, reach)
                 && let Some(place) = self.on_side(hit.place, reach)
             {
                 // Other sheets have their part of what is round it.
                 let elsewhere = others().filter_map(|other| self.on_side(other.place, reach));
                 let places: Vec<Place> = std::iter::once(place).chain(elsewhere).collect();
-                if self.only_touches(&places, play.along) {
+                if self.only_touches(&places, slack.along) {
                     (hit.tangent, hit.multiplicity) = (true, 2);
                 }
             }
@@ -81,38 +81,38 @@ impl Surface<'_> {
     }
 
     /// True for two finds of one hit: in different cells, at the same point of their sides.
-    fn is_same(&self, a: &Hit, b: &Hit, play: &Play) -> bool {
+    fn is_same(&self, a: &Hit, b: &Hit, slack: &LineRounding) -> bool {
         if a.tangent || b.tangent || cell(a) == cell(b) {
             return false;
         }
-        let sine = play.least_sine([a, b]);
-        let rounding = play.rounding(sine);
-        let reach = if play.turned(a, b) {
+        let sine = slack.least_sine([a, b]);
+        let rounding = slack.rounding(sine);
+        let reach = if slack.turned(a, b) {
             // Where it is as good as along the surface, it may as well be two.
-            if sine < play.floor { 0.0 } else { rounding }
+            if sine < slack.floor { 0.0 } else { rounding }
         } else {
-            rounding.max(play.apart)
+            rounding.max(slack.apart)
         };
         let near = |place: Place| {
-            on_side(place) || (play.may_be_on_side(place, rounding) && self.on_side(place, rounding).is_some())
+            on_side(place) || (slack.may_be_on_side(place, rounding) && self.on_side(place, rounding).is_some())
         };
         a.point.distance(b.point) <= reach && near(a.place) && near(b.place)
     }
 
     /// Makes one of the spots that overlap along the line. What is simple comes first then.
-    fn join_spots(&self, line: &Line, hits: &mut Vec<Hit>) {
+    fn merge_overlapping(&self, line: &Line, hits: &mut Vec<Hit>) {
         let by_span = |a: &Hit, b: &Hit| a.span[0].total_cmp(&b.span[0]).then_with(|| in_order(a, b));
         hits.sort_unstable_by(|a, b| a.tangent.cmp(&b.tangent).then_with(|| by_span(a, b)));
         let (along, length) = line.along();
-        let play = 2.0 * self.apart() / length;
+        let slack = 2.0 * self.apart() / length;
         let miss = |hit: &Hit| (hit.point - line.origin).cross(along).length_squared();
         let [low, high] = self.bounds();
-        let most = self.tolerance().max(4.0 * noise(line, low.midpoint(high), [low, high]));
+        let most = self.tolerance().max(4.0 * rounding_error(line, low.midpoint(high), [low, high]));
         let mut kept = hits.partition_point(|hit| !hit.tangent);
         let mut from = kept;
         while from < hits.len() {
             let (mut to, [start, mut end]) = (from + 1, hits[from].span);
-            while to < hits.len() && hits[to].span[0] <= end + play {
+            while to < hits.len() && hits[to].span[0] <= end + slack {
                 end = end.max(hits[to].span[1]);
                 to += 1;
             }
@@ -123,7 +123,8 @@ impl Surface<'_> {
             let is_point = miss(&nearest) <= most * most;
             hits[kept] = if (end - start) * length > self.longest_touch() {
                 Hit { span: [start, end], multiplicity: 0, ..first }
-            } else if is_point && ((end - start) * length <= POINT * self.apart() || self.passes(nearest.place, along))
+            } else if is_point
+                && ((end - start) * length <= MAX_POINT_LENGTH * self.apart() || self.passes(nearest.place, along))
             {
                 Hit { span: [nearest.t; 2], multiplicity: 1, tangent: false, ..nearest }
             } else {
@@ -150,30 +151,30 @@ fn on_side(place: Place) -> bool {
     is_near_side(place, 1e-7)
 }
 
-fn is_near_side(place: Place, play: f64) -> bool {
-    let near = |x: f64| x <= play || x >= 1.0 - play;
+fn is_near_side(place: Place, slack: f64) -> bool {
+    let near = |x: f64| x <= slack || x >= 1.0 - slack;
     near(place.u) || near(place.v)
 }
 
 /// What rounding may do to hits of a line.
-struct Play {
+struct LineRounding {
     along: DVec3,
     /// Of the line's direction.
     length: f64,
     /// How far points may be off, and the size of the surface.
-    noise: f64,
+    rounding_error: f64,
     size: f64,
     apart: f64,
     /// Lines that are not as steep as that may be off by the noise and meet the surface or not.
     floor: f64,
 }
 
-impl Play {
-    fn new(surface: &Surface<'_>, line: &Line) -> Play {
+impl LineRounding {
+    fn new(surface: &Surface<'_>, line: &Line) -> LineRounding {
         let ((along, length), [low, high]) = (line.along(), surface.bounds());
-        let (noise, size) = (4.0 * noise(line, low.midpoint(high), [low, high]), low.distance(high));
-        let floor = (noise / size).sqrt();
-        Play { along, length, noise, size, apart: surface.apart(), floor }
+        let (rounding_error, size) = (4.0 * rounding_error(line, low.midpoint(high), [low, high]), low.distance(high));
+        let floor = (rounding_error / size).sqrt();
+        LineRounding { along, length, rounding_error, size, apart: surface.apart(), floor }
     }
 
     /// The sine of the angle between line and surface.
@@ -192,12 +193,12 @@ impl Play {
 
     /// How far apart one point may be found, where the line meets the surface at an angle of this sine.
     fn rounding(&self, sine: f64) -> f64 {
-        self.noise / sine.max(self.floor)
+        self.rounding_error / sine.max(self.floor)
     }
 
     /// The same at any angle.
     fn farthest(&self) -> f64 {
-        2.0 * self.apart.max(self.noise / self.floor)
+        2.0 * self.apart.max(self.rounding_error / self.floor)
     }
 
     /// False if a place is far from all sides, whatever the size of its cell.

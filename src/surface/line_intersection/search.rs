@@ -1,6 +1,6 @@
 //! The search of the index for a line.
 
-use super::{Hit, Line, Which};
+use super::line::{Hit, HitSelection, Line};
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::subdivision::UnresolvedCluster;
@@ -50,7 +50,7 @@ impl Solve<8> for Workspace {
 
 /// Rounding beyond this part of the surface's size is not allowed for, which would make all of it a hit: a line from so far away is taken from its
 /// foot on, as that is rounded.
-pub(super) const FARTHEST: f64 = 1e-6;
+pub(super) const MAX_RELATIVE_ROUNDING: f64 = 1e-6;
 
 /// A line as a sheet sees it: by the distance from its foot, the point nearest to the index's origin.
 struct Ray {
@@ -65,7 +65,7 @@ struct Ray {
     /// The parameter of the foot.
     start: f64,
     /// How far the foot and the nodes may be off for rounding.
-    noise: f64,
+    rounding_error: f64,
 }
 
 impl Ray {
@@ -84,7 +84,7 @@ impl Ray {
             length,
             across: [first, second],
             start: distance / length,
-            noise: noise(line, index.origin(), [bounds.low, bounds.high]),
+            rounding_error: rounding_error(line, index.origin(), [bounds.low, bounds.high]),
         }
     }
 
@@ -100,10 +100,10 @@ impl Ray {
 }
 
 /// How far points of a line and of what is in a box may be off for rounding, taken from an origin.
-pub(super) fn noise(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
+pub(super) fn rounding_error(line: &Line, origin: DVec3, [low, high]: [DVec3; 2]) -> f64 {
     let reach = low.abs().max(high.abs()).length();
     let reach = reach + line.origin.distance(origin) + line.origin.length();
-    (8.0 * f64::EPSILON * reach).min(FARTHEST * low.distance(high))
+    (8.0 * f64::EPSILON * reach).min(MAX_RELATIVE_ROUNDING * low.distance(high))
 }
 
 /// A block to be looked at: where the line enters it, and where it is.
@@ -116,7 +116,7 @@ struct Entry {
 }
 
 /// The most entries that wait: three for each level of a pyramid over 2^31 nodes, which has at most 30 levels.
-const WAITING: usize = 3 * 30 + 4;
+const MAX_STACK: usize = 3 * 30 + 4;
 
 /// Adds the hits of one sheet. Of all, every cell's; else those up to the first, and what may be one with it.
 pub(super) fn search<const N: usize>(
@@ -124,26 +124,26 @@ pub(super) fn search<const N: usize>(
     index: &Pyramid,
     sheet: u32,
     line: &Line,
-    which: Which,
+    selection: HitSelection,
     tolerance: f64,
     workspace: &mut impl Solve<N>,
 ) -> Result<()> {
     let (solver, hits) = workspace.parts();
     let ray = Ray::new(line, index);
-    let play = ray.noise;
-    let slab = Slab::new(ray.local, ray.along, play);
-    let (from, to) = (ray.distance(line.from) - play, ray.distance(line.to) + play);
+    let slack = ray.rounding_error;
+    let slab = Slab::new(ray.local, ray.along, slack);
+    let (from, to) = (ray.distance(line.from) - slack, ray.distance(line.to) + slack);
     let mut leaf = Leaf { cells, index, sheet, ray: &ray, tolerance, solver };
     let levels = index.levels();
-    let mut stack = [Entry::default(); WAITING];
+    let mut stack = [Entry::default(); MAX_STACK];
     let mut count = 1;
     stack[0] = Entry { enters: from, level: levels.len() as u32, row: 0, column: 0 };
     // Where what is beyond does not matter.
     let mut farthest = to;
-    let first = |farthest: f64, hits: &[Hit]| match which {
-        Which::First => {
+    let first = |farthest: f64, hits: &[Hit]| match selection {
+        HitSelection::First => {
             // Farther than what is one with the hit may be.
-            let reach = 4.0 * tolerance + 1e4 * play;
+            let reach = 4.0 * tolerance + 1e4 * slack;
             hits.iter().map(|hit| ray.distance(hit.t) + reach).fold(farthest, f64::min)
         }
         _ => farthest,
@@ -160,7 +160,7 @@ pub(super) fn search<const N: usize>(
             let known = hits.len();
             leaf.search(row, column, hits)?;
             if hits.len() > known {
-                if which == Which::Any {
+                if selection == HitSelection::Any {
                     return Ok(());
                 }
                 farthest = first(farthest, &hits[known..]);
@@ -206,7 +206,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         let [rows, columns] = self.cells.counts();
         let (first, last) = (row * BLOCK, rows.min((row + 1) * BLOCK));
         let (left, right) = (column * BLOCK, columns.min((column + 1) * BLOCK));
-        let deviation = self.index.deviation(row, column) + self.ray.noise;
+        let deviation = self.index.deviation(row, column) + self.ray.rounding_error;
         let mut corners = [[DVec2::ZERO; BLOCK + 1]; BLOCK + 1];
         for i in first..=last {
             for j in left..=right {
@@ -228,7 +228,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     fn cell(&mut self, i: usize, j: usize, hits: &mut Vec<Hit>) -> Result<()> {
         let fields = self.cells.planes(i, j, self.ray.foot, self.ray.across);
         self.solver.roots.simple.clear();
-        if !simple_roots(fields, self.ray.noise, self.tolerance, &mut self.solver.roots) {
+        if !simple_roots(fields, self.ray.rounding_error, self.tolerance, &mut self.solver.roots) {
             return self.touching(i, j, hits);
         }
         if !self.solver.roots.simple.is_empty() {
@@ -248,7 +248,7 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         let found = &mut self.solver.crossings;
         found.simple.clear();
         found.unresolved.clear();
-        crossings(&segment, &patch, self.ray.noise, self.tolerance, &mut self.solver.workspace, found)?;
+        crossings(&segment, &patch, self.ray.rounding_error, self.tolerance, &mut self.solver.workspace, found)?;
         for k in 0..self.solver.crossings.simple.len() {
             self.add(&patch, [i, j], self.solver.crossings.simple[k].place, None, hits)?;
         }
@@ -265,9 +265,9 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
         let ray = self.ray;
         let along = patch.points.as_flattened().iter().map(|&point| (point - ray.foot).dot(ray.along));
         let [low, high] = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
-        let play = ray.noise + self.tolerance;
-        let from = (low - play).max(ray.distance(ray.line.from) - ray.noise);
-        let to = (high + play).min(ray.distance(ray.line.to) + ray.noise);
+        let slack = ray.rounding_error + self.tolerance;
+        let from = (low - slack).max(ray.distance(ray.line.from) - ray.rounding_error);
+        let to = (high + slack).min(ray.distance(ray.line.to) + ray.rounding_error);
         (from <= to).then(|| [ray.foot + from * ray.along, ray.foot + to * ray.along])
     }
 
@@ -282,15 +282,15 @@ impl<C: Cells<N>, const N: usize> Leaf<'_, C, N> {
     ) -> Result<()> {
         let (ray, jet) = (self.ray, patch.jet(at.x, at.y));
         let t = ray.parameter(jet.point);
-        let play = ray.noise / ray.length;
-        if t < ray.line.from - play || t > ray.line.to + play {
+        let slack = ray.rounding_error / ray.length;
+        if t < ray.line.from - slack || t > ray.line.to + slack {
             return Ok(());
         }
         let t = t.clamp(ray.line.from, ray.line.to);
         let place = Place { sheet: self.sheet, cell: [i as u32, j as u32], u: at.x, v: at.y };
         // What is said to be a root but is not on the line was not resolved, as in cells a million times as long as wide.
         let miss = (jet.point - ray.foot).reject_from_normalized(ray.along).length();
-        let is_off = miss > self.tolerance.max(4.0 * ray.noise);
+        let is_off = miss > self.tolerance.max(4.0 * ray.rounding_error);
         let span = span.or_else(|| is_off.then(|| [t - miss / ray.length, t + miss / ray.length]));
         let tangent = span.is_some();
         let hit = Hit {

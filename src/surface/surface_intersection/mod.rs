@@ -165,7 +165,7 @@ impl Meeting<'_> {
         if !again.is_empty() {
             let limit = (SECOND_TOTAL / again.len()).clamp(FIRST_LIMIT, SECOND_LIMIT);
             self.round(&again, limit, true, &mut pieces, &job.part(0.8, 1.0))?;
-            pieces.arcs.sort_by_key(|arc| arc.pair);
+            pieces.arcs.sort_unstable_by_key(|arc| (arc.pair, arc.from));
             pieces.spots.sort_by_key(|spot| spot.pair);
         }
         Ok(pieces)

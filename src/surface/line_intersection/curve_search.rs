@@ -1,7 +1,6 @@
 //! The search of the index for a curved segment.
 
-use super::curve::Find;
-use super::search::FARTHEST;
+use super::search::MAX_RELATIVE_ROUNDING;
 use crate::alloc;
 use crate::error::Result;
 use crate::geom::aabb::Aabb;
@@ -11,17 +10,36 @@ use crate::surface::index::Pyramid;
 use crate::surface::subdivision::{Crossings, CurveWorkspace, crossings, halved};
 use glam::{DVec2, DVec3};
 
+/// A hit as one cell has it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CurveFind {
+    /// The segment and the parameter on it, as one number each.
+    pub(super) at: f64,
+    pub(super) span: [f64; 2],
+    /// Where the curve is at the ends of the span, and how long it is.
+    pub(super) ends: [DVec3; 2],
+    pub(super) length: f64,
+    pub(super) place: Place,
+    pub(super) point: DVec3,
+    /// How far the curve is from the surface there.
+    pub(super) gap: f64,
+    pub(super) tangent: bool,
+    pub(super) runs_inside: bool,
+    /// True for a touch that is resolved: at a crease, say.
+    pub(super) touches: bool,
+}
+
 /// What the cells of a segment need again and again.
-pub(super) struct Work<const M: usize, const N: usize> {
+pub(super) struct CurveSolver<const M: usize, const N: usize> {
     workspace: CurveWorkspace<M, N>,
     found: Crossings,
     /// How far control points may be off.
-    noise: f64,
+    rounding_error: f64,
 }
 
-impl<const M: usize, const N: usize> Default for Work<M, N> {
+impl<const M: usize, const N: usize> Default for CurveSolver<M, N> {
     fn default() -> Self {
-        Work { workspace: CurveWorkspace::default(), found: Crossings::default(), noise: 0.0 }
+        CurveSolver { workspace: CurveWorkspace::default(), found: Crossings::default(), rounding_error: 0.0 }
     }
 }
 
@@ -56,7 +74,7 @@ struct Entry<const M: usize> {
 }
 
 /// Parts below this size are not halved: even of curves 1e20 times as long as the surface, they are short.
-const LEAST: f64 = 1e-30;
+const MIN_PART_SIZE: f64 = 1e-30;
 
 /// The search of a sheet for a segment.
 pub(super) struct Search<'a, C> {
@@ -73,8 +91,8 @@ impl<C> Search<'_, C> {
     pub(super) fn run<const M: usize, const N: usize>(
         &self,
         whole: &Part<M>,
-        work: &mut Work<M, N>,
-        finds: &mut Vec<Find>,
+        solver: &mut CurveSolver<M, N>,
+        finds: &mut Vec<CurveFind>,
     ) -> Result<()>
     where
         C: Cells<N>,
@@ -85,32 +103,32 @@ impl<C> Search<'_, C> {
         let reach = bounds.low.abs().max(bounds.high.abs()).length();
         let farthest = part.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let diagonal = bounds.low.distance(bounds.high);
-        let noise = (8.0 * f64::EPSILON * (reach + farthest)).min(FARTHEST * diagonal);
-        let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(noise);
+        let rounding_error = (8.0 * f64::EPSILON * (reach + farthest)).min(MAX_RELATIVE_ROUNDING * diagonal);
+        let whole = Aabb { low: bounds.low - origin, high: bounds.high - origin }.inflated(rounding_error);
         let mut waiting = vec![Entry { part, diagonal, level: levels.len(), row: 0, column: 0 }];
-        work.noise = noise;
+        solver.rounding_error = rounding_error;
         while let Some(entry) = waiting.pop() {
             let Entry { part, diagonal, level, row, column } = entry;
-            let bounds = part.bounds().inflated(noise);
-            if bounds.low.distance(bounds.high) > 2.0 * diagonal && part.size > LEAST {
+            let bounds = part.bounds().inflated(rounding_error);
+            if bounds.low.distance(bounds.high) > 2.0 * diagonal && part.size > MIN_PART_SIZE {
                 for (half, points) in halved(&part.points).into_iter().enumerate() {
                     let size = 0.5 * part.size;
                     let part = Part { points, size, from: part.from + half as f64 * size };
                     let near = if level == levels.len() {
                         part.bounds().overlaps(&whole)
                     } else {
-                        self.touches(&part, noise, level, row, column)
+                        self.touches(&part, rounding_error, level, row, column)
                     };
                     if near {
                         waiting.push(Entry { part, diagonal, level, row, column });
                     }
                 }
             } else if level == 0 {
-                self.block(&part, [row, column], work, finds)?;
+                self.block(&part, [row, column], solver, finds)?;
             } else {
                 for child in 0..4 {
                     let (row, column) = (2 * row + child / 2, 2 * column + child % 2);
-                    if self.touches(&part, noise, level - 1, row, column) {
+                    if self.touches(&part, rounding_error, level - 1, row, column) {
                         let child = levels[level - 1].child_boxes(row / 2, column / 2).get(child);
                         let diagonal = child.low.distance(child.high);
                         waiting.push(Entry { part: part.clone(), diagonal, level: level - 1, row, column });
@@ -122,11 +140,18 @@ impl<C> Search<'_, C> {
     }
 
     /// False if the part is apart from the boxes of block (row, column) of a level.
-    fn touches<const M: usize>(&self, part: &Part<M>, noise: f64, level: usize, row: usize, column: usize) -> bool {
+    fn touches<const M: usize>(
+        &self,
+        part: &Part<M>,
+        rounding_error: f64,
+        level: usize,
+        row: usize,
+        column: usize,
+    ) -> bool {
         let level = &self.index.levels()[level];
         let block = level.child_boxes(row / 2, column / 2).get(2 * (row % 2) + column % 2);
         !block.is_empty()
-            && part.bounds().inflated(noise).overlaps(&block)
+            && part.bounds().inflated(rounding_error).overlaps(&block)
             && level.oriented(row, column).is_none_or(|oriented| oriented.meets_hull(&part.points))
     }
 
@@ -135,15 +160,15 @@ impl<C> Search<'_, C> {
         &self,
         part: &Part<M>,
         [row, column]: [usize; 2],
-        work: &mut Work<M, N>,
-        finds: &mut Vec<Find>,
+        solver: &mut CurveSolver<M, N>,
+        finds: &mut Vec<CurveFind>,
     ) -> Result<()>
     where
         C: Cells<N>,
     {
         let [rows, columns] = self.cells.counts();
         let origin = self.index.origin();
-        let deviation = self.index.deviation(row, column) + work.noise;
+        let deviation = self.index.deviation(row, column) + solver.rounding_error;
         let along = part.bounds();
         for i in row * BLOCK..rows.min((row + 1) * BLOCK) {
             for j in column * BLOCK..columns.min((column + 1) * BLOCK) {
@@ -152,7 +177,7 @@ impl<C> Search<'_, C> {
                     cell.add(self.cells.corner(corner.0, corner.1) - origin);
                 }
                 if cell.inflated(deviation).overlaps(&along) {
-                    self.cell(part, [i, j], work, finds)?;
+                    self.cell(part, [i, j], solver, finds)?;
                 }
             }
         }
@@ -164,8 +189,8 @@ impl<C> Search<'_, C> {
         &self,
         part: &Part<M>,
         [i, j]: [usize; 2],
-        work: &mut Work<M, N>,
-        finds: &mut Vec<Find>,
+        solver: &mut CurveSolver<M, N>,
+        finds: &mut Vec<CurveFind>,
     ) -> Result<()>
     where
         C: Cells<N>,
@@ -174,10 +199,10 @@ impl<C> Search<'_, C> {
         let patch = self.cells.patch(i, j);
         let mut local = patch;
         local.points.as_flattened_mut().iter_mut().for_each(|point| *point -= origin);
-        let Work { workspace, found, noise } = work;
+        let CurveSolver { workspace, found, rounding_error } = solver;
         found.simple.clear();
         found.unresolved.clear();
-        crossings(&part.points, &local, *noise, self.tolerance, workspace, found)?;
+        crossings(&part.points, &local, *rounding_error, self.tolerance, workspace, found)?;
         let along = |t: f64| self.segment as f64 + (part.from + part.size * t).clamp(0.0, 1.0);
         let simple = found.simple.iter().map(|crossing| (crossing.t, [crossing.t; 2], crossing.place, false));
         let unresolved = found.unresolved.iter().map(|cluster| {
@@ -186,7 +211,7 @@ impl<C> Search<'_, C> {
         });
         for (t, span, at, tangent) in simple.chain(unresolved) {
             let ends = span.map(|t| part.point(t) + origin);
-            let find = Find {
+            let find = CurveFind {
                 at: along(t),
                 span: span.map(along),
                 ends,
@@ -206,10 +231,10 @@ impl<C> Search<'_, C> {
 
 impl<const M: usize> Part<M> {
     fn point(&self, t: f64) -> DVec3 {
-        let mut work = self.points;
+        let mut solver = self.points;
         for count in (1..M).rev() {
-            (0..count).for_each(|k| work[k] = work[k].lerp(work[k + 1], t));
+            (0..count).for_each(|k| solver[k] = solver[k].lerp(solver[k + 1], t));
         }
-        work[0]
+        solver[0]
     }
 }

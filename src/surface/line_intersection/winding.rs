@@ -8,17 +8,17 @@ use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// Turns this near to a whole number are one: those of cells all round a point.
-const WHOLE: f64 = 0.01;
+const TURN_TOLERANCE: f64 = 0.01;
 
 impl Surface<'_> {
     /// The place on a side of its cell, if it is no farther from one than `reach`.
     pub(super) fn on_side(&self, place: Place, reach: f64) -> Option<Place> {
         let jet = self.jet(place);
         let snapped = |x: f64, tangent: DVec3| {
-            let play = reach / tangent.length();
-            if x <= play && x <= 0.5 {
+            let slack = reach / tangent.length();
+            if x <= slack && x <= 0.5 {
                 0.0
-            } else if 1.0 - x <= play {
+            } else if 1.0 - x <= slack {
                 1.0
             } else {
                 x
@@ -50,14 +50,14 @@ impl Surface<'_> {
         let (turns, turned) = (forth + back, forth.min(-back) > 0.0);
         let whole = turns.round();
         // What turns but little, and never back, is a border.
-        (turns - whole).abs() <= WHOLE && whole % 2.0 == 0.0 && (turned || whole != 0.0)
+        (turns - whole).abs() <= TURN_TOLERANCE && whole % 2.0 == 0.0 && (turned || whole != 0.0)
     }
 
     /// True if a direction only touches the surface at a place next to a side, as far as rounding of numbers up to `largest` tells.
     pub(super) fn is_touched(&self, place: Place, direction: DVec3, largest: f64) -> bool {
         let ([low, high], sine) = (self.bounds(), self.normal(place).dot(direction).abs());
-        let (noise, size) = (64.0 * f64::EPSILON * largest.max(low.distance(high)), low.distance(high));
-        let reach = noise / sine.max((noise / size).sqrt());
+        let (rounding_error, size) = (64.0 * f64::EPSILON * largest.max(low.distance(high)), low.distance(high));
+        let reach = rounding_error / sine.max((rounding_error / size).sqrt());
         let on_side = self.on_side(place, reach);
         on_side.is_some_and(|place| self.only_touches(&[place], direction))
     }
