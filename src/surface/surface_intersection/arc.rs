@@ -5,17 +5,18 @@
 //! the curve, or it stays inside. A parameter that does neither because the curve runs along a side of the box, to rounding, belongs to the
 //! box above that side.
 
-use super::chart::{Chart, MARGIN, Part};
+use super::chart::{Chart, MARGIN, ParameterBox};
 use super::equation::{Equation, Frame};
+use crate::geom::subdivision::BoxTest;
 use glam::{DVec3, DVec4};
 
 /// As much of a cell is rounding where a curve crosses a side.
-const ROUNDING: f64 = 1e-13;
-/// How much nearer than [`Search::close`] to a side a curve is that runs along it.
-const ALONG: f64 = 1.0 / 32.0;
+const PARAMETER_ROUNDING: f64 = 1e-13;
+/// How much nearer than [`ArcSearch::close`] to a side a curve is that runs along it.
+const ALONG_SIDE_SHARE: f64 = 1.0 / 32.0;
 
 /// A line that is in the box for less of the free parameter tells little of the curve.
-const SHORT: f64 = 1.0 / 64.0;
+const MIN_LINE_SHARE: f64 = 1.0 / 64.0;
 
 /// An end of an arc, and the directions in which it goes on: by parameters, and in space.
 #[derive(Debug, Clone, Copy)]
@@ -29,7 +30,7 @@ pub(super) struct End {
 type Start = (DVec4, Frame);
 
 /// Nearly how the curve runs by the free parameter f: x + f rates + f^2 bend.
-struct Course {
+struct LocalCurve {
     x: DVec4,
     rates: DVec4,
     bend: DVec4,
@@ -38,18 +39,11 @@ struct Course {
 /// It cannot be told.
 struct Unclear;
 
-/// What a graph has within a box.
-pub(super) enum Found {
-    /// Nothing that is longer than the tolerance.
-    Nothing,
-    /// One arc between two ends, by rising free parameter.
-    Arc([End; 2]),
-    /// It cannot be told.
-    Open,
-}
+/// What a graph has within a box: nothing longer than the tolerance, or one arc between two ends, by rising free parameter.
+pub(super) type ArcTest = BoxTest<[End; 2], ()>;
 
 /// The search for the arc of a box.
-pub(super) struct Search<'a, const N: usize, const M: usize> {
+pub(super) struct ArcSearch<'a, const N: usize, const M: usize> {
     pub(super) equation: &'a Equation<N, M>,
     pub(super) chart: &'a Chart,
     low: DVec4,
@@ -62,61 +56,61 @@ pub(super) struct Search<'a, const N: usize, const M: usize> {
     followed: [bool; 4],
 }
 
-impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
-    /// `noise`: lengths up to that may be rounding; `followed`: by parameter, whether there is a cell above the whole cell.
+impl<'a, const N: usize, const M: usize> ArcSearch<'a, N, M> {
+    /// `rounding_error`: lengths up to that may be rounding; `followed`: by parameter, whether there is a cell above the whole cell.
     pub(super) fn new(
         equation: &'a Equation<N, M>,
-        part: &Part<N, M>,
+        part: &ParameterBox<N, M>,
         chart: &'a Chart,
         tolerance: f64,
-        noise: f64,
+        rounding_error: f64,
         followed: [bool; 4],
     ) -> Self {
         let (low, high) = (part.low, part.low + part.size);
         let followed = std::array::from_fn(|k| followed[k] || high[k] < 1.0);
         // Directions across a side are hardly ever as flat to the curve as 1 to 16: what runs along a side is nearer than 16 times the noise.
-        let close = (1e-3 * tolerance).max(512.0 * noise);
-        Search { equation, chart, low, high, margin: MARGIN * part.size, tolerance, close, followed }
+        let close = (1e-3 * tolerance).max(512.0 * rounding_error);
+        ArcSearch { equation, chart, low, high, margin: MARGIN * part.size, tolerance, close, followed }
     }
 
     /// The arc, if the line of the middle leads to its ends: the usual case. `middle`: the derivatives in the middle of the box.
-    pub(super) fn along_line(&self, middle: &Frame) -> Option<Found> {
+    pub(super) fn along_line(&self, middle: &Frame) -> Option<ArcTest> {
         let Chart { free, base, line, .. } = *self.chart;
         let [from, to] = self.line_inside();
-        if to - from < SHORT * (self.high[free] - self.low[free]) {
+        if to - from < MIN_LINE_SHARE * (self.high[free] - self.low[free]) {
             return None;
         }
         let half = 0.5 * (from + to);
-        let first = self.exit(&Course { x: base + half * line, rates: line, bend: DVec4::ZERO }, -1.0)?;
+        let first = self.exit(&LocalCurve { x: base + half * line, rates: line, bend: DVec4::ZERO }, -1.0)?;
         // The parabola that has the slopes at this end and in the middle.
         let rates = first.tangent / first.tangent[free];
         let bend = (line - rates) / (2.0 * (base[free] - first.x[free]));
         let step = base[free] + half - first.x[free];
         let x = first.x + step * (rates + step * bend);
-        let last = self.exit(&Course { x, rates: rates + 2.0 * step * bend, bend }, 1.0)?;
+        let last = self.exit(&LocalCurve { x, rates: rates + 2.0 * step * bend, bend }, 1.0)?;
         Some(self.found(middle, first, last))
     }
 
     /// The same from a solution inside.
-    pub(super) fn through_inside(&self, middle: &Frame) -> Found {
+    pub(super) fn through_inside(&self, middle: &Frame) -> ArcTest {
         let (x, frame) = match self.start() {
             Ok(Some(start)) => start,
-            Ok(None) => return Found::Nothing,
-            Err(Unclear) => return Found::Open,
+            Ok(None) => return BoxTest::Empty,
+            Err(Unclear) => return BoxTest::Undecided(()),
         };
-        let course = Course { x, rates: self.rates(&frame), bend: DVec4::ZERO };
-        match (self.exit(&course, -1.0), self.exit(&course, 1.0)) {
+        let curve = LocalCurve { x, rates: self.rates(&frame), bend: DVec4::ZERO };
+        match (self.exit(&curve, -1.0), self.exit(&curve, 1.0)) {
             (Some(first), Some(last)) => self.found(middle, first, last),
-            _ => Found::Open,
+            _ => BoxTest::Undecided(()),
         }
     }
 
     /// What it is if the curve leaves the box at these ends.
-    fn found(&self, middle: &Frame, first: End, last: End) -> Found {
+    fn found(&self, middle: &Frame, first: End, last: End) -> ArcTest {
         match self.stays(middle, &first, &last) {
-            Stay::Inside => Found::Arc([first, last]),
-            Stay::Outside => Found::Nothing,
-            Stay::Unknown => Found::Open,
+            Stay::Inside => BoxTest::Unique([first, last]),
+            Stay::Outside => BoxTest::Empty,
+            Stay::Unknown => BoxTest::Undecided(()),
         }
     }
 
@@ -132,7 +126,7 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
         low > 0.0 || high < 0.0
     }
 
-    /// The parameter of [`Search::close`].
+    /// The parameter of [`ArcSearch::close`].
     fn close(&self, frame: &Frame, k: usize) -> f64 {
         (self.close / frame.columns[k].length()).min(1e-3)
     }
@@ -148,10 +142,10 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
             if x.cmplt(self.low - self.margin).any() || x.cmpgt(self.high + self.margin).any() {
                 return Err(Unclear);
             }
-            let play = |k: usize| {
-                if self.is_monotone(k) { ROUNDING } else { self.close(&frame, k) }
+            let slack = |k: usize| {
+                if self.is_monotone(k) { PARAMETER_ROUNDING } else { self.close(&frame, k) }
             };
-            if (0..4).all(|k| x[k] >= self.low[k] - play(k) && x[k] <= self.high[k] + play(k)) {
+            if (0..4).all(|k| x[k] >= self.low[k] - slack(k) && x[k] <= self.high[k] + slack(k)) {
                 return Ok(Some((x, frame)));
             }
             // Where else it may be, by the bounds of slopes.
@@ -195,7 +189,7 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
         let (mut from, mut to) = (0.0_f64, f64::INFINITY);
         // slope * d <= room for d >= 0.
         let mut restrict = |slope: f64, room: f64| {
-            let room = room + ROUNDING;
+            let room = room + PARAMETER_ROUNDING;
             if slope > 0.0 {
                 to = to.min(room / slope);
             } else if room < 0.0 {
@@ -204,21 +198,21 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
         };
         for k in 0..4 {
             let [low, high] = self.chart.slopes[k].map(|slope| slope * way);
-            let (least, most) = (low.min(high), low.max(high));
-            restrict(least, self.high[k] - x[k]);
-            restrict(-most, x[k] - self.low[k]);
+            let (min, max) = (low.min(high), low.max(high));
+            restrict(min, self.high[k] - x[k]);
+            restrict(-max, x[k] - self.low[k]);
         }
         if from == f64::INFINITY { [0.0, -1.0] } else { [from, to] }
     }
 
     /// Where the curve leaves the box upwards or downwards (`way`) by the free parameter.
-    fn exit(&self, course: &Course, way: f64) -> Option<End> {
+    fn exit(&self, curve: &LocalCurve, way: f64) -> Option<End> {
         let free = self.chart.free;
         // The side that a parameter moves to.
         let rises = |k: usize| k == free && way > 0.0 || k != free && self.chart.slopes[k][0] * way > 0.0;
         let side = |k: usize| if rises(k) { self.high[k] } else { self.low[k] };
         let leaves = |k: usize| k == free || self.is_monotone(k);
-        let inside = course.x;
+        let inside = curve.x;
         let nearest = |rates: DVec4| {
             let mut best = (free, f64::INFINITY);
             for k in (0..4).filter(|&k| leaves(k)) {
@@ -227,8 +221,8 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
             }
             best
         };
-        let chord = |step: f64| course.rates + way * step * course.bend;
-        let (_, roughly) = nearest(course.rates);
+        let chord = |step: f64| curve.rates + way * step * curve.bend;
+        let (_, roughly) = nearest(curve.rates);
         let (mut through, step) = nearest(chord(roughly));
         let mut guess = inside + way * step * chord(step);
         for _ in 0..8 {
@@ -240,7 +234,7 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
                 if rises(k) { x[k] - side(k) } else { side(k) - x[k] }
             };
             let back = |k: usize| {
-                if passed(k) > ROUNDING { passed(k) / rate[k].abs() } else { 0.0 }
+                if passed(k) > PARAMETER_ROUNDING { passed(k) / rate[k].abs() } else { 0.0 }
             };
             let earlier = (0..4)
                 .filter(|&k| k != through && leaves(k) && back(k) > 0.0)
@@ -259,10 +253,10 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
     fn sound(&self, inside: DVec4, x: DVec4, way: f64) -> bool {
         let free = self.chart.free;
         let within = |k: usize| {
-            let play = if self.is_monotone(k) { 2.0 * ROUNDING } else { self.margin[k] };
-            x[k] >= self.low[k] - play && x[k] <= self.high[k] + play
+            let slack = if self.is_monotone(k) { 2.0 * PARAMETER_ROUNDING } else { self.margin[k] };
+            x[k] >= self.low[k] - slack && x[k] <= self.high[k] + slack
         };
-        way * (x[free] - inside[free]) >= -2.0 * ROUNDING && (0..4).all(within)
+        way * (x[free] - inside[free]) >= -2.0 * PARAMETER_ROUNDING && (0..4).all(within)
     }
 
     /// Whether the parameters that are not monotone stay in the box between two solutions.
@@ -278,8 +272,8 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
                 let time = (to - other * length - from) / (slope - other);
                 from + slope * time.clamp(0.0, length)
             };
-            let (most, least) = (until(high, low).max(from).max(to), until(low, high).min(from).min(to));
-            if least >= self.low[k] - ROUNDING && most <= self.high[k] + ROUNDING {
+            let (max, min) = (until(high, low).max(from).max(to), until(low, high).min(from).min(to));
+            if min >= self.low[k] - PARAMETER_ROUNDING && max <= self.high[k] + PARAMETER_ROUNDING {
                 continue;
             }
             let samples = *samples.get_or_insert_with(|| self.samples(first, last));
@@ -298,14 +292,14 @@ impl<'a, const N: usize, const M: usize> Search<'a, N, M> {
     /// the box that it comes from.
     fn beside(&self, k: usize, samples: &[DVec4; 5], close: f64) -> Stay {
         let values = samples.map(|x| x[k]);
-        let (least, most) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
-        let near = |side: f64| least >= side - close && most <= side + close;
+        let (min, max) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
+        let near = |side: f64| min >= side - close && max <= side + close;
         let is_high = near(self.high[k]);
         if !is_high && !near(self.low[k]) {
             return Stay::Unknown;
         }
         let side = if is_high { self.high[k] } else { self.low[k] };
-        let (below, above) = (most <= side + ALONG * close, least >= side - ALONG * close);
+        let (below, above) = (max <= side + ALONG_SIDE_SHARE * close, min >= side - ALONG_SIDE_SHARE * close);
         match (below, above) {
             (true, true) if is_high && self.followed[k] => Stay::Outside,
             (true, true) => Stay::Inside,

@@ -1,15 +1,15 @@
 //! From arcs to paths: what was found twice is left out, and ends that are one point are joined.
 
-use super::solve::{Arc, Spot};
+use super::solve::{Arc, UnresolvedBall};
 use crate::alloc;
 use crate::error::Result;
 use glam::DVec3;
 
 /// Neighbours of a point that are looked at: more than that can only be the same point again and again.
-const NEIGHBOURS: usize = 32;
+const MAX_NEIGHBOURS: usize = 32;
 
-/// Pairs of ends and spots that may be looked at; with more, spots stay as they are.
-const WORK: usize = 1 << 24;
+/// Tests of an end and a ball; with more of them, balls stay as they are.
+const MAX_TESTS: usize = 1 << 24;
 
 /// Arcs in their order along a curve.
 #[derive(Debug)]
@@ -44,7 +44,7 @@ impl<'a> Sorted<'a> {
     /// Pairs of points that are no farther apart than `within`, and how far.
     fn pairs(&self, within: f64) -> impl Iterator<Item = (f64, u32, u32)> {
         self.order.iter().enumerate().flat_map(move |(at, &(key, k))| {
-            let next = self.order[at + 1..].iter().take(NEIGHBOURS).take_while(move |next| next.0 - key <= within);
+            let next = self.order[at + 1..].iter().take(MAX_NEIGHBOURS).take_while(move |next| next.0 - key <= within);
             next.filter_map(move |&(_, n)| {
                 let distance = self.points[k as usize].distance(self.points[n as usize]);
                 (distance <= within).then_some((distance, k, n))
@@ -53,8 +53,8 @@ impl<'a> Sorted<'a> {
     }
 }
 
-/// Chains of arcs, each of which goes on where the one before ends, to `tolerance`; and for each spot whether it is explained by a joint.
-pub(super) fn chains(arcs: &[Arc], spots: &[Spot], tolerance: f64) -> Result<(Vec<Chain>, Vec<bool>)> {
+/// Chains of arcs, each of which goes on where the one before ends, to `tolerance`; and for each unresolved ball whether a joint explains it.
+pub(super) fn chains(arcs: &[Arc], unresolved: &[UnresolvedBall], tolerance: f64) -> Result<(Vec<Chain>, Vec<bool>)> {
     // Starts and ends, in turn.
     let points = alloc::collect((0..2 * arcs.len()).map(|k| arcs[k / 2].ends[k % 2]))?;
     let mut near = Vec::new();
@@ -74,13 +74,13 @@ pub(super) fn chains(arcs: &[Arc], spots: &[Spot], tolerance: f64) -> Result<(Ve
     // The nearest first.
     joints.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     joints.iter().for_each(|&(_, end, start)| links.join(end, start));
-    let balls = balls(spots)?;
+    let balls = merged_balls(unresolved)?;
     bridge(arcs, &balls, &dropped, tolerance, &mut links);
     let mut chains = links.chains(&dropped)?;
-    if chains.len().saturating_mul(balls.len()) <= WORK {
-        chains.retain(|chain| !is_scrap(chain, arcs, &balls));
+    if chains.len().saturating_mul(balls.len()) <= MAX_TESTS {
+        chains.retain(|chain| !is_within_ball(chain, arcs, &balls));
     }
-    let explained = alloc::collect(spots.iter().map(|spot| is_passed(spot, arcs, &links, tolerance)))?;
+    let explained = alloc::collect(unresolved.iter().map(|ball| is_passed(ball, arcs, &links, tolerance)))?;
     Ok((chains, explained))
 }
 
@@ -103,11 +103,11 @@ fn repeated(arcs: &[Arc], near: &[(f64, u32, u32)], tolerance: f64) -> Result<Ve
     Ok(dropped)
 }
 
-/// Balls round spots; those of different cells that touch are one.
-fn balls(spots: &[Spot]) -> Result<Vec<(DVec3, f64)>> {
-    let centres = alloc::collect(spots.iter().map(|spot| spot.centre))?;
-    let widest = spots.iter().map(|spot| spot.radius).fold(0.0, f64::max);
-    let mut of = alloc::collect(0..spots.len())?;
+/// Unresolved balls, those of different cells that touch as one.
+fn merged_balls(unresolved: &[UnresolvedBall]) -> Result<Vec<(DVec3, f64)>> {
+    let centres = alloc::collect(unresolved.iter().map(|ball| ball.centre))?;
+    let widest = unresolved.iter().map(|ball| ball.radius).fold(0.0, f64::max);
+    let mut of = alloc::collect(0..unresolved.len())?;
     let root = |of: &[usize], mut k: usize| {
         while of[k] != k {
             k = of[k];
@@ -116,15 +116,15 @@ fn balls(spots: &[Spot]) -> Result<Vec<(DVec3, f64)>> {
     };
     for (distance, k, n) in Sorted::new(&centres)?.pairs(2.0 * widest) {
         let (k, n) = (k as usize, n as usize);
-        if distance <= spots[k].radius + spots[n].radius {
+        if distance <= unresolved[k].radius + unresolved[n].radius {
             let (one, other) = (root(&of, k), root(&of, n));
             of[one.max(other)] = one.min(other);
         }
     }
-    let mut balls = alloc::collect(spots.iter().map(|spot| (spot.centre, spot.radius)))?;
-    for (k, spot) in spots.iter().enumerate() {
+    let mut balls = alloc::collect(unresolved.iter().map(|ball| (ball.centre, ball.radius)))?;
+    for (k, ball) in unresolved.iter().enumerate() {
         let (centre, radius) = balls[root(&of, k)];
-        balls[root(&of, k)].1 = radius.max(centre.distance(spot.centre) + spot.radius);
+        balls[root(&of, k)].1 = radius.max(centre.distance(ball.centre) + ball.radius);
     }
     let mut k = 0;
     balls.retain(|_| {
@@ -141,7 +141,7 @@ fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64
         (0..arcs.len() as u32).filter(|&k| link[k as usize] == NONE && !dropped[k as usize]).collect()
     };
     let (ends, starts) = (loose(&links.after), loose(&links.before));
-    if ends.is_empty() || (ends.len() + starts.len()).saturating_mul(balls.len()) > WORK {
+    if ends.is_empty() || (ends.len() + starts.len()).saturating_mul(balls.len()) > MAX_TESTS {
         return;
     }
     for &(centre, radius) in balls {
@@ -161,13 +161,13 @@ fn bridge(arcs: &[Arc], balls: &[(DVec3, f64)], dropped: &[bool], tolerance: f64
 }
 
 /// True for a spot hardly larger than the tolerance that a chain passes, as at poles: there is nothing more to it.
-fn is_passed(spot: &Spot, arcs: &[Arc], links: &Links, tolerance: f64) -> bool {
-    let near = |arc: &Arc| arc.ends[1].distance(spot.centre) <= 8.0 * tolerance;
-    spot.radius <= 4.0 * tolerance && arcs.iter().zip(&links.after).any(|(arc, &after)| after != NONE && near(arc))
+fn is_passed(ball: &UnresolvedBall, arcs: &[Arc], links: &Links, tolerance: f64) -> bool {
+    let near = |arc: &Arc| arc.ends[1].distance(ball.centre) <= 8.0 * tolerance;
+    ball.radius <= 4.0 * tolerance && arcs.iter().zip(&links.after).any(|(arc, &after)| after != NONE && near(arc))
 }
 
 /// True for a scrap within a ball that is reported as a whole.
-fn is_scrap(chain: &Chain, arcs: &[Arc], balls: &[(DVec3, f64)]) -> bool {
+fn is_within_ball(chain: &Chain, arcs: &[Arc], balls: &[(DVec3, f64)]) -> bool {
     let ends = || chain.arcs.iter().flat_map(|&k| arcs[k as usize].ends);
     let within = |&(centre, radius): &(DVec3, f64)| ends().all(|end| end.distance(centre) <= radius);
     !chain.closed && chain.arcs.len() < 8 && balls.iter().any(within)

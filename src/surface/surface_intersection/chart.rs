@@ -11,6 +11,7 @@
 
 use super::equation::{Equation, Frame, OTHERS};
 use super::net::Net;
+use crate::geom::subdivision::BoxTest;
 use crate::surface::Patch;
 use crate::surface::subdivision::Field;
 use glam::{DVec3, DVec4};
@@ -20,7 +21,7 @@ pub(super) const MARGIN: f64 = 1.0 / 32.0;
 
 /// A box of parameters, and the control nets over it.
 #[derive(Clone)]
-pub(super) struct Part<const N: usize, const M: usize> {
+pub(super) struct ParameterBox<const N: usize, const M: usize> {
     pub(super) nets: Equation<N, M>,
     pub(super) low: DVec4,
     pub(super) size: DVec4,
@@ -39,15 +40,8 @@ pub(super) struct Chart {
     pub(super) slopes: [[f64; 2]; 4],
 }
 
-/// What is proved.
-pub(super) enum Proof {
-    /// There is no solution.
-    Empty,
-    /// The solutions are a graph.
-    Graph(Chart),
-    /// Nothing.
-    Open,
-}
+/// What is proved: that there is no solution, or that the solutions are a graph.
+pub(super) type ChartTest = BoxTest<Chart, ()>;
 
 /// How much wider the range of a polynomial's coefficients, of total degree `degree`, may be over a box that is wider by [`MARGIN`] on each
 /// side: the weights of extrapolation sum to 1, and their absolute values to (1 + 2 m)^degree.
@@ -60,32 +54,32 @@ fn grown([low, high]: [f64; 2], by: f64) -> [f64; 2] {
     [middle - half, middle + half]
 }
 
-/// True if A - B, of these fields along a direction, is 0 nowhere, nor as near to it as `noise`.
-fn are_apart<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>, noise: f64) -> bool {
+/// True if A - B, of these fields along a direction, is 0 nowhere, nor as near to it as `rounding_error`.
+fn are_apart<const N: usize, const M: usize>(a: &Field<N>, b: &Field<M>, rounding_error: f64) -> bool {
     let ([low, high], [others_low, others_high]) = (a.range(), b.range());
-    low - others_high > noise || high - others_low < -noise
+    low - others_high > rounding_error || high - others_low < -rounding_error
 }
 
 /// The component with the greatest absolute value.
-fn most(tangent: DVec4) -> usize {
+fn max(tangent: DVec4) -> usize {
     (0..4).fold(0, |best, k| if tangent[k].abs() > tangent[best].abs() { k } else { best })
 }
 
-impl<const N: usize, const M: usize> Part<N, M> {
+impl<const N: usize, const M: usize> ParameterBox<N, M> {
     /// All of two patches, still to be set.
     pub(super) const WHOLE: Self =
-        Part { nets: Equation { a: Net::ZERO, b: Net::ZERO }, low: DVec4::ZERO, size: DVec4::ONE };
+        ParameterBox { nets: Equation { a: Net::ZERO, b: Net::ZERO }, low: DVec4::ZERO, size: DVec4::ONE };
 
     pub(super) fn middle(&self) -> DVec4 {
         self.low + 0.5 * self.size
     }
 
-    /// What can be said of the box. `frame`: in the middle, by the parameters of the cells; `noise`: lengths up to that may be rounding.
-    pub(super) fn prove(&self, frame: &Frame, noise: f64) -> Proof {
+    /// What can be said of the box. `frame`: in the middle, by the parameters of the cells; `rounding_error`: lengths up to that may be rounding.
+    pub(super) fn prove(&self, frame: &Frame, rounding_error: f64) -> ChartTest {
         let mut columns = frame.columns;
         (0..4).for_each(|k| columns[k] *= self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();
-        let free = most(tangent);
+        let free = max(tangent);
         let others = OTHERS[free];
         let [x, y, z] = others.map(|k| columns[k]);
         let normals = [y.cross(z), z.cross(x), x.cross(y)];
@@ -95,17 +89,21 @@ impl<const N: usize, const M: usize> Part<N, M> {
         let rows = normals.map(|normal| if regular { normal / determinant } else { normal });
 
         let (a, b) = (rows.map(|row| self.nets.a.along(row)), rows.map(|row| self.nets.b.along(row)));
-        if (0..3).any(|k| are_apart(&a[k], &b[k], noise * rows[k].length())) {
-            return Proof::Empty;
+        if (0..3).any(|k| are_apart(&a[k], &b[k], rounding_error * rows[k].length())) {
+            return BoxTest::Empty;
         }
         if !regular {
             // Of degenerate pieces some directions are 0: at least the boxes must meet.
-            let apart = || DVec3::AXES.into_iter().any(|axis| self.separated(axis, noise));
-            return if self.is_apart(frame, noise) || apart() { Proof::Empty } else { Proof::Open };
+            let apart = || DVec3::AXES.into_iter().any(|axis| self.separated(axis, rounding_error));
+            return if self.is_apart(frame, rounding_error) || apart() {
+                BoxTest::Empty
+            } else {
+                BoxTest::Undecided(())
+            };
         }
         let line = others.map(|k| tangent[k] / tangent[free]);
         let Some(slopes) = slopes(&a, &b, others, free) else {
-            return if self.is_apart(frame, noise) { Proof::Empty } else { Proof::Open };
+            return if self.is_apart(frame, rounding_error) { BoxTest::Empty } else { BoxTest::Undecided(()) };
         };
         let mut chart = Chart { free, base: self.middle(), line: DVec4::ONE, slopes: [[1.0; 2]; 4] };
         for (k, &other) in others.iter().enumerate() {
@@ -115,20 +113,20 @@ impl<const N: usize, const M: usize> Part<N, M> {
             chart.line[other] = line[k] * scale;
             chart.slopes[other] = slopes[k].map(|slope| slope * scale);
         }
-        Proof::Graph(chart)
+        BoxTest::Unique(chart)
     }
 
-    /// True if there is no solution, as the directions show that [`Part::prove`] does not try of graphs: products with the one of the
+    /// True if there is no solution, as the directions show that [`ParameterBox::prove`] does not try of graphs: products with the one of the
     /// derivatives that the curve runs along.
-    pub(super) fn is_apart(&self, frame: &Frame, noise: f64) -> bool {
+    pub(super) fn is_apart(&self, frame: &Frame, rounding_error: f64) -> bool {
         let columns: [DVec3; 4] = std::array::from_fn(|k| frame.columns[k] * self.size[k]);
         let tangent = Frame { columns, ..*frame }.tangent();
-        let free = most(tangent);
-        OTHERS[free].into_iter().any(|k| self.separated(columns[k].cross(columns[free]), noise))
+        let free = max(tangent);
+        OTHERS[free].into_iter().any(|k| self.separated(columns[k].cross(columns[free]), rounding_error))
     }
 
-    fn separated(&self, axis: DVec3, noise: f64) -> bool {
-        are_apart(&self.nets.a.along(axis), &self.nets.b.along(axis), noise * axis.length())
+    fn separated(&self, axis: DVec3, rounding_error: f64) -> bool {
+        are_apart(&self.nets.a.along(axis), &self.nets.b.along(axis), rounding_error * axis.length())
     }
 
     /// True if both pieces lie between two planes that are `tolerance` apart, along the one's normal and along the other's: how they meet is

@@ -23,9 +23,9 @@ pub(super) struct Frame {
 pub(super) const OTHERS: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];
 
 /// Steps of Newton's method.
-const STEPS: usize = 16;
+const NEWTON_STEPS: usize = 16;
 /// Guesses nearer than this, by the cells' parameters, are good ones.
-const NEAR: f64 = 1e-3;
+const MAX_REFINED_STEP: f64 = 1e-3;
 
 impl Frame {
     /// N_A and N_B, as long as the cells' areas.
@@ -75,7 +75,7 @@ impl<const N: usize, const M: usize> Equation<N, M> {
     /// converge.
     pub(super) fn solve(&self, start: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
         let (mut x, mut last) = (start, f64::INFINITY);
-        for _ in 0..STEPS {
+        for _ in 0..NEWTON_STEPS {
             let frame = self.frame(x);
             let step = step(&frame.inverse(fixed), frame.miss, fixed);
             let length = step.abs().max_element();
@@ -97,12 +97,12 @@ impl<const N: usize, const M: usize> Equation<N, M> {
     }
 
     /// The same for a good guess: after Newton's first step the derivatives hardly change, so that A - B is all that a second one needs.
-    pub(super) fn settle(&self, guess: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
+    pub(super) fn refine(&self, guess: DVec4, fixed: usize) -> Option<(DVec4, Frame)> {
         let frame = self.frame(guess);
         let inverse = frame.inverse(fixed);
         let first = step(&inverse, frame.miss, fixed);
         let length = first.abs().max_element();
-        if length < NEAR {
+        if length < MAX_REFINED_STEP {
             let x = guess - first;
             let miss = self.a.point(x.x, x.y) - self.b.point(x.z, x.w);
             let second = step(&inverse, miss, fixed);

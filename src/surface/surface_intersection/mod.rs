@@ -7,7 +7,7 @@
 //!
 //! What is proved: every point that the declared surfaces have in common lies in a pair of cells of step 1, and in a box that has an arc
 //! through it, or is shorter than the tolerance, or is reported as unresolved. Bounds are computed in double precision, with room for
-//! rounding (`noise`). One thing is judged by points and not proved: whether a curve that is nearer than a thousandth of the tolerance to a
+//! rounding (`rounding_error`). One thing is judged by points and not proved: whether a curve that is nearer than a thousandth of the tolerance to a
 //! side of a box runs along it, touches it or crosses it, which decides between the boxes on both sides. Self-intersections of one surface
 //! are not looked for.
 
@@ -20,7 +20,7 @@ mod pairs;
 mod refine;
 mod solve;
 
-pub use pairs::MAX_PAIRS;
+pub use pairs::{CellPair, MAX_PAIRS};
 
 use super::cells::Cells;
 use super::{Paths, Place, Sheet, Surface, each_sheet};
@@ -29,32 +29,22 @@ use crate::error::{Error, Result};
 use crate::job::Job;
 use crate::par;
 use chain::{Chain, chains};
-use chart::Part;
+use chart::ParameterBox;
 use glam::{DVec3, DVec4};
 use net::Net;
-use pairs::{Indexed, pairs};
-use solve::{Pieces, Task};
+use solve::{FoundArcs, PairTask};
 use std::ops::Range;
 
 /// Pairs of cells that one thread takes at a time.
-const CHUNK: usize = 32;
+const PAIRS_PER_CHUNK: usize = 32;
 /// Boxes of parameters looked at between two looks at the job.
-const BATCH: usize = 1 << 16;
+const BOXES_PER_STEP: usize = 1 << 16;
 /// Boxes that are looked at for a pair of cells before it is put back.
-const FIRST_LIMIT: usize = 256;
-/// Boxes that are looked at for all the pairs that were put back: shared among them, but each gets [`FIRST_LIMIT`] again at least.
-const SECOND_TOTAL: usize = 1 << 20;
+const FIRST_MAX_BOXES: usize = 256;
+/// Boxes that are looked at for all the pairs that were put back: shared among them, but each gets [`FIRST_MAX_BOXES`] again at least.
+const SECOND_TOTAL_BOXES: usize = 1 << 20;
 /// The most for one of them.
-const SECOND_LIMIT: usize = 1 << 16;
-
-/// A pair of cells of two surfaces.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct CellPair {
-    /// The sheet of the first surface, and that of the second.
-    pub sheets: [u32; 2],
-    /// Row and column of the cell of the first, and of the second.
-    pub cells: [[u32; 2]; 2],
-}
+const SECOND_MAX_BOXES: usize = 1 << 16;
 
 /// How intersections are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -93,48 +83,28 @@ impl Surface<'_> {
             return Err(Error::OptionOutOfRange { option: "tolerance", value: tolerance });
         }
         let pairs = self.candidates(other, 0.0, &job.part(0.0, 0.2))?;
-        let meeting = Meeting {
+        let intersection = Intersection {
             surfaces: [self, other],
             pairs: &pairs,
             origin: 0.5 * (self.bounds()[0] + self.bounds()[1]),
             tolerance,
             chord: chord.max(tolerance),
         };
-        let pieces = meeting.solve(&job.part(0.2, 0.9))?;
-        let (chains, explained) = chains(&pieces.arcs, &pieces.spots, meeting.tolerance)?;
-        let mut paths = meeting.paths(&pieces, &chains, &job.part(0.9, 1.0))?;
-        for (spot, _) in pieces.spots.iter().zip(explained).filter(|(_, explained)| !explained) {
-            let [place, _] = meeting.places(spot.pair, spot.x);
+        let pieces = intersection.solve(&job.part(0.2, 0.9))?;
+        let (chains, explained) = chains(&pieces.arcs, &pieces.balls, intersection.tolerance)?;
+        let mut paths = intersection.paths(&pieces, &chains, &job.part(0.9, 1.0))?;
+        for (ball, _) in pieces.balls.iter().zip(explained).filter(|(_, explained)| !explained) {
+            let [place, _] = intersection.places(ball.pair, ball.x);
             if paths.unresolved.last().is_none_or(|last| (last.sheet, last.cell) != (place.sheet, place.cell)) {
                 alloc::push(&mut paths.unresolved, place)?;
             }
         }
         Ok(paths)
     }
-
-    /// Pairs of cells of the two surfaces that may be as near to each other as `within` (0: that may meet), by sheets and cells: all that
-    /// are, and few others.
-    ///
-    /// # Errors
-    /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite; [`Error::TooLarge`] above [`MAX_PAIRS`];
-    /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
-    pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
-        if !(within >= 0.0 && within.is_finite()) {
-            return Err(Error::OptionOutOfRange { option: "within", value: within });
-        }
-        let mut found = Vec::new();
-        for (k, n) in (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| (k, n))) {
-            let ((sheet_a, index_a), (sheet_b, index_b)) = (self.indexed(k), other.indexed(n));
-            let a = Indexed { number: k as u32, sheet: sheet_a, index: index_a };
-            let b = Indexed { number: n as u32, sheet: sheet_b, index: index_b };
-            pairs(&a, &b, within, &mut found, job)?;
-        }
-        Ok(found)
-    }
 }
 
 /// Two surfaces that are intersected.
-struct Meeting<'a> {
+struct Intersection<'a> {
     surfaces: [&'a Surface<'a>; 2],
     pairs: &'a [CellPair],
     /// What coordinates are relative to.
@@ -155,30 +125,38 @@ fn ends(sheet: &Sheet<'_>) -> [u32; 2] {
     }
 }
 
-impl Meeting<'_> {
+impl Intersection<'_> {
     /// The arcs of all pairs, in their order.
-    fn solve(&self, job: &Job<'_>) -> Result<Pieces> {
+    fn solve(&self, job: &Job<'_>) -> Result<FoundArcs> {
         let all: Vec<u32> = alloc::collect((0..self.pairs.len()).map(|k| k as u32))?;
-        let mut pieces = Pieces::default();
-        self.round(&all, FIRST_LIMIT, false, &mut pieces, &job.part(0.0, 0.8))?;
+        let mut pieces = FoundArcs::default();
+        self.solve_all(&all, FIRST_MAX_BOXES, false, &mut pieces, &job.part(0.0, 0.8))?;
         let again = std::mem::take(&mut pieces.exhausted);
         if !again.is_empty() {
-            let limit = (SECOND_TOTAL / again.len()).clamp(FIRST_LIMIT, SECOND_LIMIT);
-            self.round(&again, limit, true, &mut pieces, &job.part(0.8, 1.0))?;
+            let max_boxes = (SECOND_TOTAL_BOXES / again.len()).clamp(FIRST_MAX_BOXES, SECOND_MAX_BOXES);
+            self.solve_all(&again, max_boxes, true, &mut pieces, &job.part(0.8, 1.0))?;
             pieces.arcs.sort_unstable_by_key(|arc| (arc.pair, arc.from));
-            pieces.spots.sort_by_key(|spot| spot.pair);
+            pieces.balls.sort_by_key(|ball| ball.pair);
         }
         Ok(pieces)
     }
 
     /// Adds the arcs of some of the pairs.
-    fn round(&self, which: &[u32], limit: usize, last: bool, pieces: &mut Pieces, job: &Job<'_>) -> Result<()> {
-        let chunk = if last { 1 } else { CHUNK };
+    fn solve_all(
+        &self,
+        which: &[u32],
+        max_boxes: usize,
+        last: bool,
+        pieces: &mut FoundArcs,
+        job: &Job<'_>,
+    ) -> Result<()> {
+        let chunk = if last { 1 } else { PAIRS_PER_CHUNK };
         // Most pairs take a box or two, those that are done again all they may.
-        let batch = if last { BATCH.div_ceil(limit) } else { BATCH / 16 };
+        let batch = if last { BOXES_PER_STEP.div_ceil(max_boxes) } else { BOXES_PER_STEP / 16 };
         for (k, part) in which.chunks(batch).enumerate() {
             job.step((k * batch) as f64 / which.len() as f64, "intersection")?;
-            let found = par::chunks(job.threads(), part.len(), chunk, |range| self.chunk(&part[range], limit, last));
+            let found =
+                par::chunks(job.threads(), part.len(), chunk, |range| self.chunk(&part[range], max_boxes, last));
             for found in found {
                 pieces.append(&found?)?;
             }
@@ -187,8 +165,8 @@ impl Meeting<'_> {
     }
 
     /// The arcs of some pairs, whichever their sheets are.
-    fn chunk(&self, which: &[u32], limit: usize, last: bool) -> Result<Pieces> {
-        let mut pieces = Pieces::default();
+    fn chunk(&self, which: &[u32], max_boxes: usize, last: bool) -> Result<FoundArcs> {
+        let mut pieces = FoundArcs::default();
         let sheets = |&k: &u32| self.pairs[k as usize].sheets;
         for run in which.chunk_by(|k, n| sheets(k) == sheets(n)) {
             let [a, b] = sheets(&run[0]);
@@ -198,7 +176,7 @@ impl Meeting<'_> {
                 let [p, q] = self.pairs[k as usize].cells;
                 let followed = [p[0] < ends_a[0], p[1] < ends_a[1], q[0] < ends_b[0], q[1] < ends_b[1]];
                 let tolerance = self.tolerance.max(8.0 * rounding_error);
-                Task { pair: k, followed, tolerance, chord: self.chord, max_boxes: limit, last, rounding_error }
+                PairTask { pair: k, followed, tolerance, chord: self.chord, max_boxes: max_boxes, last, rounding_error }
             };
             each_sheet!(one, cells_a => each_sheet!(other, cells_b => {
                 self.run(cells_a, cells_b, run, &task, &mut pieces)?;
@@ -213,10 +191,10 @@ impl Meeting<'_> {
         a: &impl Cells<N>,
         b: &impl Cells<M>,
         which: &[u32],
-        task: &impl Fn(u32, f64) -> Task,
-        pieces: &mut Pieces,
+        task: &impl Fn(u32, f64) -> PairTask,
+        pieces: &mut FoundArcs,
     ) -> Result<()> {
-        let mut whole = Part::<N, M>::WHOLE;
+        let mut whole = ParameterBox::<N, M>::WHOLE;
         let (mut last, mut size_a) = (None, 0.0);
         for &k in which {
             let [p, q] = self.pairs[k as usize].cells;
@@ -228,8 +206,8 @@ impl Meeting<'_> {
             let size_b;
             (whole.nets.b, size_b) = Net::new(&b.patch(q[0] as usize, q[1] as usize), self.origin);
             // Of the nets, and of their halvings.
-            let noise = 16.0 * f64::EPSILON * f64::max(size_a, size_b);
-            task(k, noise).solve(&whole, pieces)?;
+            let rounding_error = 16.0 * f64::EPSILON * f64::max(size_a, size_b);
+            task(k, rounding_error).solve(&whole, pieces)?;
         }
         Ok(())
     }
@@ -245,7 +223,7 @@ impl Meeting<'_> {
     }
 
     /// The points of chains of arcs.
-    fn paths(&self, pieces: &Pieces, chains: &[Chain], job: &Job<'_>) -> Result<Paths> {
+    fn paths(&self, pieces: &FoundArcs, chains: &[Chain], job: &Job<'_>) -> Result<Paths> {
         let mut paths = Paths { ends: vec![0], ..Paths::default() };
         for (k, chain) in chains.iter().enumerate() {
             let arcs = || chain.arcs.iter().map(|&arc| &pieces.arcs[arc as usize]);

@@ -1,27 +1,35 @@
 //! Pairs of cells that may meet: both pyramids are descended together, and pairs of blocks that are apart are dropped.
 
-use super::CellPair;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::aabb::Aabb;
 use crate::job::Job;
 use crate::surface::cells::{BLOCK, Cells};
 use crate::surface::index::{OrientedBox, Pyramid};
-use crate::surface::{Sheet, each_sheet};
+use crate::surface::{Sheet, Surface, each_sheet};
 use glam::DVec3;
+
+/// A pair of cells of two surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CellPair {
+    /// The sheet of the first surface, and that of the second.
+    pub sheets: [u32; 2],
+    /// Row and column of the cell of the first, and of the second.
+    pub cells: [[u32; 2]; 2],
+}
 
 /// The largest number of pairs of cells.
 pub const MAX_PAIRS: u64 = 1 << 26;
 
 /// Pairs of blocks between two looks at the job.
-const STEP: usize = 1024;
+const VISITS_PER_STEP: usize = 1024;
 
 /// A sheet, its index, and what takes its index's coordinates to the common ones.
 #[derive(Clone, Copy)]
-pub(super) struct Indexed<'a> {
-    pub(super) number: u32,
-    pub(super) sheet: &'a Sheet<'a>,
-    pub(super) index: &'a Pyramid,
+struct Indexed<'a> {
+    number: u32,
+    sheet: &'a Sheet<'a>,
+    index: &'a Pyramid,
 }
 
 /// A block of one of the sheets.
@@ -30,12 +38,12 @@ struct Node {
     row: usize,
     column: usize,
     bounds: Aabb,
-    solid: Option<Solid>,
+    solid: Option<Parallelepiped>,
 }
 
 /// A parallelepiped: its centre, its half edges and how long they are, the products of two of them, and the product of all.
 #[derive(Clone, Copy)]
-struct Solid {
+struct Parallelepiped {
     centre: DVec3,
     half: [DVec3; 3],
     lengths: [f64; 3],
@@ -43,12 +51,12 @@ struct Solid {
     volume: f64,
 }
 
-impl Solid {
-    fn of(oriented: &OrientedBox, shift: DVec3) -> Solid {
+impl Parallelepiped {
+    fn of(oriented: &OrientedBox, shift: DVec3) -> Parallelepiped {
         let (centre, half) = oriented.edges();
         let [x, y, z] = half;
         let normals = [y.cross(z), z.cross(x), x.cross(y)];
-        Solid {
+        Parallelepiped {
             centre: centre + shift,
             half,
             lengths: half.map(DVec3::length),
@@ -59,10 +67,12 @@ impl Solid {
 
     /// False if one of the axes of separation shows that the solids are farther apart than `by`: those across faces and across pairs of edges.
     /// What a solid reaches along these is made of products of the half edges of the one and the normals of the other.
-    fn meets(&self, other: &Solid, by: f64) -> bool {
+    fn meets(&self, other: &Parallelepiped, by: f64) -> bool {
         let between = other.centre - self.centre;
-        let products = |one: &Solid, other: &Solid| one.normals.map(|n| other.half.map(|half| half.dot(n).abs()));
-        let beyond = |one: &Solid, products: &[[f64; 3]; 3]| {
+        let products = |one: &Parallelepiped, other: &Parallelepiped| {
+            one.normals.map(|n| other.half.map(|half| half.dot(n).abs()))
+        };
+        let beyond = |one: &Parallelepiped, products: &[[f64; 3]; 3]| {
             (0..3).any(|k| {
                 let area = one.lengths[(k + 1) % 3] * one.lengths[(k + 2) % 3];
                 between.dot(one.normals[k]).abs() > one.volume + products[k].iter().sum::<f64>() + by * area
@@ -78,10 +88,10 @@ impl Solid {
         }
         // The half edges that are not in the axis a x b: (c, a, b) = (a x b, c), up to the sign.
         let edges = |i: usize, j: usize| {
-            let reach =
+            let extent =
                 of_other[(i + 1) % 3][j] + of_other[(i + 2) % 3][j] + of_self[(j + 1) % 3][i] + of_self[(j + 2) % 3][i];
             let across = between.dot(self.half[i].cross(other.half[j]));
-            across.abs() > reach + by * self.lengths[i] * other.lengths[j]
+            across.abs() > extent + by * self.lengths[i] * other.lengths[j]
         };
         !(0..9).any(|k| edges(k / 3, k % 3))
     }
@@ -103,7 +113,7 @@ impl Node {
             return None;
         }
         let (row, column) = (2 * self.row + k / 2, 2 * self.column + k % 2);
-        let solid = level.oriented(row, column).map(|oriented| Solid::of(oriented, shift));
+        let solid = level.oriented(row, column).map(|oriented| Parallelepiped::of(oriented, shift));
         let apart = solid.as_ref().zip(near.solid.as_ref()).is_some_and(|(one, other)| !one.meets(other, by));
         (!apart).then_some(Node { level: self.level - 1, row, column, bounds, solid })
     }
@@ -123,7 +133,7 @@ fn overlap(a: &Aabb, b: &Aabb, by: f64) -> bool {
 
 /// A cell's quadrilateral, relative to the common origin: the points c + x a + y b + x y t, x and y from -1 to 1.
 #[derive(Clone, Copy)]
-struct Quad {
+struct Quadrilateral {
     cell: [u32; 2],
     bounds: Aabb,
     centre: DVec3,
@@ -135,8 +145,8 @@ struct Quad {
     rise: f64,
 }
 
-impl Quad {
-    const NONE: Quad = Quad {
+impl Quadrilateral {
+    const NONE: Quadrilateral = Quadrilateral {
         cell: [0; 2],
         bounds: Aabb::EMPTY,
         centre: DVec3::ZERO,
@@ -147,10 +157,10 @@ impl Quad {
         rise: 0.0,
     };
 
-    fn new(cell: [u32; 2], [[p, q], [r, s]]: [[DVec3; 2]; 2], bounds: Aabb) -> Quad {
+    fn new(cell: [u32; 2], [[p, q], [r, s]]: [[DVec3; 2]; 2], bounds: Aabb) -> Quadrilateral {
         let half = [0.25 * (r + s - p - q), 0.25 * (q + s - p - r)];
         let (twist, normal) = (0.25 * (p + s - q - r), half[0].cross(half[1]));
-        Quad {
+        Quadrilateral {
             cell,
             bounds,
             centre: 0.25 * (p + q + r + s),
@@ -163,15 +173,15 @@ impl Quad {
     }
 
     /// False if the quadrilaterals are farther apart than `by`, as the axes of separation of two parallelograms show, their twists added.
-    fn meets(&self, other: &Quad, by: f64) -> bool {
+    fn meets(&self, other: &Quadrilateral, by: f64) -> bool {
         if !overlap(&self.bounds, &other.bounds, by) {
             return false;
         }
         let between = other.centre - self.centre;
-        let along = |one: &Quad, other: &Quad| other.half.map(|half| half.dot(one.normal).abs());
-        let beyond = |one: &Quad, other: &Quad, [x, y]: [f64; 2]| {
-            let reach = one.rise + x + y + other.twist.dot(one.normal).abs();
-            between.dot(one.normal).abs() > reach + by * one.lengths[0] * one.lengths[1]
+        let along = |one: &Quadrilateral, other: &Quadrilateral| other.half.map(|half| half.dot(one.normal).abs());
+        let beyond = |one: &Quadrilateral, other: &Quadrilateral, [x, y]: [f64; 2]| {
+            let extent = one.rise + x + y + other.twist.dot(one.normal).abs();
+            between.dot(one.normal).abs() > extent + by * one.lengths[0] * one.lengths[1]
         };
         let of_other = along(self, other);
         if beyond(self, other, of_other) {
@@ -183,8 +193,8 @@ impl Quad {
         }
         let edges = |i: usize, j: usize| {
             let axis = self.half[i].cross(other.half[j]);
-            let reach = of_other[j] + of_self[i] + self.twist.dot(axis).abs() + other.twist.dot(axis).abs();
-            between.dot(axis).abs() > reach + by * self.lengths[i] * other.lengths[j]
+            let extent = of_other[j] + of_self[i] + self.twist.dot(axis).abs() + other.twist.dot(axis).abs();
+            between.dot(axis).abs() > extent + by * self.lengths[i] * other.lengths[j]
         };
         !(0..4).any(|k| edges(k / 2, k % 2))
     }
@@ -197,7 +207,7 @@ struct Block {
     corners: [[DVec3; BLOCK + 1]; BLOCK + 1],
     /// How far the surface may be from the cells' quadrilaterals.
     deviation: f64,
-    quads: [Quad; BLOCK * BLOCK],
+    quads: [Quadrilateral; BLOCK * BLOCK],
     count: usize,
 }
 
@@ -206,7 +216,7 @@ impl Block {
         at: [usize::MAX; 2],
         corners: [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1],
         deviation: 0.0,
-        quads: [Quad::NONE; BLOCK * BLOCK],
+        quads: [Quadrilateral::NONE; BLOCK * BLOCK],
         count: 0,
     };
 
@@ -239,26 +249,42 @@ impl Block {
                 let [[p, q], [s, t]] = corners;
                 let bounds = Aabb { low: p.min(q).min(s.min(t)), high: p.max(q).max(s.max(t)) };
                 if overlap(&bounds, near, by) {
-                    self.quads[self.count] = Quad::new([i as u32, j as u32], corners, bounds);
+                    self.quads[self.count] = Quadrilateral::new([i as u32, j as u32], corners, bounds);
                     self.count += 1;
                 }
             }
         }
     }
 
-    fn quads(&self) -> &[Quad] {
+    fn quads(&self) -> &[Quadrilateral] {
         &self.quads[..self.count]
     }
 }
 
+impl Surface<'_> {
+    /// Pairs of cells of the two surfaces that may be as near to each other as `within` (0: that may meet), by sheets and cells: all that
+    /// are, and few others.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a distance that is negative or not finite; [`Error::TooLarge`] above [`MAX_PAIRS`];
+    /// [`Error::OutOfMemory`]; [`Error::Cancelled`].
+    pub fn candidates(&self, other: &Surface<'_>, within: f64, job: &Job<'_>) -> Result<Vec<CellPair>> {
+        if !(within >= 0.0 && within.is_finite()) {
+            return Err(Error::OptionOutOfRange { option: "within", value: within });
+        }
+        let mut found = Vec::new();
+        for (k, n) in (0..self.len()).flat_map(|k| (0..other.len()).map(move |n| (k, n))) {
+            let ((sheet_a, index_a), (sheet_b, index_b)) = (self.indexed(k), other.indexed(n));
+            let a = Indexed { number: k as u32, sheet: sheet_a, index: index_a };
+            let b = Indexed { number: n as u32, sheet: sheet_b, index: index_b };
+            pairs(&a, &b, within, &mut found, job)?;
+        }
+        Ok(found)
+    }
+}
+
 /// Adds the pairs of cells of two sheets that may be as near as `within`, in order: all that are, and few others.
-pub(super) fn pairs(
-    a: &Indexed<'_>,
-    b: &Indexed<'_>,
-    within: f64,
-    found: &mut Vec<CellPair>,
-    job: &Job<'_>,
-) -> Result<()> {
+fn pairs(a: &Indexed<'_>, b: &Indexed<'_>, within: f64, found: &mut Vec<CellPair>, job: &Job<'_>) -> Result<()> {
     let origin = a.index.origin();
     let shift = b.index.origin() - origin;
     let roots = [Node::root(a.index, DVec3::ZERO), Node::root(b.index, shift)];
@@ -270,7 +296,7 @@ pub(super) fn pairs(
     let by = within + 8.0 * f64::EPSILON * size[0].max(size[1]);
     let before = found.len();
     let blocks = [Block::NONE; 2];
-    let mut descent = Descent { a, b, origin, shift, by, blocks, looked_at: 0, found, job };
+    let mut descent = Descent { a, b, origin, shift, by, blocks, visited: 0, found, job };
     descent.visit(&roots[0], &roots[1])?;
     let key = |pair: &CellPair| {
         let [[i, j], [k, l]] = pair.cells.map(|cell| cell.map(u128::from));
@@ -290,7 +316,7 @@ struct Descent<'a> {
     by: f64,
     /// The last ones of A and of B.
     blocks: [Block; 2],
-    looked_at: usize,
+    visited: usize,
     found: &'a mut Vec<CellPair>,
     job: &'a Job<'a>,
 }
@@ -298,8 +324,8 @@ struct Descent<'a> {
 impl Descent<'_> {
     /// Adds the pairs of cells of two blocks.
     fn visit(&mut self, one: &Node, other: &Node) -> Result<()> {
-        self.looked_at += 1;
-        if self.looked_at.is_multiple_of(STEP) {
+        self.visited += 1;
+        if self.visited.is_multiple_of(VISITS_PER_STEP) {
             self.job.step(0.0, "pairs of cells")?;
         }
         if one.level == 0 && other.level == 0 {

@@ -11,11 +11,11 @@ use crate::error::Result;
 use glam::{DVec3, DVec4};
 
 /// Cuts of cuts at most.
-const DEPTH: u32 = 6;
+const MAX_CUT_DEPTH: u32 = 6;
 /// Rows of control points of a cubic patch: arcs over such ones have no waves that the ends of pieces hide.
 const CUBIC: usize = 4;
 /// Pieces of one cut at most.
-const PIECES: f64 = 64.0;
+const MAX_PIECES: f64 = 64.0;
 
 /// A point of the arc: where it is, and how it goes on, by parameters for the free one's unit, and in space.
 #[derive(Clone, Copy)]
@@ -27,7 +27,7 @@ struct Knot {
 }
 
 /// An arc that is refined.
-pub(super) struct Refined<'a, const N: usize, const M: usize> {
+pub(super) struct ArcRefinement<'a, const N: usize, const M: usize> {
     pub(super) equation: &'a Equation<N, M>,
     /// The parameter of which the others are functions.
     pub(super) free: usize,
@@ -35,7 +35,7 @@ pub(super) struct Refined<'a, const N: usize, const M: usize> {
     pub(super) chord: f64,
 }
 
-impl<const N: usize, const M: usize> Refined<'_, N, M> {
+impl<const N: usize, const M: usize> ArcRefinement<'_, N, M> {
     /// Adds the points strictly between the ends, which are at `places`.
     pub(super) fn between(&self, ends: [End; 2], places: [DVec3; 2], points: &mut Vec<DVec4>) -> Result<()> {
         if self.chord == f64::INFINITY {
@@ -48,9 +48,9 @@ impl<const N: usize, const M: usize> Refined<'_, N, M> {
         });
         let pieces = self.pieces(&knots);
         if pieces > 1.0 {
-            return self.cut(knots, pieces, DEPTH, points);
+            return self.cut(knots, pieces, MAX_CUT_DEPTH, points);
         }
-        if self.is_bent(&knots) { self.cut(knots, 2.0, DEPTH, points) } else { Ok(()) }
+        if self.is_bent(&knots) { self.cut(knots, 2.0, MAX_CUT_DEPTH, points) } else { Ok(()) }
     }
 
     /// What the ends do not show, the middle may: true if it is too far from the chord, or the halves are.
@@ -66,8 +66,8 @@ impl<const N: usize, const M: usize> Refined<'_, N, M> {
         let along = (last.point - first.point).normalize_or_zero();
         let off = (off - off.dot(along) * along).length();
         let arch = self.height(&[first, middle]).max(self.height(&[middle, last]));
-        let most = if off >= 4.0 * arch { off } else { (off + 4.0 * arch).powi(2) / (16.0 * arch) };
-        most > self.chord
+        let max = if off >= 4.0 * arch { off } else { (off + 4.0 * arch).powi(2) / (16.0 * arch) };
+        max > self.chord
     }
 
     /// Adds the points between two knots that cut the arc into equal pieces by the free parameter, and those of pieces that are still too long.
@@ -96,7 +96,7 @@ impl<const N: usize, const M: usize> Refined<'_, N, M> {
 
     /// The number of pieces whose chords are near enough to the arc between two knots: their distance falls by the square of it.
     fn pieces(&self, knots: &[Knot; 2]) -> f64 {
-        (self.height(knots) / self.chord).sqrt().ceil().min(PIECES)
+        (self.height(knots) / self.chord).sqrt().ceil().min(MAX_PIECES)
     }
 
     /// How far the cubic between two knots is from their chord. With directions T and U across the chord, L long, that is of two parts: an
@@ -115,7 +115,7 @@ impl<const N: usize, const M: usize> Refined<'_, N, M> {
         let (s, whole) = (1.0 - t, last.x[self.free] - first.x[self.free]);
         let rise = s * first.rates - t * last.rates;
         let line = s * s * (1.0 + 2.0 * t) * first.x + t * t * (3.0 - 2.0 * t) * last.x;
-        let (x, frame) = self.equation.settle(line + (s * t * whole) * rise, self.free)?;
+        let (x, frame) = self.equation.refine(line + (s * t * whole) * rise, self.free)?;
         let rates = frame.tangent() / frame.tangent()[self.free];
         let direction = frame.direction().normalize_or_zero();
         Some(Knot { x, rates, point: self.equation.point(x), direction })

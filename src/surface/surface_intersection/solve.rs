@@ -4,10 +4,10 @@
 //! (`arc`). It is unresolved when the two pieces over it are within the tolerance of each other all over: they touch there, or
 //! coincide. Cost: O(N^2) a test and O(N^3) a split, `max_boxes` boxes at most.
 
-use super::arc::{End, Found, Search};
-use super::chart::{Part, Proof};
+use super::arc::{ArcSearch, End};
+use super::chart::ParameterBox;
 use super::equation::Equation;
-use super::refine::Refined;
+use super::refine::ArcRefinement;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::subdivision::{BoxTest, Limits, Subdivision, subdivide};
@@ -19,14 +19,14 @@ use std::borrow::Cow;
 const BOXES_BEFORE_DEGENERACY_TEST: usize = 12;
 
 /// Spots of one pair that do not touch each other.
-const MAX_SPOTS: usize = 64;
+const MAX_BALLS: usize = 64;
 
 /// A piece of the intersection over one pair of cells, in the direction N_A x N_B.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Arc {
     /// Which pair.
     pub(super) pair: u32,
-    /// Its points among those of the [`Pieces`].
+    /// Its points among those of the [`FoundArcs`].
     pub(super) from: u32,
     pub(super) to: u32,
     /// The first and the last point, and the directions there.
@@ -36,7 +36,7 @@ pub(super) struct Arc {
 
 /// Where cells touch, or may do: a ball round it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Spot {
+pub(super) struct UnresolvedBall {
     pub(super) pair: u32,
     pub(super) x: DVec4,
     pub(super) centre: DVec3,
@@ -47,41 +47,41 @@ pub(super) struct Spot {
 
 /// What was found over some pairs.
 #[derive(Debug, Default)]
-pub(super) struct Pieces {
+pub(super) struct FoundArcs {
     pub(super) points: Vec<DVec4>,
     pub(super) arcs: Vec<Arc>,
-    pub(super) spots: Vec<Spot>,
+    pub(super) balls: Vec<UnresolvedBall>,
     /// Pairs on which more boxes were to be looked at than permitted.
     pub(super) exhausted: Vec<u32>,
 }
 
-impl Pieces {
+impl FoundArcs {
     /// How many points, arcs and spots there are.
     fn counts(&self) -> [usize; 3] {
-        [self.points.len(), self.arcs.len(), self.spots.len()]
+        [self.points.len(), self.arcs.len(), self.balls.len()]
     }
 
     /// Forgets what was added since.
-    fn truncate(&mut self, [points, arcs, spots]: [usize; 3]) {
+    fn truncate(&mut self, [points, arcs, balls]: [usize; 3]) {
         self.points.truncate(points);
         self.arcs.truncate(arcs);
-        self.spots.truncate(spots);
+        self.balls.truncate(balls);
     }
 
     /// Adds what was found over other pairs.
-    pub(super) fn append(&mut self, other: &Pieces) -> Result<()> {
+    pub(super) fn append(&mut self, other: &FoundArcs) -> Result<()> {
         let before = self.points.len() as u32;
         alloc::append(&mut self.points, &other.points)?;
         alloc::reserve(&mut self.arcs, other.arcs.len())?;
         self.arcs.extend(other.arcs.iter().map(|arc| Arc { from: arc.from + before, to: arc.to + before, ..*arc }));
-        alloc::append(&mut self.spots, &other.spots)?;
+        alloc::append(&mut self.balls, &other.balls)?;
         alloc::append(&mut self.exhausted, &other.exhausted)
     }
 }
 
 /// How a pair of cells is to be solved.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Task {
+pub(super) struct PairTask {
     pub(super) pair: u32,
     /// By parameter, whether a cell follows above.
     pub(super) followed: [bool; 4],
@@ -96,11 +96,15 @@ pub(super) struct Task {
     pub(super) rounding_error: f64,
 }
 
-impl Task {
+impl PairTask {
     /// Adds the arcs of the pair.
-    pub(super) fn solve<const N: usize, const M: usize>(&self, whole: &Part<N, M>, pieces: &mut Pieces) -> Result<()> {
+    pub(super) fn solve<const N: usize, const M: usize>(
+        &self,
+        whole: &ParameterBox<N, M>,
+        pieces: &mut FoundArcs,
+    ) -> Result<()> {
         let before = pieces.counts();
-        let mut search = PairSearch { task: self, equation: &whole.nets, first_spot: before[2], examined: 0, pieces };
+        let mut search = PairSearch { task: self, equation: &whole.nets, first_ball: before[2], examined: 0, pieces };
         // Most pairs have one box: no copy of it, and no memory for more.
         let limits = Limits { max_depth: u32::MAX, max_boxes: usize::MAX };
         match subdivide(&mut search, Cow::Borrowed(whole), &mut Vec::new(), limits) {
@@ -121,12 +125,12 @@ impl Task {
 
 /// The search of one pair of cells.
 struct PairSearch<'a, const N: usize, const M: usize> {
-    task: &'a Task,
+    task: &'a PairTask,
     equation: &'a Equation<N, M>,
     /// The spots from here on are the pair's.
-    first_spot: usize,
+    first_ball: usize,
     examined: usize,
-    pieces: &'a mut Pieces,
+    pieces: &'a mut FoundArcs,
 }
 
 /// Why a search ends early.
@@ -144,15 +148,15 @@ impl From<Error> for Stop {
     }
 }
 
-impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, Part<N, M>>, 2> for PairSearch<'_, N, M> {
+impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, ParameterBox<N, M>>, 2> for PairSearch<'_, N, M> {
     /// The ends of an arc, and its free parameter.
     type Solution = ([End; 2], usize);
     /// The parameter whose range is halved.
     type Split = usize;
     type Stop = Stop;
 
-    fn classify(&mut self, part: &Cow<'a, Part<N, M>>) -> Result<BoxTest<([End; 2], usize), usize>, Stop> {
-        let (Task { tolerance, rounding_error, .. }, equation) = (*self.task, self.equation);
+    fn classify(&mut self, part: &Cow<'a, ParameterBox<N, M>>) -> Result<BoxTest<([End; 2], usize), usize>, Stop> {
+        let (PairTask { tolerance, rounding_error, .. }, equation) = (*self.task, self.equation);
         self.examined += 1;
         let has_no_area = || equation.a.patch().has_no_area() && equation.b.patch().has_no_area();
         if self.examined == BOXES_BEFORE_DEGENERACY_TEST && (has_no_area() || self.coincide()) {
@@ -162,21 +166,21 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, Part<N, M>>, 2> for
             return if self.task.last { Ok(BoxTest::Unresolved) } else { Err(Stop::Exhausted) };
         }
         let frame = equation.frame(part.middle());
-        match part.prove(&frame, rounding_error) {
-            Proof::Empty => return Ok(BoxTest::Empty),
-            Proof::Open => {}
-            Proof::Graph(chart) => {
-                let search = Search::new(equation, part, &chart, tolerance, rounding_error, self.task.followed);
-                let found = match search.along_line(&frame) {
-                    Some(found) => found,
-                    None if part.is_apart(&frame, rounding_error) => Found::Nothing,
-                    None => search.through_inside(&frame),
-                };
-                match found {
-                    Found::Nothing => return Ok(BoxTest::Empty),
-                    Found::Open => {}
-                    Found::Arc(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
-                }
+        let proof = part.prove(&frame, rounding_error);
+        if matches!(proof, BoxTest::Empty) {
+            return Ok(BoxTest::Empty);
+        }
+        if let BoxTest::Unique(chart) = proof {
+            let search = ArcSearch::new(equation, part, &chart, tolerance, rounding_error, self.task.followed);
+            let found = match search.along_line(&frame) {
+                Some(found) => found,
+                None if part.is_apart(&frame, rounding_error) => BoxTest::Empty,
+                None => search.through_inside(&frame),
+            };
+            match found {
+                BoxTest::Empty => return Ok(BoxTest::Empty),
+                BoxTest::Unique(ends) => return Ok(BoxTest::Unique((ends, chart.free))),
+                _ => {}
             }
         }
         let extents = part.extents();
@@ -186,7 +190,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, Part<N, M>>, 2> for
     }
 
     /// Adds an arc, unless it is as short as may be dropped.
-    fn accept(&mut self, _: Cow<'a, Part<N, M>>, (ends, free): ([End; 2], usize)) -> Result<(), Stop> {
+    fn accept(&mut self, _: Cow<'a, ParameterBox<N, M>>, (ends, free): ([End; 2], usize)) -> Result<(), Stop> {
         // By rising free parameter; but the curve runs along N_A x N_B.
         let rises = ends[0].tangent[free] > 0.0;
         let ends = if rises { ends } else { [ends[1], ends[0]] };
@@ -197,7 +201,7 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, Part<N, M>>, 2> for
         }
         let from = points.len() as u32;
         alloc::push(points, ends[0].x)?;
-        Refined { equation, free, chord: self.task.chord }.between(ends, places, points)?;
+        ArcRefinement { equation, free, chord: self.task.chord }.between(ends, places, points)?;
         alloc::push(points, ends[1].x)?;
         let to = points.len() as u32;
         let directions = ends.map(|end| end.direction.normalize_or_zero());
@@ -205,12 +209,12 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, Part<N, M>>, 2> for
         Ok(())
     }
 
-    fn give_up(&mut self, part: Cow<'a, Part<N, M>>, _exhausted: bool) -> Result<(), Stop> {
+    fn give_up(&mut self, part: Cow<'a, ParameterBox<N, M>>, _exhausted: bool) -> Result<(), Stop> {
         self.report(&part);
         Ok(())
     }
 
-    fn split(&mut self, part: Cow<'a, Part<N, M>>, longest: usize) -> [Cow<'a, Part<N, M>>; 2] {
+    fn split(&mut self, part: Cow<'a, ParameterBox<N, M>>, longest: usize) -> [Cow<'a, ParameterBox<N, M>>; 2] {
         let [low, high] = part.halves(longest);
         [Cow::Owned(high), Cow::Owned(low)]
     }
@@ -218,25 +222,25 @@ impl<'a, const N: usize, const M: usize> Subdivision<Cow<'a, Part<N, M>>, 2> for
 
 impl<const N: usize, const M: usize> PairSearch<'_, N, M> {
     /// Reports a box: spots of the same pair that touch are one.
-    fn report(&mut self, part: &Part<N, M>) {
-        let (Task { pair, tolerance, .. }, equation) = (*self.task, self.equation);
+    fn report(&mut self, part: &ParameterBox<N, M>) {
+        let (PairTask { pair, tolerance, .. }, equation) = (*self.task, self.equation);
         let x = part.middle();
         let centre = equation.point(x);
         let from_centre = |corner: &DVec3| corner.distance(centre);
         let radius = part.nets.a.patch().points.as_flattened().iter().map(from_centre).fold(0.0, f64::max);
         let gap = equation.frame(x).miss.length();
-        let spot = Spot { pair, x, centre, radius, gap };
-        let own = &mut self.pieces.spots[self.first_spot..];
-        let touches = |other: &Spot| other.centre.distance(centre) <= other.radius + radius + tolerance;
+        let ball = UnresolvedBall { pair, x, centre, radius, gap };
+        let own = &mut self.pieces.balls[self.first_ball..];
+        let touches = |other: &UnresolvedBall| other.centre.distance(centre) <= other.radius + radius + tolerance;
         // Of too many apart from each other, the last one takes the rest.
-        let found = own.iter().position(touches).or((own.len() >= MAX_SPOTS).then(|| own.len() - 1));
+        let found = own.iter().position(touches).or((own.len() >= MAX_BALLS).then(|| own.len() - 1));
         match found {
             Some(k) => {
-                let nearer = if gap < own[k].gap { spot } else { own[k] };
-                let radius = |spot: &Spot| nearer.centre.distance(spot.centre) + spot.radius;
-                own[k] = Spot { radius: radius(&spot).max(radius(&own[k])), ..nearer };
+                let nearer = if gap < own[k].gap { ball } else { own[k] };
+                let radius = |ball: &UnresolvedBall| nearer.centre.distance(ball.centre) + ball.radius;
+                own[k] = UnresolvedBall { radius: radius(&ball).max(radius(&own[k])), ..nearer };
             }
-            None => self.pieces.spots.push(spot),
+            None => self.pieces.balls.push(ball),
         }
     }
 
