@@ -62,6 +62,21 @@ pub(crate) fn copied<T: Copy>(items: &[T]) -> Result<Vec<T>> {
     Ok(vec)
 }
 
+/// Makes a vector `len` copies of `value`, in the memory that it has.
+pub(crate) fn reset<T: Clone>(vec: &mut Vec<T>, len: usize, value: T) -> Result<()> {
+    vec.clear();
+    grow(vec, len, value)
+}
+
+/// Appends copies of `value` until there are `len` elements at least.
+pub(crate) fn grow<T: Clone>(vec: &mut Vec<T>, len: usize, value: T) -> Result<()> {
+    if vec.len() < len {
+        reserve(vec, len - vec.len())?;
+        vec.resize(len, value);
+    }
+    Ok(())
+}
+
 /// Makes room for `additional` more elements.
 pub(crate) fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
     vec.try_reserve(additional)

@@ -102,7 +102,7 @@ impl Found {
     }
 
     fn with_each_other(&mut self, [i, k]: [usize; 2], [a, b]: [&Curve; 2], within: f64, job: &Job<'_>) -> Result<()> {
-        let near = a.view().approaches(&b.view(), within, job)?;
+        let near = a.view().near_misses(&b.view(), within, job)?;
         for place in &near.places {
             let middle = a.view().point(place.a)?.midpoint(b.view().point(place.b)?);
             self.places.add([middle].into_iter(), false)?;

@@ -7,7 +7,9 @@ use super::param::{Choice, Param, ParamKind, Values};
 use crate::error::Result;
 use crate::job::Job;
 use crate::outline::ops::Spacing;
-use crate::outline::{Ends, Fit, FitStatus, Joint, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit};
+use crate::outline::{
+    Ends, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointStatus, Points, fit,
+};
 use std::fmt::Write;
 
 pub(super) const FILTER: Filter = Filter {
@@ -115,7 +117,7 @@ fn run(inputs: &[Input<'_>], values: &Values<'_>, job: &Job<'_>) -> Result<Vec<O
         mode: [Mode::Composite, Mode::CubicC2, Mode::BlendC1, Mode::BlendC2, Mode::Single][values.chosen("curve")],
         method: [Method::Bisector, Method::Median, Method::Normal, Method::Symmedian][values.chosen("method")],
         lock: [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide][values.chosen("lock")],
-        joint: [Joint::Half, Joint::Knot, Joint::G2][values.chosen("joint")],
+        joint: [JointParameter::Half, JointParameter::Knot, JointParameter::G2][values.chosen("joint")],
         ends: [Ends::Free, Ends::Perpendicular][values.chosen("ends")],
         corner_angle: values.number("corner_angle"),
         ..Options::default()

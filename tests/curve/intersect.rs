@@ -1,7 +1,7 @@
 //! Intersections of curves, against formulas and brute force.
 
 use glam::DVec3;
-use gusset::outline::ops::Meetings;
+use gusset::outline::ops::Intersections;
 use gusset::outline::{CurveView, Place};
 use gusset::{Error, Job};
 use proptest::prelude::*;
@@ -14,7 +14,7 @@ fn one(points: &[DVec3]) -> (Vec<DVec3>, Vec<u32>) {
     (points.to_vec(), vec![0, points.len() as u32 - 1])
 }
 
-fn meet(a: &[DVec3], b: &[DVec3]) -> Meetings {
+fn meet(a: &[DVec3], b: &[DVec3]) -> Intersections {
     let (a, b) = (one(a), one(b));
     let (a, b) = (CurveView::new(&a.0, &a.1, false).unwrap(), CurveView::new(&b.0, &b.1, false).unwrap());
     let found = a.intersections(&b, &Job::default()).unwrap();
@@ -24,7 +24,7 @@ fn meet(a: &[DVec3], b: &[DVec3]) -> Meetings {
     found
 }
 
-fn itself(points: &[DVec3], ends: &[u32], closed: bool) -> Meetings {
+fn itself(points: &[DVec3], ends: &[u32], closed: bool) -> Intersections {
     let curve = CurveView::new(points, ends, closed).unwrap();
     curve.self_intersections(&Job::default()).unwrap()
 }
@@ -120,7 +120,7 @@ fn circles_of_cubics() {
         // They touch at a joint of both.
         let found = curve(&a).intersections(&curve(&c), &Job::default()).unwrap();
         assert_eq!(found.points.len(), 1, "{found:?}");
-        assert_eq!(curve(&a).self_intersections(&Job::default()).unwrap(), Meetings::default());
+        assert_eq!(curve(&a).self_intersections(&Job::default()).unwrap(), Intersections::default());
         assert_eq!(curve(&a).intersections(&curve(&a), &Job::default()).unwrap().overlaps.len(), 4);
     }
 }
@@ -141,8 +141,8 @@ fn loops_cusps_and_eights() {
     assert!(x(m.a.t).abs() < 1e-14 && (m.a.t - 0.5).abs() > 0.1);
     // A cusp, a plain arch and a straight line have none.
     assert_eq!(itself(&[v(0.0, 0.0), v(1.0, 1.0), v(0.0, 1.0), v(1.0, 0.0)], &[0, 3], false).points, []);
-    assert_eq!(itself(&[v(0.0, 0.0), v(1.0, 2.0), v(3.0, 0.0)], &[0, 2], false), Meetings::default());
-    assert_eq!(itself(&[v(0.0, 0.0), v(1.0, 0.0), v(2.0, 0.0)], &[0, 1, 2], false), Meetings::default());
+    assert_eq!(itself(&[v(0.0, 0.0), v(1.0, 2.0), v(3.0, 0.0)], &[0, 2], false), Intersections::default());
+    assert_eq!(itself(&[v(0.0, 0.0), v(1.0, 0.0), v(2.0, 0.0)], &[0, 1, 2], false), Intersections::default());
     // There and back: an overlap.
     assert_eq!(itself(&[v(0.0, 0.0), v(1.0, 0.0), v(0.5, 0.0)], &[0, 1, 2], false).overlaps.len(), 1);
     // An eight of polygons, and a pentagram.

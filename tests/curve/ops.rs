@@ -101,14 +101,13 @@ fn circles() {
                 curve.nearest(&[v(2.0, 1.0, 0.0) * radius, v(0.0, 0.3, 0.4) * radius], &Job::default()).unwrap();
             assert!((found[0].distance / radius - (5.0f64.sqrt() - 1.0)).abs() < error);
             assert!((found[1].distance / radius - (0.49f64 + 0.16).sqrt()).abs() < error);
-            let crossings = curve.crossings_with_line(v(0.0, 0.6, 0.0) * radius, v(3.0, 0.0, 0.0)).unwrap();
+            let crossings = curve.intersect_line(v(0.0, 0.6, 0.0) * radius, v(3.0, 0.0, 0.0)).unwrap();
             assert_eq!((crossings.places.len(), crossings.inside.len()), (2, 0));
             for p in curve.points_at(&crossings.places).unwrap() {
                 assert!((p.x.abs() / radius - 0.8).abs() < error && (p.y / radius - 0.6).abs() < 1e-14);
             }
             // Tangent at the joint, through the joints, and past it.
-            let line =
-                |y: f64| curve.crossings_with_line(v(0.0, y, 0.0) * radius, v(1.0, 0.0, 0.0)).unwrap().places.len();
+            let line = |y: f64| curve.intersect_line(v(0.0, y, 0.0) * radius, v(1.0, 0.0, 0.0)).unwrap().places.len();
             assert_eq!((line(1.0), line(0.0), line(1.001)), (1, 2, 0));
         }
     }
@@ -188,21 +187,21 @@ fn arc_length_there_and_back() {
 fn planes_in_space_and_segments_within() {
     // A screw of height 1, cut at half its height.
     let given = Given::one(&[v(1.0, 0.0, 0.0), v(1.0, 1.0, 0.2), v(-1.0, 1.0, 0.8), v(-1.0, 0.0, 1.0)]);
-    let found = given.view().crossings_with_plane(v(9.0, 9.0, 0.5), v(0.0, 0.0, -1e-300)).unwrap();
+    let found = given.view().intersect_plane(v(9.0, 9.0, 0.5), v(0.0, 0.0, -1e-300)).unwrap();
     assert_eq!(found.places.len(), 1);
     assert!((found.places[0].t - 0.5).abs() < 1e-15);
-    assert!(given.view().crossings_with_line(DVec3::ZERO, DVec3::X).is_err());
-    assert!(given.view().crossings_with_plane(DVec3::ZERO, DVec3::ZERO).is_err());
+    assert!(given.view().intersect_line(DVec3::ZERO, DVec3::X).is_err());
+    assert!(given.view().intersect_plane(DVec3::ZERO, DVec3::ZERO).is_err());
     // A square: the line along one side has that side in it, and nothing else.
     let square = [v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(1.0, 1.0, 0.0), v(0.0, 1.0, 0.0), v(0.0, 0.0, 0.0)];
     for turn in 0..4usize {
         let mut points: Vec<DVec3> = (0..4).map(|k| square[(k + turn) % 4]).collect();
         points.push(points[0]);
         let square = Given { points, ends: (0..5).collect(), closed: true };
-        let found = square.view().crossings_with_line(v(0.5, 1.0, 0.0), DVec3::X).unwrap();
+        let found = square.view().intersect_line(v(0.5, 1.0, 0.0), DVec3::X).unwrap();
         assert_eq!((found.inside.len(), found.places.len()), (1, 0), "{turn}: {found:?}");
         // A diagonal passes two corners.
-        let found = square.view().crossings_with_line(v(0.0, 0.0, 0.0), v(1.0, 1.0, 0.0)).unwrap();
+        let found = square.view().intersect_line(v(0.0, 0.0, 0.0), v(1.0, 1.0, 0.0)).unwrap();
         assert_eq!((found.inside.len(), found.places.len()), (0, 2), "{turn}: {found:?}");
     }
 }
@@ -329,7 +328,7 @@ proptest! {
     fn lines_cross_where_the_side_changes(given in curves(true), line in (-0.5..0.5f64, -0.5..0.5f64, 0.0..3.1f64)) {
         let unit = size(&given);
         let (point, direction) = (v(line.0, line.1, 0.0) * unit, v(line.2.cos(), line.2.sin(), 0.0));
-        let found = given.view().crossings_with_line(point, direction).unwrap();
+        let found = given.view().intersect_line(point, direction).unwrap();
         prop_assert!(found.inside.len() < given.ends.len());
         let normal = v(-direction.y, direction.x, 0.0);
         let side = |at: f64| normal.dot((given.point(at) - point) / unit);

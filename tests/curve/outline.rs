@@ -3,8 +3,8 @@
 use crate::plane::{METHODS, casteljau, data, lift};
 use glam::DVec3;
 use gusset::outline::{
-    Constraint, CurveView, Demand, Ends, Fit, FitStatus, Joint, Method, Mode, Options, Outlines, Place, PointStatus,
-    Points, fit, tangent_of_angle,
+    Constraint, CurveView, Ends, Fit, FitStatus, JointParameter, Method, Mode, Options, Outlines, Place,
+    PointConstraint, PointStatus, Points, fit, tangent_of_angle,
 };
 use gusset::{Element, Error, Job};
 use proptest::prelude::*;
@@ -140,7 +140,7 @@ proptest! {
         closed: bool,
         mode in prop::sample::select(MODES.to_vec()),
         method in prop::sample::select(METHODS.to_vec()),
-        joint in prop::sample::select(vec![Joint::Half, Joint::Knot]),
+        joint in prop::sample::select(vec![JointParameter::Half, JointParameter::Knot]),
         corner in prop::sample::select(vec![PI, 1.0, 0.1]),
         ends in prop::sample::select(vec![Ends::Free, Ends::Perpendicular]),
         scale in prop::sample::select(vec![1.0, 1e-150, 1e150, 1e300]),
@@ -219,8 +219,8 @@ proptest! {
             for i in 0..size * 300 {
                 let t = i as f64 * 0.7 + k as f64;
                 if i % 97 == 5 {
-                    let demand = if i % 2 == 0 { Demand::Corner } else { Demand::Tangent(tangent_of_angle(t)) };
-                    constraints.push(Constraint { point: points.len() as u32, demand });
+                    let kind = if i % 2 == 0 { PointConstraint::Corner } else { PointConstraint::Tangent(tangent_of_angle(t)) };
+                    constraints.push(Constraint { point: points.len() as u32, kind });
                 }
                 points.push([t.cos() + 0.01 * t, (1.3 * t).sin()]);
             }
@@ -261,17 +261,17 @@ fn tangents_and_corners_are_kept() {
             let options = Options { mode, ..Options::default() };
             let tau = tangent_of_angle(2.0);
             let constraints = [
-                Constraint { point: 0, demand: Demand::Tangent(tau) },
-                Constraint { point: 3, demand: Demand::Tangent(DVec3::new(-7.0, 0.5, 0.0)) },
-                Constraint { point: 4, demand: Demand::Tangent(DVec3::new(-1.0, 0.0, 0.0)) },
-                Constraint { point: 6, demand: Demand::Corner },
-                Constraint { point: 8, demand: Demand::Tangent(DVec3::Y) },
+                Constraint { point: 0, kind: PointConstraint::Tangent(tau) },
+                Constraint { point: 3, kind: PointConstraint::Tangent(DVec3::new(-7.0, 0.5, 0.0)) },
+                Constraint { point: 4, kind: PointConstraint::Tangent(DVec3::new(-1.0, 0.0, 0.0)) },
+                Constraint { point: 6, kind: PointConstraint::Corner },
+                Constraint { point: 8, kind: PointConstraint::Tangent(DVec3::Y) },
             ];
             let done = one(&ring, closed, &constraints, &options);
             assert_passes(&ring, &done, "ring");
             let curve = done.curve(0);
             for constraint in &constraints {
-                let Demand::Tangent(tangent) = constraint.demand else { continue };
+                let PointConstraint::Tangent(tangent) = constraint.kind else { continue };
                 let place = done.place(constraint.point as usize);
                 let joint = place.segment as usize + usize::from(place.t == 1.0);
                 let n = curve.len();
@@ -417,7 +417,7 @@ fn what_is_no_outline_is_refused() {
             "{offsets:?}"
         );
     }
-    let corner = |point| Constraint { point, demand: Demand::Corner };
+    let corner = |point| Constraint { point, kind: PointConstraint::Corner };
     for constraints in [&[corner(3)][..], &[corner(1), corner(1)], &[corner(1), corner(0)]] {
         assert!(matches!(refused(outlines(&points, None, constraints), plain), Error::BadConstraint { .. }));
     }
@@ -448,7 +448,7 @@ fn repeats_at_the_end_of_a_closed_outline() {
         for corner in [false, true] {
             let e = 0.7e-12;
             let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, -e], [0.0, e], [e, -0.1 * e]];
-            let constraints = [Constraint { point: 2, demand: Demand::Corner }];
+            let constraints = [Constraint { point: 2, kind: PointConstraint::Corner }];
             let constraints = if corner { &constraints[..] } else { &[] };
             let done = one(&points, true, constraints, &Options { mode, ..Options::default() });
             assert_passes(&points, &done, "repeats");
@@ -466,7 +466,7 @@ fn statuses_do_not_depend_on_where_an_outline_begins() {
         let at = |corner: usize| ((corner + 7 - shift) % 7) as u32;
         let mut corners = [at(0), at(3)];
         corners.sort_unstable();
-        let constraints = corners.map(|point| Constraint { point, demand: Demand::Corner });
+        let constraints = corners.map(|point| Constraint { point, kind: PointConstraint::Corner });
         let done = one(&points, true, &constraints, &Options { ends: Ends::Perpendicular, ..Options::default() });
         assert_eq!(done.reports()[0].not_ok, 2, "{shift}");
         assert_eq!([0, 3].map(|corner| done.statuses()[at(corner) as usize]), [PointStatus::Collinear; 2], "{shift}");

@@ -10,7 +10,7 @@ const CUBIC: Options = Options {
     mode: Mode::CubicC2,
     method: gusset::outline::Method::Bisector,
     lock: gusset::outline::Lock::Parameter,
-    joint: gusset::outline::Joint::Half,
+    joint: gusset::outline::JointParameter::Half,
     solver: gusset::outline::Solver::Fast,
     ends: gusset::outline::Ends::Free,
     parameter_limit: 1.0 / 6.0,

@@ -7,10 +7,12 @@ use crate::outline_data::{
     Line, adversarial, arc, blob, check, foot_half, outlines, random, sine, size, solve, solve_with,
 };
 use glam::DVec3;
+use gusset::Job;
 use gusset::outline::{
-    Constraint, CurveView, Demand, Fit, FitStatus, Joint, Lock, Method, Mode, Options, PointStatus, Solver,
-    step_section,
+    Constraint, CurveView, Fit, FitStatus, JointParameter, Lock, Method, Mode, Options, Outlines, PointConstraint,
+    PointStatus, Points, Solver, fit, step_section,
 };
+use proptest::prelude::*;
 
 /// The control point, the first and the last point of a point's segment, and its parameter.
 fn section<'a>(curve: CurveView<'a>, fit: &Fit, i: usize) -> Option<(&'a [DVec3], f64)> {
@@ -57,7 +59,11 @@ fn self_consistent_parameters_on_all_outlines() {
 #[test]
 fn control_points_lie_on_the_guides_of_the_data() {
     let options = Options { lock: Lock::DataGuide, ..Options::default() };
-    for (solver, joint) in [(Solver::Fast, Joint::Half), (Solver::Step, Joint::Half), (Solver::Fast, Joint::Knot)] {
+    for (solver, joint) in [
+        (Solver::Fast, JointParameter::Half),
+        (Solver::Step, JointParameter::Half),
+        (Solver::Fast, JointParameter::Knot),
+    ] {
         let (mut kept, mut all) = (0, 0);
         for line in outlines().into_iter().chain([blob(24, 0.0), blob(25, 1.0)]).filter(|line| line.points.len() < 600)
         {
@@ -167,7 +173,7 @@ fn nothing_breaks_the_solvers() {
     for line in &lines {
         for method in methods {
             for lock in [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide] {
-                for joint in [Joint::Half, Joint::Knot, Joint::G2] {
+                for joint in [JointParameter::Half, JointParameter::Knot, JointParameter::G2] {
                     let options = Options { method, lock, joint, max_sweeps: 60, ..Options::default() };
                     check(line, &solve(line, &options), &format!("{method:?} {lock:?} {joint:?}"));
                 }
@@ -180,11 +186,13 @@ fn nothing_breaks_the_solvers() {
                     ..Options::default()
                 };
                 check(line, &solve(line, &step), &format!("{method:?} {lock:?} steps"));
-                for (joint, max_sweeps) in [(Joint::Knot, 1), (Joint::Knot, 5), (Joint::G2, 5)] {
+                for (joint, max_sweeps) in
+                    [(JointParameter::Knot, 1), (JointParameter::Knot, 5), (JointParameter::G2, 5)]
+                {
                     let hasty = Options { method, lock, joint, max_sweeps, ..Options::default() };
                     check(line, &solve(line, &hasty), &format!("{method:?} {lock:?} {joint:?}, {max_sweeps} sweeps"));
                 }
-                let knots = Options { joint: Joint::Knot, ..step };
+                let knots = Options { joint: JointParameter::Knot, ..step };
                 check(line, &solve(line, &knots), &format!("{method:?} {lock:?} knots, steps"));
                 let single = Options { mode: Mode::Single, ..step };
                 check(line, &solve(line, &single), &format!("single {method:?} {lock:?} steps"));
@@ -211,7 +219,7 @@ fn solutions_move_with_the_points() {
     let locks = [Lock::Parameter, Lock::SelfConsistent, Lock::DataGuide];
     for line in [blob(24, 0.0), blob(37, 1.3)] {
         for lock in locks {
-            for joint in [Joint::Half, Joint::Knot] {
+            for joint in [JointParameter::Half, JointParameter::Knot] {
                 let options = Options { lock, joint, ..options };
                 let plain = solve(&line, &options);
                 assert_eq!(plain.reports()[0].not_ok, 0, "{lock:?} {joint:?} {:?}", plain.reports()[0]);
@@ -331,9 +339,11 @@ fn what_runs_away_with_any_joints_is_solved_by_parameters() {
     ];
     let points = points.map(|(x, y)| DVec3::new(x, y * 1e-10, 0.0)).to_vec();
     let line = Line { name: "astray".into(), closed: false, points };
-    let constraints = [Constraint { point: 7, demand: Demand::Tangent(DVec3::new(-0.11, 0.36, 0.15)) }];
+    let constraints = [Constraint { point: 7, kind: PointConstraint::Tangent(DVec3::new(-0.11, 0.36, 0.15)) }];
     let options = Options { method: Method::Median, lock: Lock::DataGuide, ..Options::default() };
-    for (joint, parameter_limit) in [(Joint::Knot, 1e-3), (Joint::Knot, 1.0 / 6.0), (Joint::G2, 1e-3)] {
+    for (joint, parameter_limit) in
+        [(JointParameter::Knot, 1e-3), (JointParameter::Knot, 1.0 / 6.0), (JointParameter::G2, 1e-3)]
+    {
         let fit = solve_with(&line, &Options { joint, parameter_limit, ..options }, &constraints);
         assert!(fit.reports()[0].max_residual <= 1e-14, "{joint:?} {:?}", fit.reports()[0]);
         assert!(fit.statuses().contains(&PointStatus::FellBack));
@@ -382,7 +392,7 @@ fn points_in_space() {
 fn joints_by_knots() {
     let line = blob(30, 0.9);
     let n = line.points.len();
-    let fit = solve(&line, &Options { joint: Joint::Knot, ..Options::default() });
+    let fit = solve(&line, &Options { joint: JointParameter::Knot, ..Options::default() });
     assert_eq!(fit.reports()[0].not_ok, 0);
     let chord = |i: usize| line.points[i % n].distance(line.points[(i + 1) % n]).sqrt();
     for i in 0..n {
@@ -398,7 +408,7 @@ fn joints_by_knots() {
             .collect(),
         ..line
     };
-    let fit = solve(&line, &Options { joint: Joint::Knot, method: Method::Symmedian, ..Options::default() });
+    let fit = solve(&line, &Options { joint: JointParameter::Knot, method: Method::Symmedian, ..Options::default() });
     check(&line, &fit, "knots");
 }
 
@@ -407,7 +417,7 @@ fn joints_by_knots() {
 fn joints_by_curvatures() {
     let mut checked = 0;
     for line in [blob(12, 0.3), blob(16, 0.0), arc(9)] {
-        let fit = solve(&line, &Options { joint: Joint::G2, max_sweeps: 2000, ..Options::default() });
+        let fit = solve(&line, &Options { joint: JointParameter::G2, max_sweeps: 2000, ..Options::default() });
         check(&line, &fit, "curvatures");
         assert_ne!(fit.reports()[0].status, FitStatus::NotConverged, "{} {:?}", line.name, fit.reports()[0]);
         assert!(fit.reports()[0].iterations <= 15, "{} {:?}", line.name, fit.reports()[0]);
@@ -483,8 +493,8 @@ fn single_curves_have_their_tangents_and_seams() {
         let line = sine(7);
         let tangent = DVec3::new(1.0, 2.0, 0.0);
         let constraints = [
-            Constraint { point: 0, demand: Demand::Tangent(tangent) },
-            Constraint { point: 6, demand: Demand::Tangent(DVec3::X) },
+            Constraint { point: 0, kind: PointConstraint::Tangent(tangent) },
+            Constraint { point: 6, kind: PointConstraint::Tangent(DVec3::X) },
         ];
         let fit = solve_with(&line, &options, &constraints);
         check(&line, &fit, "tangents");
@@ -509,4 +519,42 @@ fn single_curves_have_their_tangents_and_seams() {
     check(&line, &fit, "many");
     assert_eq!((fit.reports()[0].status, fit.curve(0).len()), (FitStatus::DegreeTooHigh, 80));
     assert!(fit.statuses().iter().all(|&status| status == PointStatus::FellBack));
+}
+
+/// The second derivative of a segment in its knots.
+fn second_derivative(segment: &[DVec3], interval: f64, t: f64) -> DVec3 {
+    let [p, q, r, s] = [segment[0], segment[1], segment[2], segment[3]];
+    ((r - q * 2.0 + p) * (1.0 - t) + (s - r * 2.0 + q) * t) * 6.0 / (interval * interval)
+}
+
+proptest! {
+    #[test]
+    fn second_derivatives_of_cubic_splines_are_continuous(
+        points in prop::collection::vec((-9i8..9, -9i8..9, -9i8..9), 4..30),
+        closed: bool,
+        alpha in 0.0f64..1.0,
+    ) {
+        let points: Vec<[f64; 3]> = points
+            .iter()
+            .enumerate()
+            .map(|(i, &(x, y, z))| [f64::from(x), f64::from(y) + 0.1 * i as f64, f64::from(z)])
+            .collect();
+        let outlines = Outlines { points: Points::from(&points[..]), offsets: None, closed, constraints: &[] };
+        let options = Options { mode: Mode::CubicC2, method: Method::Alpha(alpha), ..Options::default() };
+        let done = fit(&outlines, &options, &Job::default()).unwrap();
+        let curve = done.curve(0);
+        let n = points.len();
+        prop_assert_eq!(curve.len(), if closed { n } else { n - 1 });
+        let at = |i: usize| DVec3::from_array(points[i % n]);
+        let interval = |i: usize| at(i).distance(at(i + 1)).powf(alpha);
+        for k in 0..curve.len() - usize::from(!closed) {
+            let next = (k + 1) % curve.len();
+            let (a, b) = (curve.segment(k), curve.segment(next));
+            let slope = |p: DVec3, q: DVec3, i: usize| (q - p) * 3.0 / interval(i);
+            let jump = slope(a[2], a[3], k) - slope(b[0], b[1], next);
+            prop_assert!(jump.length() < 1e-10 * (1.0 + slope(a[2], a[3], k).length()), "slope {k} {jump}");
+            let (left, right) = (second_derivative(a, interval(k), 1.0), second_derivative(b, interval(next), 0.0));
+            prop_assert!((left - right).length() < 1e-9 * (10.0 + left.length()), "bend {k} {left} {right}");
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use crate::plane::{METHODS, casteljau, data, lift};
 use glam::DVec3;
 use gusset::Job;
-use gusset::outline::{Constraint, Demand, Method, Outlines, PointStatus, Points, sections};
+use gusset::outline::{Constraint, Method, Outlines, PointConstraint, PointStatus, Points, sections};
 use proptest::prelude::*;
 
 #[test]
@@ -109,7 +109,7 @@ fn sections_of_outlines() {
         (1, gusset::outline::section_by_tangent(lift(points[0]), lift(points[1]), lift(points[2]), DVec3::X)),
     ] {
         let tangent = if point == 0 { tangent } else { DVec3::X };
-        let constraints = [Constraint { point, demand: Demand::Tangent(tangent) }];
+        let constraints = [Constraint { point, kind: PointConstraint::Tangent(tangent) }];
         let outlines =
             Outlines { points: Points::from(&points[..]), offsets: None, closed: false, constraints: &constraints };
         let found = sections(&outlines, Method::Bisector, &Job::default()).unwrap();

@@ -70,10 +70,10 @@ proptest! {
             prop_assert!((0.0..=1.0).contains(&half.t));
         }
         let _ = (curve.area_vector(), curve.moments(), curve.bounding_box().unwrap());
-        if let Ok(found) = curve.crossings_with_plane(q, DVec3::new(y, z, x)) {
+        if let Ok(found) = curve.intersect_plane(q, DVec3::new(y, z, x)) {
             prop_assert!(found.places.iter().all(|p| (0.0..=1.0).contains(&p.t)));
         }
-        let _ = curve.crossings_with_line(DVec3::new(x, y, 0.0), DVec3::new(z, x, 0.0));
+        let _ = curve.intersect_line(DVec3::new(x, y, 0.0), DVec3::new(z, x, 0.0));
         if let Ok(found) = curve.self_intersections(&job) {
             prop_assert!(found.points.iter().all(|m| curve.point(m.a).is_ok() && curve.point(m.b).is_ok()));
         }

@@ -284,7 +284,7 @@ fn approaches_against_samples() {
         let a = curve_through(&a, false, Scheme::SixTap).unwrap();
         let b = curve_through(&b, false, Scheme::FourPoint).unwrap();
         let within = 0.2;
-        let found = a.view().approaches(&b.view(), within, &Job::default()).unwrap();
+        let found = a.view().near_misses(&b.view(), within, &Job::default()).unwrap();
         assert!(!found.undecided, "{k}: {found:?}");
         let along = |at: Place| f64::from(at.segment) + at.t;
         for approach in &found.places {
@@ -294,7 +294,7 @@ fn approaches_against_samples() {
         // What samples show well within is there.
         for (s, t) in sampled(&a.view(), &b.view(), 0.9 * within) {
             let near =
-                |p: &&gusset::outline::ops::Approach| (along(p.a) - s).abs() < 0.1 && (along(p.b) - t).abs() < 0.1;
+                |p: &&gusset::outline::ops::NearMiss| (along(p.a) - s).abs() < 0.1 && (along(p.b) - t).abs() < 0.1;
             assert!(found.places.iter().any(|place| near(&place)), "{k}: {s} {t} {found:?}");
         }
         total += found.places.len();
@@ -317,29 +317,29 @@ fn curves_that_cross_touch_and_run_together() {
         curve_through(&nodes, true, Scheme::SixTap).unwrap()
     };
     let (a, b) = (ring(false), ring(true));
-    let found = a.view().approaches(&b.view(), 1e-9, &job).unwrap();
+    let found = a.view().near_misses(&b.view(), 1e-9, &job).unwrap();
     assert_eq!((found.places.len(), found.overlaps.len(), found.undecided), (2, 0, false), "{found:?}");
     assert!(found.places.iter().all(|place| place.distance < 1e-12));
     // The same curve twice.
-    let found = a.view().approaches(&a.view(), 1e-9, &job).unwrap();
+    let found = a.view().near_misses(&a.view(), 1e-9, &job).unwrap();
     assert!(!found.overlaps.is_empty(), "{found:?}");
     // Lines: through the ring's middle none, across it two, along a tangent one.
     let across = Line::new(DVec3::new(-2.0, 0.0, 0.0), DVec3::X);
-    let found = across.approaches(&a.view(), 1e-9, &job).unwrap();
+    let found = across.near_misses(&a.view(), 1e-9, &job).unwrap();
     assert_eq!(found.places.len(), 2, "{found:?}");
     for place in &found.places {
         assert!(at(&a.view(), place.a).distance(DVec3::new(place.b.t - 2.0, 0.0, 0.0)) < 1e-9, "{place:?}");
     }
     let through = Line::new(DVec3::ZERO, DVec3::Z);
-    assert!(through.approaches(&a.view(), 0.5, &job).unwrap().places.is_empty());
+    assert!(through.near_misses(&a.view(), 0.5, &job).unwrap().places.is_empty());
     let ray = Line::ray(DVec3::ZERO, DVec3::new(0.3, 0.4, 0.0));
-    assert_eq!(ray.approaches(&a.view(), 1e-4, &job).unwrap().places.len(), 1);
+    assert_eq!(ray.near_misses(&a.view(), 1e-4, &job).unwrap().places.len(), 1);
     let tangent = Line::new(DVec3::new(1.0, 0.0, 0.0), DVec3::Y);
-    let found = tangent.approaches(&a.view(), 1e-6, &job).unwrap();
+    let found = tangent.near_misses(&a.view(), 1e-6, &job).unwrap();
     assert!(!found.places.is_empty() && found.places.iter().all(|place| place.b.t.abs() < 1e-2), "{found:?}");
     for within in [f64::NAN, -1.0, f64::INFINITY] {
-        assert!(a.view().approaches(&b.view(), within, &job).is_err());
-        assert!(across.approaches(&a.view(), within, &job).is_err());
+        assert!(a.view().near_misses(&b.view(), within, &job).is_err());
+        assert!(across.near_misses(&a.view(), within, &job).is_err());
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::ffi::curve::{gusset_curve, gusset_place, points, view};
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
-use crate::outline::ops::{Approaches, Crossings, Meetings, Samples};
+use crate::outline::ops::{Intersections, NearMisses, PlaneIntersections, Samples};
 use crate::outline::{CurveView, Place};
 use glam::DVec3;
 
@@ -60,7 +60,7 @@ fn list(places: impl ExactSizeIterator<Item = Place>) -> Result<Vec<gusset_place
 }
 
 impl gusset_places {
-    fn of_crossings(found: Crossings, curve: &CurveView<'_>) -> Result<Self, Failure> {
+    fn of_plane_intersections(found: PlaneIntersections, curve: &CurveView<'_>) -> Result<Self, Failure> {
         let points = curve.points_at(&found.places)?;
         let places = list(found.places.into_iter())?;
         Ok(gusset_places { places, points, inside: found.inside, ..Self::default() })
@@ -71,7 +71,7 @@ impl gusset_places {
         Ok(gusset_places { places, points: found.points, ..Self::default() })
     }
 
-    pub(crate) fn of_approaches(found: &Approaches, curve: &CurveView<'_>) -> Result<Self, Failure> {
+    pub(crate) fn of_near_misses(found: &NearMisses, curve: &CurveView<'_>) -> Result<Self, Failure> {
         let at = alloc::collect(found.places.iter().map(|found| found.a))?;
         let mut overlaps = alloc::with_capacity(4 * found.overlaps.len())?;
         for o in &found.overlaps {
@@ -87,7 +87,7 @@ impl gusset_places {
         })
     }
 
-    fn of_meetings(found: &Meetings, curve: &CurveView<'_>) -> Result<Self, Failure> {
+    fn of_intersections(found: &Intersections, curve: &CurveView<'_>) -> Result<Self, Failure> {
         let at = alloc::collect(found.points.iter().map(|m| m.a))?;
         let mut overlaps = alloc::with_capacity(4 * found.overlaps.len())?;
         for o in &found.overlaps {
@@ -119,7 +119,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_plane_create(
 ) -> gusset_status {
     create(context, places, "places", |_| {
         let (view, point, normal) = (view(curve, "curve")?, points(point, 1, 3)?[0], points(normal, 1, 3)?[0]);
-        gusset_places::of_crossings(view.crossings_with_plane(point, normal)?, &view)
+        gusset_places::of_plane_intersections(view.intersect_plane(point, normal)?, &view)
     })
 }
 
@@ -136,7 +136,7 @@ pub unsafe extern "C" fn gusset_curve_intersect_line_create(
 ) -> gusset_status {
     create(context, places, "places", |_| {
         let (view, point, along) = (view(curve, "curve")?, points(point, 1, 2)?[0], points(direction, 1, 2)?[0]);
-        gusset_places::of_crossings(view.crossings_with_line(point, along)?, &view)
+        gusset_places::of_plane_intersections(view.intersect_line(point, along)?, &view)
     })
 }
 
@@ -154,9 +154,9 @@ pub unsafe extern "C" fn gusset_curve_intersect_create(
     create(context, places, "places", |job| {
         let one = view(curve, "curve")?;
         if other.is_null() {
-            return gusset_places::of_meetings(&one.self_intersections(job)?, &one);
+            return gusset_places::of_intersections(&one.self_intersections(job)?, &one);
         }
-        gusset_places::of_meetings(&one.intersections(&view(other, "other")?, job)?, &one)
+        gusset_places::of_intersections(&one.intersections(&view(other, "other")?, job)?, &one)
     })
 }
 

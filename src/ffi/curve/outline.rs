@@ -4,7 +4,7 @@ use crate::ffi::curve::gusset_curve;
 use crate::ffi::curve::outline_options::{gusset_outline_options, method};
 use crate::ffi::mesh::gusset_indices;
 use crate::ffi::prelude::*;
-use crate::outline::{Constraint, Demand, Fit, MAX_POINTS, Outlines, Points, Sections, fit, sections};
+use crate::outline::{Constraint, Fit, MAX_POINTS, Outlines, PointConstraint, Points, Sections, fit, sections};
 use glam::DVec3;
 use libc::c_void;
 
@@ -184,12 +184,14 @@ impl Given<'_> {
 
 fn constraint(bytes: &[u8]) -> Result<Constraint, Failure> {
     let [point, demand]: [u32; 2] = bytemuck::pod_read_unaligned(&bytes[..8]);
-    let demand = match demand {
-        GUSSET_CONSTRAINT_TANGENT => Demand::Tangent(DVec3::from_array(bytemuck::pod_read_unaligned(&bytes[8..32]))),
-        GUSSET_CONSTRAINT_CORNER => Demand::Corner,
+    let kind = match demand {
+        GUSSET_CONSTRAINT_TANGENT => {
+            PointConstraint::Tangent(DVec3::from_array(bytemuck::pod_read_unaligned(&bytes[8..32])))
+        }
+        GUSSET_CONSTRAINT_CORNER => PointConstraint::Corner,
         other => return Err(Failure::unknown("demand", other.into())),
     };
-    Ok(Constraint { point, demand })
+    Ok(Constraint { point, kind })
 }
 
 /// Finds the curves through the points of outlines: control points are sought such that each curve passes the points of its

@@ -1,7 +1,7 @@
 //! How outlines are identified, and what is said of them, as C sees it.
 
 use crate::ffi::prelude::*;
-use crate::outline::{Ends, Joint, Lock, Method, Mode, Options, Solver};
+use crate::outline::{Ends, JointParameter, Lock, Method, Mode, Options, Solver};
 
 /// Quadratic segments, one control point for each point; smooth (G1) everywhere.
 pub const GUSSET_CURVE_COMPOSITE: u32 = 0;
@@ -175,7 +175,7 @@ c_enum! {
         GUSSET_CURVE_CUBIC_C2 => CubicC2,
     }
     lock: Lock { GUSSET_LOCK_PARAMETER => Parameter, GUSSET_LOCK_SELF_CONSISTENT => SelfConsistent, GUSSET_LOCK_DATA_GUIDE => DataGuide }
-    joint: Joint { GUSSET_JOINT_PARAMETER_HALF => Half, GUSSET_JOINT_PARAMETER_KNOT => Knot, GUSSET_JOINT_PARAMETER_G2 => G2 }
+    joint: JointParameter { GUSSET_JOINT_PARAMETER_HALF => Half, GUSSET_JOINT_PARAMETER_KNOT => Knot, GUSSET_JOINT_PARAMETER_G2 => G2 }
     solver: Solver { GUSSET_SOLVER_FAST => Fast, GUSSET_SOLVER_STEP => Step }
     ends: Ends { GUSSET_ENDS_FREE => Free, GUSSET_ENDS_PERPENDICULAR => Perpendicular }
 }

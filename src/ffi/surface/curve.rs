@@ -79,7 +79,7 @@ pub unsafe extern "C" fn gusset_curve_near_misses_create(
 ) -> gusset_status {
     create(context, places, "places", |job| {
         let (curve, other) = (view(curve, "curve")?, view(other, "other")?);
-        gusset_places::of_approaches(&curve.approaches(&other, within, job)?, &curve)
+        gusset_places::of_near_misses(&curve.near_misses(&other, within, job)?, &curve)
     })
 }
 
@@ -98,6 +98,6 @@ pub unsafe extern "C" fn gusset_curve_line_near_misses_create(
 ) -> gusset_status {
     create(context, places, "places", |job| {
         let (curve, line) = (view(curve, "curve")?, lines(line, 1)?[0]);
-        gusset_places::of_approaches(&line.approaches(&curve, within, job)?, &curve)
+        gusset_places::of_near_misses(&line.near_misses(&curve, within, job)?, &curve)
     })
 }

@@ -1,14 +1,14 @@
 //! The nodes of a frame: which points of one section belong to which of the next.
 
-use super::super::curve::{CurveView, Place};
-use super::super::fit::span;
-use super::super::ops::Lengths;
-use super::super::request::Outlines;
-use super::super::{Fit, fit};
+use crate::outline::curve::{CurveView, Place};
+
 use super::{Correspondence, FrameOptions};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::outline::identify::Outlines;
+use crate::outline::identify::{Fit, fit};
+use crate::outline::ops::Lengths;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -39,7 +39,7 @@ pub(super) fn correspond(sections: &Outlines<'_>, options: &FrameOptions<'_>, jo
                 let turn = turn_of(sections, k);
                 let backwards = sections.closed && turn.dot(*first_turn.get_or_insert(turn)) < 0.0;
                 found.turned[k] = backwards.into();
-                let start = curves.place(span(sections, k).start);
+                let start = curves.place(sections.span(k).start);
                 even(&curve, start, columns, backwards, sections.closed, &mut found.nodes)?;
             }
         }
@@ -80,7 +80,7 @@ impl Found {
 
     /// Adds the node where the half-plane from the axis through `point` towards `ray` meets a section, farthest from the axis.
     fn meet(&mut self, curve: &CurveView<'_>, section: usize, point: DVec3, ray: DVec3, normal: DVec3) -> Result<()> {
-        let crossings = curve.crossings_with_plane(point, normal)?;
+        let crossings = curve.intersect_plane(point, normal)?;
         let mut farthest: Option<(f64, DVec3)> = None;
         let mut hits = 0;
         for &place in &crossings.places {
@@ -107,10 +107,10 @@ impl Found {
 
 /// The points as they are.
 fn given(sections: &Outlines<'_>, found: &mut Found) -> Result<()> {
-    let columns = if found.rows == 0 { 0 } else { span(sections, 0).len() };
+    let columns = if found.rows == 0 { 0 } else { sections.span(0).len() };
     found.reserve(columns)?;
     for k in 0..found.rows {
-        let span = span(sections, k);
+        let span = sections.span(k);
         if span.len() != columns {
             let (count, expected) = (span.len() as u32, columns as u32);
             return Err(Error::SectionsDiffer { section: k as u32, count, expected });
@@ -122,7 +122,7 @@ fn given(sections: &Outlines<'_>, found: &mut Found) -> Result<()> {
 
 /// The axis that the polygon of a section turns round, of length 1 or 0.
 fn turn_of(sections: &Outlines<'_>, k: usize) -> DVec3 {
-    let span = span(sections, k);
+    let span = sections.span(k);
     let start = sections.points.get(span.start);
     let seen = span.clone().map(|i| sections.points.get(i) * 0.25 - start * 0.25);
     let largest = seen.clone().fold(0.0, |m: f64, p| m.max(p.abs().max_element()));
@@ -178,7 +178,7 @@ fn landmarks(sections: &Outlines<'_>, curves: &Fit, points: &[u32], parts: usize
     found.reserve(columns.unwrap_or(usize::MAX))?;
     for k in 0..found.rows {
         let curve = nonempty(curves, k)?;
-        let span = span(sections, k);
+        let span = sections.span(k);
         let own = &points[k * each..(k + 1) * each];
         // In order along the section; a closed one may pass its first point once on the way.
         let descents = (0..each).filter(|&i| own[i] >= own[(i + 1) % each]).count();

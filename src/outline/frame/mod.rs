@@ -16,8 +16,8 @@ mod slice;
 
 pub use slice::{Measure, Slice, measures, slice};
 
-use super::request::{Options, Outlines, Points};
-use super::{Fit, fit};
+use crate::outline::identify::{Fit, Options, Outlines, Points, fit};
+
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::scale::common_unit;

@@ -1,11 +1,12 @@
 //! New sections of a frame, and what sections measure.
 
-use super::super::request::{Options, Outlines, Points};
-use super::super::{CurveView, Fit, Place, fit};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
+use crate::outline::curve::{CurveView, Place};
+use crate::outline::identify::{Fit, fit};
+use crate::outline::identify::{Options, Outlines, Points};
 use glam::DVec3;
 
 /// A section of a frame by a plane.
@@ -37,7 +38,7 @@ pub fn slice(
     let mut ambiguous = Vec::new();
     for i in 0..along.len() {
         let curve = along.curve(i);
-        let crossings = curve.crossings_with_plane(point, normal)?;
+        let crossings = curve.intersect_plane(point, normal)?;
         let inside = crossings.inside.first().map(|&segment| Place { segment, t: 0.0 });
         let Some(place) = crossings.places.first().copied().or(inside) else {
             return Err(Error::NoNode { section: 0, column: i as u32 });

@@ -1,4 +1,4 @@
-//! Area and moments of what a curve encloses; an open curve is closed by its chord.
+//! Area and moments of the region that a curve encloses; an open curve is closed by its chord.
 //!
 //! Seen from the curve's start, the area is swept in triangles (0, r, r + dr) of area r x dr / 2 (Green's theorem); the mean
 //! of a triangle's points is 2 r / 3 and of their products r r^T / 2. So
@@ -7,10 +7,10 @@
 //!
 //! polynomials in t whose integrals are exact. The chord back to the start sweeps nothing.
 
-use super::super::curve::{CurveView, MAX_DEGREE};
-use super::frame::Frame;
 use crate::error::Result;
 use crate::geom::bernstein::{add_product, integral, integral_of_product};
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{CurveView, MAX_DEGREE};
 use glam::DVec3;
 
 /// The moments of the region that a plane curve encloses. Regions that the curve runs round clockwise count negative, those
@@ -29,7 +29,7 @@ pub struct Moments {
 type Component = [f64; MAX_DEGREE + 1];
 
 /// The components of the control points seen from `start`, in the frame, and those of the derivative.
-fn components(frame: &Frame, start: DVec3, controls: &[DVec3]) -> ([Component; 3], [Component; 3]) {
+fn components(frame: &UnitFrame, start: DVec3, controls: &[DVec3]) -> ([Component; 3], [Component; 3]) {
     let (mut r, mut d) = ([[0.0; MAX_DEGREE + 1]; 3], [[0.0; MAX_DEGREE + 1]; 3]);
     let n = controls.len() - 1;
     for axis in 0..3 {
@@ -47,7 +47,7 @@ impl CurveView<'_> {
     /// The area vector, half the integral of r x dr: for a plane curve, (0, 0, its signed area); in space its component along
     /// any direction is the area of the shadow thrown that way. Exact but for rounding. O(sum of degree^2).
     pub fn area_vector(&self) -> DVec3 {
-        let frame = Frame::of(self.points());
+        let frame = UnitFrame::of(self.points());
         let Some(&start) = self.points().first() else {
             return DVec3::ZERO;
         };
@@ -79,7 +79,7 @@ impl CurveView<'_> {
     pub fn moments(&self) -> Result<Moments> {
         self.check_not_empty()?;
         self.check_plane()?;
-        let frame = Frame::of(self.points());
+        let frame = UnitFrame::of(self.points());
         let start = frame.point(self.points()[0]);
         let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
         for controls in self.segments() {

@@ -1,10 +1,9 @@
 //! The smallest box with sides along the axes.
 
-use super::super::curve::{CurveView, MAX_DEGREE};
-use super::super::segment;
-use super::frame::Frame;
 use crate::error::Result;
 use crate::geom::bernstein::roots;
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{CurveView, MAX_DEGREE, segment};
 use glam::DVec3;
 
 /// A box with sides along the axes.
@@ -51,7 +50,7 @@ impl Bounds {
     /// Includes the extrema of one coordinate of a segment.
     fn extend(&mut self, controls: &[DVec3], axis: usize) {
         let n = controls.len() - 1;
-        let frame = Frame::of(controls);
+        let frame = UnitFrame::of(controls);
         let mut slopes = [0.0; MAX_DEGREE];
         for (slope, pair) in slopes.iter_mut().zip(controls.windows(2)) {
             *slope = frame.point(pair[1])[axis] - frame.point(pair[0])[axis];

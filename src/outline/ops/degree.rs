@@ -1,12 +1,13 @@
-//! Segments of other degrees: higher ones without change of the curve, lower ones as near as they come.
+//! Segments of other degrees: higher ones without change of the curve, lower ones by least squares.
+//!
+//! Source: degree elevation, and Bernstein polynomials' products (Farouki and Rajan, 1988).
 
-use super::super::curve::{Curve, CurveView, MAX_DEGREE};
-use super::append;
-use super::frame::Frame;
-use super::split::Controls;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::binomials;
+use crate::outline::curve::segment::SegmentBuffer;
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{Curve, CurveView, MAX_DEGREE};
 use glam::DVec3;
 
 /// A curve of lower degree.
@@ -53,10 +54,9 @@ impl CurveView<'_> {
         for controls in self.segments() {
             let to = degree(controls.len() - 1);
             degree_option(to, 1)?;
-            let mut buffer = [DVec3::ZERO; MAX_DEGREE + 1];
-            buffer[..controls.len()].copy_from_slice(controls);
-            elevate(&mut buffer, controls.len() - 1, to);
-            append(&mut curve, &buffer[1..=to])?;
+            let mut elevated = SegmentBuffer::new(controls);
+            elevated.elevate(to);
+            curve.push(&elevated[1..])?;
         }
         Ok(curve)
     }
@@ -76,26 +76,22 @@ impl CurveView<'_> {
         for (k, controls) in self.segments().enumerate() {
             if controls.len() - 1 <= degree {
                 reduced.deviations.push(0.0);
-                append(&mut reduced.curve, &controls[1..])?;
+                reduced.curve.push(&controls[1..])?;
                 continue;
             }
-            let frame = Frame::of(controls);
-            let mut local = [DVec3::ZERO; MAX_DEGREE + 1];
-            for (to, &p) in local.iter_mut().zip(controls) {
-                *to = frame.point(p);
-            }
-            let local = &local[..controls.len()];
-            let fitted = least_squares(local, degree);
-            let deviation = frame.length_back(deviation(local, fitted, degree));
+            let frame = UnitFrame::of(controls);
+            let local = frame.segment(controls);
+            let fitted = least_squares(&local, degree);
+            let deviation = frame.length_back(deviation(&local, fitted));
             reduced.deviations.push(deviation);
             if deviation > tolerance || deviation == f64::INFINITY {
                 alloc::push(&mut reduced.kept, k as u32)?;
-                append(&mut reduced.curve, &controls[1..])?;
+                reduced.curve.push(&controls[1..])?;
                 continue;
             }
-            let mut back = fitted.map(|p| frame.point_back(p));
+            let mut back = SegmentBuffer::mapped(&fitted, |p| frame.point_back(p));
             back[degree] = controls[controls.len() - 1];
-            append(&mut reduced.curve, &back[1..=degree])?;
+            reduced.curve.push(&back[1..])?;
         }
         Ok(reduced)
     }
@@ -109,25 +105,14 @@ impl CurveView<'_> {
     }
 }
 
-/// Raises the degree step by step: B'_i = i / (n + 1) B_(i-1) + (1 - i / (n + 1)) B_i.
-fn elevate(controls: &mut Controls, from: usize, to: usize) {
-    for n in from..to {
-        controls[n + 1] = controls[n];
-        for i in (1..=n).rev() {
-            let x = i as f64 / (n + 1) as f64;
-            controls[i] = controls[i - 1] * x + controls[i] * (1.0 - x);
-        }
-    }
-}
-
 /// The largest distance of the control points of two segments, the second one raised to the degree of the first: by the
 /// convex hull of the difference no points at equal parameters are farther apart.
-fn deviation(controls: &[DVec3], mut fitted: Controls, degree: usize) -> f64 {
-    elevate(&mut fitted, degree, controls.len() - 1);
-    let distance = |(&p, q): (&DVec3, DVec3)| p.distance(q);
-    // What is no number is no fit.
+fn deviation(controls: &[DVec3], mut fitted: SegmentBuffer) -> f64 {
+    fitted.elevate(controls.len() - 1);
+    let distance = |(&p, &q): (&DVec3, &DVec3)| p.distance(q);
+    // A fit that is not a number is none.
     let farther = |most: f64, far: f64| if far.is_nan() { f64::INFINITY } else { most.max(far) };
-    controls.iter().zip(fitted).map(distance).fold(0.0, farther)
+    controls.iter().zip(&*fitted).map(distance).fold(0.0, farther)
 }
 
 /// The segment of degree m with the ends of `controls` whose integral of the squared distance is least: the normal equations
@@ -136,10 +121,9 @@ fn deviation(controls: &[DVec3], mut fitted: Controls, degree: usize) -> f64 {
 /// the integral of b_i b_j = C(m, i) C(m, j) / C(m + n, i + j) / (m + n + 1),
 ///
 /// between Bernstein polynomials of degrees m and n; solved by Cholesky's method.
-fn least_squares(controls: &[DVec3], m: usize) -> Controls {
+fn least_squares(controls: &[DVec3], m: usize) -> SegmentBuffer {
     let n = controls.len() - 1;
-    let mut fitted = [DVec3::ZERO; MAX_DEGREE + 1];
-    fitted[0] = controls[0];
+    let mut fitted = SegmentBuffer::new(&controls[..=m]);
     fitted[m] = controls[n];
     let row = |degree: usize| {
         let mut row = [0.0; 2 * MAX_DEGREE + 1];

@@ -1,10 +1,10 @@
 //! Points, derivatives, tangents and curvatures at places.
 
-use super::super::curve::{CurveView, MAX_DEGREE, Place};
-use super::super::segment;
-use super::frame::Frame;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::outline::curve::segment::{self, SegmentBuffer};
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{CurveView, MAX_DEGREE, Place};
 use glam::DVec3;
 
 impl CurveView<'_> {
@@ -37,13 +37,10 @@ impl CurveView<'_> {
         let mut out = alloc::with_capacity(places.len().saturating_mul(order + 1))?;
         for (index, &place) in places.iter().enumerate() {
             self.check_place(index, place)?;
-            let mut buffer = [DVec3::ZERO; MAX_DEGREE + 1];
-            let controls = self.segment(place.segment as usize);
-            buffer[..controls.len()].copy_from_slice(controls);
-            let mut left = controls.len();
+            let mut derived = SegmentBuffer::new(self.segment(place.segment as usize));
             for _ in 0..=order {
-                out.push(segment::point(&buffer[..left], place.t));
-                left = derive(&mut buffer[..left]);
+                out.push(segment::point(&derived, place.t));
+                derived.derive();
             }
         }
         Ok(out)
@@ -78,32 +75,19 @@ impl CurveView<'_> {
     }
 }
 
-/// Replaces control points by those of the derivative, n (B_(i+1) - B_i), and returns how many there are; 0 after a constant.
-pub(super) fn derive(controls: &mut [DVec3]) -> usize {
-    let n = controls.len().saturating_sub(1);
-    for i in 0..n {
-        controls[i] = (controls[i + 1] - controls[i]) * n as f64;
-    }
-    n
-}
-
 /// The first three derivatives at `t` in the segment's own frame.
-fn derivatives(controls: &[DVec3], t: f64) -> (Frame, [DVec3; 3]) {
-    let frame = Frame::of(controls);
-    let mut buffer = [DVec3::ZERO; MAX_DEGREE + 1];
-    for (to, &p) in buffer.iter_mut().zip(controls) {
-        *to = frame.point(p);
-    }
-    let mut left = controls.len();
-    let derived = [(); 3].map(|()| {
-        left = derive(&mut buffer[..left]);
-        segment::point(&buffer[..left], t)
+fn derivatives(controls: &[DVec3], t: f64) -> (UnitFrame, [DVec3; 3]) {
+    let frame = UnitFrame::of(controls);
+    let mut derived = frame.segment(controls);
+    let values = [(); 3].map(|()| {
+        derived.derive();
+        segment::point(&derived, t)
     });
-    (frame, derived)
+    (frame, values)
 }
 
 /// A derivative of a curve of size 1 and degree n below this times n is rounding.
-const STANDSTILL: f64 = 1e-13;
+const MIN_DERIVATIVE: f64 = 1e-13;
 
 /// The direction at `t`, of length 1, or 0.
 pub(super) fn tangent(controls: &[DVec3], t: f64) -> DVec3 {
@@ -113,8 +97,8 @@ pub(super) fn tangent(controls: &[DVec3], t: f64) -> DVec3 {
         segment::last_leg(controls)
     } else {
         let (_, derived) = derivatives(controls, t);
-        let least = STANDSTILL * controls.len() as f64;
-        derived.into_iter().find(|d| d.length() > least).unwrap_or(DVec3::ZERO)
+        let min = MIN_DERIVATIVE * controls.len() as f64;
+        derived.into_iter().find(|d| d.length() > min).unwrap_or(DVec3::ZERO)
     };
     let size = along.abs().max_element();
     if size.is_finite() { (along / size).normalize_or_zero() } else { (along * 0.25).normalize_or_zero() }
@@ -125,12 +109,12 @@ fn curvature(controls: &[DVec3], t: f64) -> f64 {
     let (frame, [first, second, _]) = derivatives(controls, t);
     let across = first.cross(second);
     let speed = first.length();
-    if speed <= STANDSTILL * controls.len() as f64 {
+    if speed <= MIN_DERIVATIVE * controls.len() as f64 {
         let along = segment::first_leg(controls);
         let along = along / along.abs().max_element().max(f64::MIN_POSITIVE);
         let straight = controls.iter().all(|&p| {
             let leg = frame.point(p) - frame.point(controls[0]);
-            leg.cross(along).length() <= STANDSTILL * leg.length()
+            leg.cross(along).length() <= MIN_DERIVATIVE * leg.length()
         });
         return if straight { 0.0 } else { f64::INFINITY };
     }

@@ -1,10 +1,10 @@
 //! Curves as others write them: SVG paths, contours of TrueType fonts, B-splines. In memory; no file is touched.
 
-use super::super::curve::CurveView;
-use super::frame::Frame;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::outline::curve::CurveView;
+use crate::outline::curve::unit_frame::UnitFrame;
 use glam::DVec3;
 use std::fmt::{self, Write};
 
@@ -44,8 +44,8 @@ impl fmt::Display for Number {
     }
 }
 
-/// Segments between two progress reports.
-const STEP: usize = 1 << 12;
+/// Segments between two reports of progress.
+const SEGMENTS_PER_REPORT: usize = 1 << 12;
 
 /// A number is at most 24 characters, and a blank.
 const WIDTH: usize = 25;
@@ -85,7 +85,7 @@ impl CurveView<'_> {
         };
         add(&mut text, 'M', &[start])?;
         for (k, controls) in self.segments().enumerate() {
-            if k.is_multiple_of(STEP) {
+            if k.is_multiple_of(SEGMENTS_PER_REPORT) {
                 job.step(k as f64 / self.len() as f64, "writing a path")?;
             }
             text.push(' ');
@@ -153,7 +153,7 @@ impl CurveView<'_> {
             return Err(Error::OptionOutOfRange { option: "degree", value: (other.len() - 1) as f64 });
         }
         let mut spline = Spline { degree: n, ..Spline::default() };
-        let frame = Frame::of(self.points());
+        let frame = UnitFrame::of(self.points());
         let (mut knot, mut interval) = (0.0, 1.0);
         spline.knot(knot, n + 1)?;
         alloc::append(&mut spline.controls, self.segment(0))?;

@@ -1,23 +1,22 @@
 //! Arc length and its inverse.
 
-use super::super::curve::{CurveView, MAX_DEGREE, Place};
-use super::super::segment;
-use super::evaluate::derive;
-use super::frame::Frame;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::{Roots, add_product, bracketed_root, roots};
 use crate::job::Job;
+use crate::outline::curve::segment::{self, SegmentBuffer};
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{CurveView, MAX_DEGREE, Place};
 use glam::DVec3;
 
-/// Segments between two progress reports.
-const STEP: usize = 1 << 8;
+/// Segments between two reports of progress.
+const SEGMENTS_PER_REPORT: usize = 1 << 8;
 
 /// The arc lengths of a curve up to each joint, ready for questions either way.
 #[derive(Debug, Clone)]
 pub struct Lengths<'a> {
     curve: CurveView<'a>,
-    frame: Frame,
+    frame: UnitFrame,
     /// Up to the end of each segment, in the frame.
     ends: Vec<f64>,
 }
@@ -45,11 +44,11 @@ impl<'a> CurveView<'a> {
     /// # Errors
     /// Also [`Error::Cancelled`].
     pub(crate) fn lengths_cancellable(&self, job: &Job<'_>) -> Result<Lengths<'a>> {
-        let frame = Frame::of(self.points());
+        let frame = UnitFrame::of(self.points());
         let mut ends = alloc::with_capacity(self.len())?;
         let mut sum = 0.0;
         for (k, controls) in self.segments().enumerate() {
-            if k.is_multiple_of(STEP) {
+            if k.is_multiple_of(SEGMENTS_PER_REPORT) {
                 job.step(k as f64 / self.len() as f64, "length of a curve")?;
             }
             sum += Arc::new(&frame, controls).length(0.0, 1.0);
@@ -124,39 +123,35 @@ impl Lengths<'_> {
 
 /// A segment's derivative: n control points of degree n - 1.
 struct Arc {
-    velocity: [DVec3; MAX_DEGREE + 1],
-    degree: usize,
+    velocity: SegmentBuffer,
     /// Where the speed is least or greatest, for degrees from 3 on. At a cusp it has a kink, which a rule does not see if it
     /// hides between an end and the first node; so every interval of integration ends there.
     turns: Roots,
 }
 
 impl Arc {
-    fn new(frame: &Frame, controls: &[DVec3]) -> Self {
-        let mut velocity = [DVec3::ZERO; MAX_DEGREE + 1];
-        for (to, &p) in velocity.iter_mut().zip(controls) {
-            *to = frame.point(p);
-        }
-        let degree = derive(&mut velocity[..controls.len()]);
-        let turns = if degree > 2 { turns(&velocity[..degree]) } else { Roots::new() };
-        Arc { velocity, degree, turns }
+    fn new(frame: &UnitFrame, controls: &[DVec3]) -> Self {
+        let mut velocity = frame.segment(controls);
+        velocity.derive();
+        let turns = if velocity.len() > 2 { turns(&velocity) } else { Roots::new() };
+        Arc { velocity, turns }
     }
 
     fn speed(&self, t: f64) -> f64 {
-        segment::point(&self.velocity[..self.degree], t).length()
+        segment::point(&self.velocity, t).length()
     }
 
     /// The length from parameter `a` to `b`.
     fn length(&self, a: f64, b: f64) -> f64 {
-        match self.velocity[..self.degree] {
+        match *self.velocity {
             [v] => v.length() * (b - a),
             [u, v] => quadratic(u, v - u, a, b),
             _ => {
                 // The control polygon: sum of |B_(i+1) - B_i| = |velocity| / n.
-                let polygon: f64 = self.velocity[..self.degree].iter().map(|v| v.length()).sum();
-                let error = 1e-13 * polygon / self.degree as f64;
+                let polygon: f64 = self.velocity.iter().map(|v| v.length()).sum();
+                let error = 1e-13 * polygon / self.velocity.len() as f64;
                 let inner = self.turns.as_slice().iter().filter(|&&t| a < t && t < b);
-                let (mut from, mut sum, mut halvings) = (a, 0.0, MOST_HALVINGS);
+                let (mut from, mut sum, mut halvings) = (a, 0.0, MAX_HALVINGS);
                 for &to in inner.chain(&[b]) {
                     sum += self.adaptive(from, to, self.gauss(from, to), error * (to - from), &mut halvings);
                     from = to;
@@ -186,7 +181,7 @@ impl Arc {
 }
 
 /// The most halvings of the intervals of one segment.
-const MOST_HALVINGS: u32 = 2000;
+const MAX_HALVINGS: u32 = 2000;
 
 /// The roots of C' . C'', half the derivative of the squared speed.
 fn turns(velocity: &[DVec3]) -> Roots {

@@ -4,15 +4,14 @@
 //! a closed form. Segments whose boxes are farther than the best so far are passed over, so the result is the nearest point
 //! of all.
 
-use super::super::curve::{CurveView, MAX_DEGREE, Place, check_finite};
-use super::super::segment;
 use super::cubic;
-use super::frame::Frame;
+use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::{MAX_COEFFICIENTS, add_product, roots};
-use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{CurveView, MAX_DEGREE, Place, check_finite, segment};
 use crate::par;
 use glam::DVec3;
 
@@ -27,17 +26,19 @@ pub struct Nearest {
     pub distance: f64,
 }
 
-/// A query farther away than this, in sizes of the curve, is drawn near along its direction: the nearest point does not tell.
-const FAR: f64 = (1u64 << 26) as f64;
+/// The distance, in sizes of the curve, to which farther queries are drawn along their direction: the nearest point is the same
+/// but for rounding.
+const MAX_QUERY_DISTANCE: f64 = (1u64 << 26) as f64;
 
 /// Queries that one thread takes at once.
-const BATCH: usize = 256;
+const QUERIES_PER_BATCH: usize = 256;
 
-/// Boxes in a frame of size 1 are wider by this, and distances relative to themselves, than rounding can make them.
-const PLAY: f64 = 1e-14;
-const RATIO: f64 = 1e-9;
-/// In sizes of all curves: the square of that is a number.
-const FARTHEST: f64 = 1e150;
+/// A bound of the rounding of boxes in a frame of size 1.
+const BOX_ROUNDING: f64 = 1e-14;
+/// A bound of the relative rounding of distances.
+const DISTANCE_ROUNDING: f64 = 1e-9;
+/// The largest coordinate of a query, in sizes of all curves, whose square does not overflow.
+const MAX_COORDINATE: f64 = 1e150;
 
 const STAGE: &str = "nearest points";
 
@@ -52,8 +53,8 @@ impl CurveView<'_> {
         if self.is_empty() {
             return Err(Error::EmptyCurve);
         }
-        let finder = Finder::new(self)?;
-        answers(queries, job, |q| finder.nearest(q))
+        let search = CurveSearch::new(self)?;
+        answers(queries, job, |q| search.nearest(q))
     }
 }
 
@@ -74,18 +75,18 @@ pub(crate) fn nearest_of_any(
     if curves.iter().all(|curve| curve.points().is_empty()) {
         return Err(Error::EmptyCurve);
     }
-    let family = Family::new(curves, &job.part(0.0, 0.1))?;
-    answers(queries, &job.part(0.1, 1.0), |q| family.nearest(q))
+    let set = CurveSetSearch::new(curves, &job.part(0.0, 0.1))?;
+    answers(queries, &job.part(0.1, 1.0), |q| set.nearest(q))
 }
 
 /// The answers to all queries.
 fn answers<A: Send>(queries: &[DVec3], job: &Job<'_>, answer: impl Fn(DVec3) -> A + Sync) -> Result<Vec<A>> {
     queries.iter().enumerate().try_for_each(|(point, &q)| check_finite(point, q))?;
     let mut found = alloc::with_capacity(queries.len())?;
-    for some in queries.chunks(BATCH * 64) {
+    for some in queries.chunks(QUERIES_PER_BATCH * 64) {
         let (done, count) = (found.len() as f64, queries.len() as f64);
         let part = job.part(done / count, (done + some.len() as f64) / count);
-        let batches = par::map_cancellable(&part, STAGE, some.chunks(BATCH), |batch| {
+        let batches = par::map_cancellable(&part, STAGE, some.chunks(QUERIES_PER_BATCH), |batch| {
             alloc::collect(batch.iter().map(|&q| answer(q)))
         })?;
         for batch in batches {
@@ -103,20 +104,20 @@ fn distance(p: DVec3, q: DVec3) -> f64 {
 }
 
 /// A curve in its frame, with the tree of its segments.
-struct Finder<'a> {
+struct CurveSearch<'a> {
     curve: CurveView<'a>,
-    frame: Frame,
+    frame: UnitFrame,
     points: Vec<DVec3>,
     tree: BoxTree,
 }
 
-impl<'a> Finder<'a> {
+impl<'a> CurveSearch<'a> {
     fn new(curve: &CurveView<'a>) -> Result<Self> {
-        let frame = Frame::of(curve.points());
+        let frame = UnitFrame::of(curve.points());
         let points = alloc::collect(curve.points().iter().map(|&p| frame.point(p)))?;
         let boxes = CurveView::trusted(&points, curve.ends(), false);
         let tree = BoxTree::new(boxes.segments().map(Aabb::of))?;
-        Ok(Finder { curve: *curve, frame, points, tree })
+        Ok(CurveSearch { curve: *curve, frame, points, tree })
     }
 
     /// The nearest point. The curve has one.
@@ -125,19 +126,19 @@ impl<'a> Finder<'a> {
             let point = self.curve.points()[0];
             return Nearest { place: Place { segment: 0, t: 0.0 }, point, distance: distance(point, q) };
         }
-        let place = self.place(self.near(q));
+        let place = self.place(self.in_frame(q));
         let point = segment::point(self.curve.segment(place.segment as usize), place.t);
         Nearest { place, point, distance: distance(point, q) }
     }
 
     /// A query in the frame.
-    fn near(&self, q: DVec3) -> DVec3 {
+    fn in_frame(&self, q: DVec3) -> DVec3 {
         let local = self.frame.point(q);
-        if local.abs().max_element() <= FAR {
+        if local.abs().max_element() <= MAX_QUERY_DISTANCE {
             return local;
         }
         let away = q * 0.5 - self.curve.points()[0] * 0.5;
-        away / away.abs().max_element() * FAR
+        away / away.abs().max_element() * MAX_QUERY_DISTANCE
     }
 
     /// The place nearest to a point of the frame.
@@ -157,47 +158,48 @@ impl<'a> Finder<'a> {
 
 /// Curves that have points, with the tree of their boxes in a frame of all of them. Each answers in its own frame: in that of all, what is
 /// small and far from the others would be coarse.
-struct Family<'a> {
+struct CurveSetSearch<'a> {
     /// The curves and their numbers.
-    finders: Vec<(usize, Finder<'a>)>,
-    frame: Frame,
+    searches: Vec<(usize, CurveSearch<'a>)>,
+    frame: UnitFrame,
     tree: BoxTree,
 }
 
-impl<'a> Family<'a> {
+impl<'a> CurveSetSearch<'a> {
     fn new(curves: &[CurveView<'a>], job: &Job<'_>) -> Result<Self> {
         let total: usize = curves.iter().map(|curve| curve.points().len()).sum();
-        let (mut finders, mut done) = (alloc::with_capacity(curves.len())?, 0);
+        let (mut searches, mut done) = (alloc::with_capacity(curves.len())?, 0);
         for (c, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.points().is_empty()) {
             job.step(done as f64 / total as f64, STAGE)?;
             done += curve.points().len();
-            finders.push((c, Finder::new(curve)?));
+            searches.push((c, CurveSearch::new(curve)?));
         }
-        let frame = Frame::of(curves.iter().flat_map(CurveView::points));
+        let frame = UnitFrame::of(curves.iter().flat_map(CurveView::points));
         let around = |curve: &CurveView<'_>| {
             let Aabb { low, high } = Aabb::of(curve.points());
-            Aabb { low: frame.point(low) - PLAY, high: frame.point(high) + PLAY }
+            Aabb { low: frame.point(low) - BOX_ROUNDING, high: frame.point(high) + BOX_ROUNDING }
         };
-        let tree = BoxTree::new(finders.iter().map(|(_, finder)| around(&finder.curve)))?;
-        Ok(Family { finders, frame, tree })
+        let tree = BoxTree::new(searches.iter().map(|(_, search)| around(&search.curve)))?;
+        Ok(CurveSetSearch { searches, frame, tree })
     }
 
     fn nearest(&self, q: DVec3) -> (usize, Nearest) {
         // Of queries so far away that squares overflow the boxes say nothing, and every curve is asked.
-        let local = self.frame.point(q).clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST));
+        let local = self.frame.point(q).clamp(DVec3::splat(-MAX_COORDINATE), DVec3::splat(MAX_COORDINATE));
         let mut best: Option<(usize, Nearest)> = None;
         self.tree.nearest(local, f64::INFINITY, &mut |k| {
-            let (curve, finder) = &self.finders[k];
-            let found = finder.nearest(q);
+            let (curve, search) = &self.searches[k];
+            let found = search.nearest(q);
             let nearer = |&(c, nearest): &(usize, Nearest)| (found.distance, *curve) < (nearest.distance, c);
             if best.as_ref().is_none_or(nearer) {
                 best = Some((*curve, found));
             }
-            let reach = best.map_or(f64::INFINITY, |(_, nearest)| self.frame.length(nearest.distance) * (1.0 + RATIO));
-            reach * reach + f64::MIN_POSITIVE
+            let bound = best
+                .map_or(f64::INFINITY, |(_, nearest)| self.frame.length(nearest.distance) * (1.0 + DISTANCE_ROUNDING));
+            bound * bound + f64::MIN_POSITIVE
         });
-        // The tree has a leaf, and there is nothing that it could be passed over for.
-        best.unwrap_or_else(|| (self.finders[0].0, self.finders[0].1.nearest(q)))
+        // The tree has a leaf, and no bound excludes it.
+        best.unwrap_or_else(|| (self.searches[0].0, self.searches[0].1.nearest(q)))
     }
 }
 
@@ -228,16 +230,16 @@ pub(super) fn nearest_on(controls: &[DVec3], q: DVec3) -> (f64, f64) {
                 Some((found, count)) => {
                     found[..count].iter().filter(|t| (0.0..=1.0).contains(*t)).for_each(|&t| offer(t));
                 }
-                None => feet(controls, q, last, &mut offer),
+                None => offer_feet(controls, q, last, &mut offer),
             }
         }
-        _ => feet(controls, q, last, &mut offer),
+        _ => offer_feet(controls, q, last, &mut offer),
     }
     best
 }
 
 /// Offers the roots of (C - q) . C'.
-fn feet(controls: &[DVec3], q: DVec3, degree: usize, offer: &mut impl FnMut(f64)) {
+fn offer_feet(controls: &[DVec3], q: DVec3, degree: usize, offer: &mut impl FnMut(f64)) {
     let mut product = [0.0; MAX_COEFFICIENTS];
     let product = &mut product[..2 * degree];
     for axis in 0..3 {

@@ -5,14 +5,12 @@
 //! d. A cubic piece takes both ends and both derivatives of O (error of order h^4), a quadratic one both ends and the
 //! directions there. Either way pieces join with one tangent. Pieces are halved until the deviation measured is small enough.
 
-use super::super::curve::{Curve, CurveView, MAX_DEGREE};
-use super::super::segment;
-use super::append;
-use super::evaluate::{derive, tangent};
-use super::frame::Frame;
-use super::split::Controls;
+use super::evaluate::tangent;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::outline::curve::segment::{self, jet};
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{Curve, CurveView};
 use glam::DVec3;
 
 /// How an offset is fitted.
@@ -43,12 +41,12 @@ pub struct Offset {
 }
 
 /// A piece is halved this often at most.
-const DEEPEST: u32 = 16;
-/// Pieces between two progress reports.
-const STEP: usize = 1 << 6;
+const MAX_DEPTH: u32 = 16;
+/// Pieces between two reports of progress.
+const PIECES_PER_REPORT: usize = 1 << 6;
 const STAGE: &str = "offset";
 /// Places inside a piece where it is measured.
-const PROBES: u32 = 16;
+const SAMPLES_PER_PIECE: u32 = 16;
 
 impl CurveView<'_> {
     /// The curve at the distance `distance` to the left of a plane curve, seen along it from x to y; to the right if negative.
@@ -67,7 +65,7 @@ impl CurveView<'_> {
     pub(crate) fn offset_cancellable(&self, distance: f64, options: &OffsetOptions, job: &Job<'_>) -> Result<Offset> {
         self.check_plane()?;
         let refuse = |option, value| Err(Error::OptionOutOfRange { option, value });
-        let frame = Frame::of(self.points());
+        let frame = UnitFrame::of(self.points());
         let d = frame.length(distance);
         if d.is_nan() || d.abs() > 1e100 {
             return refuse("distance", distance);
@@ -81,7 +79,7 @@ impl CurveView<'_> {
         if options.max_segments == 0 {
             return refuse("max_segments", 0.0);
         }
-        let mut fit = Fit {
+        let mut fit = OffsetFit {
             job: *job,
             frame,
             d,
@@ -99,11 +97,7 @@ impl CurveView<'_> {
                 continue;
             }
             fit.job = job.share(k, self.len());
-            let mut local: Controls = [DVec3::ZERO; MAX_DEGREE + 1];
-            for (to, &p) in local.iter_mut().zip(controls) {
-                *to = frame.point(p);
-            }
-            fit.segment(&local[..controls.len()])?;
+            fit.segment(&frame.segment(controls))?;
         }
         job.step(1.0, STAGE)?;
         fit.finish(self.is_closed())
@@ -112,7 +106,7 @@ impl CurveView<'_> {
 
 /// A place of the true offset.
 #[derive(Clone, Copy)]
-struct Spot {
+struct OffsetPoint {
     t: f64,
     point: DVec3,
     /// T, of length 1.
@@ -121,10 +115,10 @@ struct Spot {
     speed: DVec3,
 }
 
-struct Fit<'a> {
+struct OffsetFit<'a> {
     /// The part of the job that is the segment at work.
     job: Job<'a>,
-    frame: Frame,
+    frame: UnitFrame,
     d: f64,
     tolerance: f64,
     options: OffsetOptions,
@@ -143,11 +137,11 @@ fn left(v: DVec3) -> DVec3 {
     DVec3::new(-v.y, v.x, 0.0)
 }
 
-impl Fit<'_> {
+impl OffsetFit<'_> {
     fn segment(&mut self, controls: &[DVec3]) -> Result<()> {
         let (start, end) = (self.spot(controls, 0.0), self.spot(controls, 1.0));
         self.begin(start.point)?;
-        self.piece(controls, start, end, DEEPEST)
+        self.piece(controls, start, end, MAX_DEPTH)
     }
 
     /// Begins the curve, or goes on with a straight segment if there is a corner.
@@ -156,7 +150,7 @@ impl Fit<'_> {
             None => self.curve = Some(Curve::from_point(self.frame.point_back(at))?),
             Some(curve) if self.end.distance(at) > 1e-9 * (1.0 + self.d.abs()) => {
                 self.corners += 1;
-                append(curve, &straight(self.end, at, self.options.degree, &self.frame)[..self.options.degree])?;
+                curve.push(&straight(self.end, at, self.options.degree, &self.frame)[..self.options.degree])?;
             }
             Some(_) => {}
         }
@@ -164,15 +158,8 @@ impl Fit<'_> {
         Ok(())
     }
 
-    fn spot(&mut self, controls: &[DVec3], t: f64) -> Spot {
-        let mut buffer: Controls = [DVec3::ZERO; MAX_DEGREE + 1];
-        buffer[..controls.len()].copy_from_slice(controls);
-        let mut len = controls.len();
-        let [point, first, second] = [(); 3].map(|()| {
-            let value = segment::point(&buffer[..len], t);
-            len = derive(&mut buffer[..len]);
-            value
-        });
+    fn spot(&mut self, controls: &[DVec3], t: f64) -> OffsetPoint {
+        let [point, first, second] = jet(controls, t);
         let along = tangent(controls, t);
         let pace = first.length();
         let speed = if pace > 1e-13 {
@@ -183,11 +170,11 @@ impl Fit<'_> {
             DVec3::ZERO
         };
         self.tight |= speed.dot(along) <= 0.0;
-        Spot { t, point: point + left(along) * self.d, along, speed }
+        OffsetPoint { t, point: point + left(along) * self.d, along, speed }
     }
 
     /// Fits a piece, or its halves.
-    fn piece(&mut self, controls: &[DVec3], from: Spot, to: Spot, depth: u32) -> Result<()> {
+    fn piece(&mut self, controls: &[DVec3], from: OffsetPoint, to: OffsetPoint, depth: u32) -> Result<()> {
         let fitted = match self.options.degree {
             2 => quadratic(&from, &to),
             _ => Some(cubic(&from, &to)),
@@ -203,7 +190,7 @@ impl Fit<'_> {
         }
         let chord = || ([from.point.midpoint(to.point), DVec3::ZERO], 1);
         let (inner, count) = fitted.unwrap_or_else(chord);
-        if self.pieces.is_multiple_of(STEP) {
+        if self.pieces.is_multiple_of(PIECES_PER_REPORT) {
             self.job.step(from.t, STAGE)?;
         }
         let deviation =
@@ -213,24 +200,24 @@ impl Fit<'_> {
         self.end = to.point;
         let rest = [inner[0], if count == 2 { inner[1] } else { to.point }, to.point].map(|p| self.frame.point_back(p));
         match &mut self.curve {
-            Some(curve) => append(curve, &rest[..=count]),
+            Some(curve) => curve.push(&rest[..=count]),
             None => Ok(()),
         }
     }
 
     /// The largest distance of the piece's points from the true offset: at the same parameter, or at the foot on the curve
     /// found from there by a step of Newton's method for (C - Q) . C' = 0, if that is nearer.
-    fn measure(&mut self, controls: &[DVec3], from: &Spot, to: &Spot, inner: &[DVec3]) -> f64 {
-        let mut buffer = [from.point; 4];
-        buffer[1..=inner.len()].copy_from_slice(inner);
-        buffer[inner.len() + 1] = to.point;
-        let fitted = &buffer[..inner.len() + 2];
-        let mut most = 0.0f64;
-        for k in 1..=PROBES {
-            let u = f64::from(k) / f64::from(PROBES + 1);
+    fn measure(&mut self, controls: &[DVec3], from: &OffsetPoint, to: &OffsetPoint, inner: &[DVec3]) -> f64 {
+        let mut room = [from.point; 4];
+        room[1..=inner.len()].copy_from_slice(inner);
+        room[inner.len() + 1] = to.point;
+        let fitted = &room[..inner.len() + 2];
+        let mut max = 0.0f64;
+        for k in 1..=SAMPLES_PER_PIECE {
+            let u = f64::from(k) / f64::from(SAMPLES_PER_PIECE + 1);
             let q = segment::point(fitted, u);
             let mut spot = self.spot(controls, from.t + (to.t - from.t) * u);
-            let mut least = spot.point.distance(q);
+            let mut min = spot.point.distance(q);
             for _ in 0..2 {
                 let step = (q - spot.point).dot(spot.along) / spot.speed.dot(spot.along);
                 let t = (spot.t + step).clamp(from.t, to.t);
@@ -238,11 +225,11 @@ impl Fit<'_> {
                     break;
                 }
                 spot = self.spot(controls, t);
-                least = least.min(spot.point.distance(q));
+                min = min.min(spot.point.distance(q));
             }
-            most = most.max(least);
+            max = max.max(min);
         }
-        most
+        max
     }
 
     fn finish(mut self, closed: bool) -> Result<Offset> {
@@ -268,20 +255,20 @@ impl Fit<'_> {
 }
 
 /// The control points of a straight segment but the first.
-fn straight(a: DVec3, b: DVec3, degree: usize, frame: &Frame) -> [DVec3; 3] {
+fn straight(a: DVec3, b: DVec3, degree: usize, frame: &UnitFrame) -> [DVec3; 3] {
     [1, 2, 3]
         .map(|k| if k == degree { frame.point_back(b) } else { frame.point_back(a.lerp(b, k as f64 / degree as f64)) })
 }
 
 /// The inner control points of the cubic with the ends and derivatives given.
-fn cubic(from: &Spot, to: &Spot) -> ([DVec3; 2], usize) {
+fn cubic(from: &OffsetPoint, to: &OffsetPoint) -> ([DVec3; 2], usize) {
     let third = (to.t - from.t) / 3.0;
     ([from.point + from.speed * third, to.point - to.speed * third], 2)
 }
 
 /// The inner control point of the quadratic with the ends and directions given: where the tangents cross, if that is ahead of
 /// the one end and behind the other; in the middle for a straight piece.
-fn quadratic(from: &Spot, to: &Spot) -> Option<([DVec3; 2], usize)> {
+fn quadratic(from: &OffsetPoint, to: &OffsetPoint) -> Option<([DVec3; 2], usize)> {
     let chord = to.point - from.point;
     let cross = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;
     let turn = cross(from.along, to.along);

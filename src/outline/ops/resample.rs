@@ -1,18 +1,17 @@
-//! Points along a curve: so many, so far apart, or so that the polygon through them is near enough.
+//! Points along a curve: by their number, by their distance, or by the deviation of the polygon through them.
 
-use super::super::curve::{CurveView, MAX_DEGREE, Place};
-use super::super::request::MAX_POINTS;
-use super::super::segment;
-use super::frame::Frame;
 use super::length::Lengths;
-use super::split::{Controls, split_segment};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::job::Job;
+use crate::outline::curve::segment::{self, SegmentBuffer};
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{CurveView, Place};
+use crate::outline::identify::MAX_POINTS;
 use glam::DVec3;
 
-/// Points between two progress reports.
-const STEP: usize = 1 << 8;
+/// Points between two reports of progress.
+const POINTS_PER_REPORT: usize = 1 << 8;
 const STAGE: &str = "points along a curve";
 
 /// Where points along a curve are.
@@ -104,7 +103,7 @@ fn within_limit(count: u64) -> Result<()> {
     if count > limit { Err(Error::TooLarge { what: "points", count, limit }) } else { Ok(()) }
 }
 
-/// What was found on the way along a curve.
+/// A walk along a curve: the points so far.
 struct Walk<'a> {
     curve: &'a CurveView<'a>,
     samples: Samples,
@@ -119,8 +118,8 @@ impl<'a> Walk<'a> {
 
     fn add(&mut self, place: Place) -> Result<()> {
         let count = self.samples.places.len();
-        if count.is_multiple_of(STEP) {
-            self.job.step((f64::from(place.segment) + place.t) / self.curve.len() as f64, STAGE)?;
+        if count.is_multiple_of(POINTS_PER_REPORT) {
+            self.job.step(place.along() / self.curve.len() as f64, STAGE)?;
         }
         within_limit(count as u64 + 1)?;
         alloc::push(&mut self.samples.places, place)?;
@@ -152,15 +151,11 @@ impl<'a> Walk<'a> {
     }
 
     fn by_chord(mut self, tolerance: f64) -> Result<Samples> {
-        let frame = Frame::of(self.curve.points());
+        let frame = UnitFrame::of(self.curve.points());
         self.add(Place { segment: 0, t: 0.0 })?;
         for (k, controls) in self.curve.segments().enumerate() {
-            let mut local: Controls = [DVec3::ZERO; MAX_DEGREE + 1];
-            for (to, &p) in local.iter_mut().zip(controls) {
-                *to = frame.point(p);
-            }
-            let flat = Flatten { segment: k as u32, tolerance: frame.length(tolerance) };
-            flat.halve(&mut local[..controls.len()], 0.0, 1.0, 20, &mut self)?;
+            let flattening = Flattening { segment: k as u32, tolerance: frame.length(tolerance) };
+            flattening.halve(frame.segment(controls), 0.0, 1.0, 20, &mut self)?;
         }
         if self.curve.is_closed() && self.samples.places.len() > 1 {
             self.samples.places.pop();
@@ -171,26 +166,25 @@ impl<'a> Walk<'a> {
 }
 
 /// One segment and how near its chords are to be.
-struct Flatten {
+struct Flattening {
     segment: u32,
     tolerance: f64,
 }
 
-impl Flatten {
+impl Flattening {
     /// Adds the ends of the chords of one part, but not its start.
     ///
     /// The distance d from the chord is convex and 0 at its ends, so d(C(t)) <= sum of b_i(t) d(B_i) over the inner control
     /// points, whose weights have the sum 1 - (1 - t)^n - t^n <= 1 - 2^(1 - n).
-    fn halve(&self, controls: &mut [DVec3], from: f64, to: f64, left: u32, walk: &mut Walk<'_>) -> Result<()> {
+    fn halve(&self, mut controls: SegmentBuffer, from: f64, to: f64, left: u32, walk: &mut Walk<'_>) -> Result<()> {
         let n = controls.len() - 1;
         let most = controls[1..n].iter().map(|&p| off_chord(p, controls[0], controls[n])).fold(0.0, f64::max);
         if left == 0 || most * (1.0 - libm::ldexp(2.0, -(n as i32))) <= self.tolerance {
             return walk.add(Place { segment: self.segment, t: to });
         }
-        let mut before = [DVec3::ZERO; MAX_DEGREE + 1];
-        split_segment(controls, 0.5, &mut before[..=n]);
+        let before = controls.split_off_front(0.5);
         let middle = 0.5 * (from + to);
-        self.halve(&mut before[..=n], from, middle, left - 1, walk)?;
+        self.halve(before, from, middle, left - 1, walk)?;
         self.halve(controls, middle, to, left - 1, walk)
     }
 }

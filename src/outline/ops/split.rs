@@ -1,44 +1,9 @@
-//! Parts of a curve, and the curve backwards.
+//! Parts of a curve, and the curve backwards. Exact but for rounding.
 
-use super::super::curve::{Curve, CurveView, MAX_DEGREE, Place};
-use super::super::segment;
-use super::append;
 use crate::alloc;
 use crate::error::{Error, Result};
-use glam::DVec3;
-
-/// The control points of one segment of any degree.
-pub(super) type Controls = [DVec3; MAX_DEGREE + 1];
-
-/// Splits a segment by de Casteljau's scheme: `right` holds the segment and keeps the part after `t`, `left` receives the one
-/// before.
-pub(super) fn split_segment(right: &mut [DVec3], t: f64, left: &mut [DVec3]) {
-    let n = right.len() - 1;
-    let s = 1.0 - t;
-    for (k, first) in left.iter_mut().enumerate().take(n + 1) {
-        *first = right[0];
-        for i in 0..n - k {
-            right[i] = right[i] * s + right[i + 1] * t;
-        }
-    }
-}
-
-/// The control points of a segment between two parameters, `from < to`; ends that are ends of the segment stay as they are.
-pub(super) fn part(controls: &[DVec3], from: f64, to: f64) -> Controls {
-    let n = controls.len();
-    let (mut work, mut other) = ([DVec3::ZERO; MAX_DEGREE + 1], [DVec3::ZERO; MAX_DEGREE + 1]);
-    work[..n].copy_from_slice(controls);
-    let mut end = to;
-    if from > 0.0 {
-        split_segment(&mut work[..n], from, &mut other[..n]);
-        end = (to - from) / (1.0 - from);
-    }
-    if to < 1.0 {
-        split_segment(&mut work[..n], end, &mut other[..n]);
-        return other;
-    }
-    work
-}
+use crate::outline::curve::segment::{self, SegmentBuffer};
+use crate::outline::curve::{Curve, CurveView, Place};
 
 impl CurveView<'_> {
     /// The parts before and after a place. Both are open; a part without extent has one control point and no segments.
@@ -71,7 +36,7 @@ impl CurveView<'_> {
         let mut curve = self.between(from, last)?;
         let rest = self.between(Place { segment: 0, t: 0.0 }, to)?;
         for segment in rest.view().segments() {
-            append(&mut curve, &segment[1..])?;
+            curve.push(&segment[1..])?;
         }
         Ok(curve)
     }
@@ -85,12 +50,10 @@ impl CurveView<'_> {
             if a >= b {
                 continue;
             }
-            let controls = self.segment(k as usize);
-            let buffer = part(controls, a, b);
-            let piece = &buffer[..controls.len()];
+            let piece = SegmentBuffer::new(self.segment(k as usize)).part(a, b);
             match &mut curve {
-                Some(curve) => append(curve, &piece[1..])?,
-                None => append(curve.insert(Curve::from_point(piece[0])?), &piece[1..])?,
+                Some(curve) => curve.push(&piece[1..])?,
+                None => curve.insert(Curve::from_point(piece[0])?).push(&piece[1..])?,
             }
         }
         match curve {

@@ -26,7 +26,7 @@ pub use line::{Hit, HitSelection, Line};
 use super::{Surface, each_sheet};
 use crate::error::{Error, Result};
 use crate::job::Job;
-use crate::outline::ops::Approaches;
+use crate::outline::ops::NearMisses;
 use crate::outline::{CurveView, Place as CurvePlace};
 use search::{Workspace, search};
 
@@ -74,7 +74,7 @@ impl Line {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] for a line that is not finite or has no direction, and those of curves.
-    pub fn approaches(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<Approaches> {
+    pub fn near_misses(&self, curve: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
         self.check()?;
         if !(within >= 0.0 && within.is_finite()) {
             return Err(Error::OptionOutOfRange { option: "within", value: within });
@@ -90,10 +90,10 @@ impl Line {
             return Err(Error::EmptyCurve);
         }
         if from > to {
-            return Ok(Approaches::default());
+            return Ok(NearMisses::default());
         }
         let ends = [from, to].map(|t| self.origin + (t * length) * along);
-        let mut found = curve.approaches(&CurveView::new(&ends, &[0, 1], false)?, within, job)?;
+        let mut found = curve.near_misses(&CurveView::new(&ends, &[0, 1], false)?, within, job)?;
         let parameter = |place: &mut CurvePlace| place.t = from + (to - from) * place.t;
         found.places.iter_mut().for_each(|found| parameter(&mut found.b));
         found.overlaps.iter_mut().for_each(|found| found.b.iter_mut().for_each(parameter));

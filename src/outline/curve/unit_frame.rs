@@ -1,13 +1,14 @@
-//! The frame in which a curve is near the origin and of size about 1.
+//! The unit frame of a curve: coordinates in which it is near the origin and of size about 1.
 //!
 //! x' = (x 2^a - o) 2^b: first the coordinates come below 1, so that their difference from the centre o cannot overflow, then
 //! the extent does. Powers of 2 change no digits.
 
+use super::segment::SegmentBuffer;
 use glam::DVec3;
 
 /// A translation and a scaling by a power of 2.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
+pub(crate) struct UnitFrame {
     coarse: f64,
     origin: DVec3,
     fine: f64,
@@ -19,9 +20,9 @@ fn power_to_one(x: f64) -> f64 {
     libm::ldexp(1.0, (-exponent).clamp(-1022, 1022))
 }
 
-impl Frame {
+impl UnitFrame {
     /// The frame of the box of some finite points.
-    pub(super) fn of<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> Self {
+    pub(crate) fn of<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> Self {
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for &p in points {
             (low, high) = (low.min(p), high.max(p));
@@ -31,26 +32,31 @@ impl Frame {
         }
         let coarse = power_to_one(low.abs().max(high.abs()).max_element());
         let (low, high) = (low * coarse, high * coarse);
-        Frame { coarse, origin: low * 0.5 + high * 0.5, fine: power_to_one((high - low).max_element() * 0.5) }
+        UnitFrame { coarse, origin: low * 0.5 + high * 0.5, fine: power_to_one((high - low).max_element() * 0.5) }
     }
 
     /// A point in the frame; the components of those that the frame was made for are at most 1.
-    pub(super) fn point(&self, p: DVec3) -> DVec3 {
+    pub(crate) fn point(&self, p: DVec3) -> DVec3 {
         (p * self.coarse - self.origin) * self.fine
     }
 
+    /// The control points of a segment in the frame.
+    pub(crate) fn segment(&self, controls: &[DVec3]) -> SegmentBuffer {
+        SegmentBuffer::mapped(controls, |p| self.point(p))
+    }
+
     /// A point of the frame in the host's coordinates.
-    pub(super) fn point_back(&self, p: DVec3) -> DVec3 {
+    pub(crate) fn point_back(&self, p: DVec3) -> DVec3 {
         (p / self.fine + self.origin) / self.coarse
     }
 
     /// A length in the frame.
-    pub(super) fn length(&self, x: f64) -> f64 {
+    pub(crate) fn length(&self, x: f64) -> f64 {
         x * self.coarse * self.fine
     }
 
     /// A length of the frame in the host's unit.
-    pub(super) fn length_back(&self, x: f64) -> f64 {
+    pub(crate) fn length_back(&self, x: f64) -> f64 {
         x / self.fine / self.coarse
     }
 }
@@ -63,7 +69,7 @@ mod tests {
     fn any_size_becomes_one_and_comes_back() {
         for scale in [1.0, 1e200, 1e-200, 1e308, 1e-310] {
             let points = [DVec3::new(1.0, -1.0, 0.5) * scale, DVec3::new(0.25, 1.5, 0.5) * scale];
-            let frame = Frame::of(&points);
+            let frame = UnitFrame::of(&points);
             for p in points {
                 let local = frame.point(p);
                 assert!(local.abs().max_element() <= 1.0, "{scale}: {local}");
@@ -73,6 +79,6 @@ mod tests {
             assert!((scale < 1e-300 || (0.2..4.0).contains(&length)) && frame.length_back(length) == scale);
         }
         let same = [DVec3::splat(3.0); 2];
-        assert_eq!(Frame::of(&same).point(same[0]), DVec3::ZERO);
+        assert_eq!(UnitFrame::of(&same).point(same[0]), DVec3::ZERO);
     }
 }

@@ -5,39 +5,44 @@
 //!
 //! F_i = (1 - t_i)^2 J_(i-1) + 2 t_i (1 - t_i) B_i + t_i^2 J_i - P_i = 0
 //!
-//! are as many equations as unknowns. The derivative of F_i is the row of the linear equations, times the unit matrix, plus the
+//! are as many equations as unknowns, solved by Newton's method. The derivative of F_i is the row of the linear equations, times the unit matrix, plus the
 //! product of Q_i' = 2 ((1 - t) (B_i - J_(i-1)) + t (J_i - B_i)) and the gradient of t_i: a tridiagonal matrix of small
 //! blocks, and Newton's step is one elimination. Parameters are kept within the limits, which makes the map of parameters to
 //! parameters (solve for the control points, read off the parameters) continuous on a cube, so that it has a fixed point
 //! (Brouwer).
 //!
-//! A step that makes things worse is halved, and if that does not help, replaced by that map itself. Points that do not come
-//! to rest keep the parameters of the data's own triangles.
+//! A step that makes the sum of squares larger is halved, and if that does not help, replaced by that map itself. Points that do
+//! not converge keep the parameters of the data's own triangles. O(n) for each iteration, in time and memory.
+//!
+//! Source: ours.
 
-use super::composite;
-use super::method::{Method, power};
-use super::request::{FitStatus, Options, PointStatus, Report};
-use super::run::{Iteration, Run, Solution, Solved, Workspace, mark};
+use super::equations;
+use super::iteration::Iteration;
 use crate::alloc;
 use crate::error::Result;
+use crate::outline::identify::method::{Method, power};
+use crate::outline::identify::options::Options;
+use crate::outline::identify::report::{FitStatus, PointStatus, Report};
+use crate::outline::identify::solution::Solution;
+use crate::outline::identify::subcurve::{PointResult, Subcurve};
 use glam::DVec3;
 
-/// Rows of a closed run that are taken before its first and after its last once more: the influence of a row fades by 0.2 or
+/// Rows of a closed subcurve that are repeated before its first and after its last: the influence of a row fades by 0.2 or
 /// so from one to the next, and what is left of it makes Newton's step inexact, but not the solution. With the symmedian it
-/// fades slowly: as many again after every few iterations, up to [`MOST_OVERLAP`].
-const OVERLAP: usize = 8;
+/// fades slowly: the overlap doubles every few iterations, up to [`MAX_OVERLAP`].
+const MIN_OVERLAP: usize = 8;
 
-/// See [`OVERLAP`].
-const MOST_OVERLAP: usize = OVERLAP << 6;
+/// See [`MIN_OVERLAP`].
+const MAX_OVERLAP: usize = MIN_OVERLAP << 6;
 
 /// Below a step of this, times the size, Newton's next one would be within the rounding.
-const NEAR: f64 = 1e-6;
+const MAX_LAST_STEP: f64 = 1e-6;
 
 /// How often a step is halved.
-const HALVINGS: u32 = 4;
+const MAX_HALVINGS: u32 = 4;
 
-/// Rounds in which points that do not come to rest are let fall back, before all are.
-const ROUNDS: u32 = 3;
+/// Rounds in which points that do not converge fall back, before all do.
+const MAX_FALLBACK_ROUNDS: u32 = 3;
 
 /// One row of the linear equations of Newton's step.
 #[derive(Clone, Copy)]
@@ -52,7 +57,8 @@ pub(super) struct Row<const D: usize> {
     value: [f64; D],
 }
 
-/// The workspace of Newton's step in D dimensions.
+/// The memory of Newton's method in D dimensions.
+#[derive(Default)]
 pub(super) struct Newton<const D: usize> {
     rows: Vec<Row<D>>,
     upper: Vec<[[f64; D]; D]>,
@@ -60,188 +66,140 @@ pub(super) struct Newton<const D: usize> {
     step: Vec<[f64; D]>,
 }
 
-impl<const D: usize> Default for Newton<D> {
-    fn default() -> Self {
-        Newton { rows: Vec::new(), upper: Vec::new(), right: Vec::new(), step: Vec::new() }
-    }
-}
-
-/// Finds the self-consistent parameters and control points, from control points that solve the linear equations. False if
-/// these have become singular, which takes shares other than 1/2.
-pub(super) fn solve(
-    run: &Run<'_>,
-    options: &Options,
-    solved: &mut [Solved],
-    workspace: &mut Workspace,
-    report: &mut Report,
-) -> Result<bool> {
-    let Workspace { solution, iteration, flat, spatial, .. } = workspace;
-    iteration.begin(run, solution)?;
-    // Medians have t = 1/2 in any triangle.
-    if options.method.alpha() == Some(0.0) || run.sections().is_empty() {
-        return Ok(true);
-    }
-    let plane = run.points.iter().chain(&solution.controls[..run.points.len()]).all(|p| p.z == 0.0);
-    match plane {
-        true => flat.solve(run, options, solved, solution, iteration, report),
-        false => spatial.solve(run, options, solved, solution, iteration, report),
-    }
+/// Whether points and control points lie in the plane z = 0.
+pub(super) fn is_planar(sub: &Subcurve<'_>, solution: &Solution) -> bool {
+    sub.points.iter().chain(&solution.controls[..sub.len()]).all(|p| p.z == 0.0)
 }
 
 impl<const D: usize> Newton<D> {
-    fn solve(
+    /// Finds the self-consistent parameters and control points, from control points that solve the linear equations. False if
+    /// these have become singular, which takes joint parameters other than 1/2.
+    pub(super) fn solve(
         &mut self,
-        run: &Run<'_>,
-        options: &Options,
-        solved: &mut [Solved],
+        sub: &Subcurve<'_>,
+        results: &mut [PointResult],
         solution: &mut Solution,
         iteration: &mut Iteration,
         report: &mut Report,
     ) -> Result<bool> {
-        let n = run.points.len();
-        let length = n + if run.closed { 2 * MOST_OVERLAP } else { 0 };
-        resize(
-            &mut self.rows,
-            n,
-            Row { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] },
-        )?;
-        resize(&mut self.upper, length, [[0.0; D]; D])?;
-        resize(&mut self.right, length, [0.0; D])?;
-        resize(&mut self.step, n, [0.0; D])?;
-        let tolerance = options.tolerance.max(f64::EPSILON) * run.size;
-        let sections = run.sections();
-        let mut sound = true;
-        for round in 0..=ROUNDS {
-            if self.rest(run, options, solution, iteration, report, tolerance) {
+        let n = sub.len();
+        let length = n + if sub.closed { 2 * MAX_OVERLAP } else { 0 };
+        let empty = Row { factors: [0.0; 3], gradients: [[0.0; D]; 3], derivative: [0.0; D], value: [0.0; D] };
+        alloc::grow(&mut self.rows, n, empty)?;
+        alloc::grow(&mut self.upper, length, [[0.0; D]; D])?;
+        alloc::grow(&mut self.right, length, [0.0; D])?;
+        alloc::grow(&mut self.step, n, [0.0; D])?;
+        let mut regular = true;
+        for round in 0..=MAX_FALLBACK_ROUNDS {
+            if self.converge(sub, solution, iteration, report) {
                 break;
             }
-            // Which points move still? Those fall back; in the last round all do.
+            // Points that still move fall back; in the last round all do.
             report.status = FitStatus::NotConverged;
-            for i in sections.clone() {
-                let t = self.parameter(run, options, solution, iteration, i);
-                if round == ROUNDS - 1 || (t - solution.t[i]).abs() > options.tolerance {
-                    iteration.held[i] = true;
-                    solution.t[i] = solution.given[i];
-                    mark(&mut solved[i], PointStatus::FellBack);
+            for i in sub.sections() {
+                let t = section_parameter(sub, solution, iteration, i);
+                if round == MAX_FALLBACK_ROUNDS - 1 || (t - solution.t[i]).abs() > sub.options.tolerance {
+                    iteration.fell_back[i] = true;
+                    solution.t[i] = solution.data_t[i];
+                    results[i].flag(PointStatus::FellBack);
                 }
             }
-            sound = composite::solve(run, solution);
+            regular = equations::solve(sub, solution);
         }
-        let (low, high) = (options.parameter_limit, 1.0 - options.parameter_limit);
-        for i in sections {
+        let [low, high] = sub.parameter_range();
+        for i in sub.sections() {
             let free = low < solution.t[i] && solution.t[i] < high;
-            if !free && !iteration.held[i] {
-                mark(&mut solved[i], PointStatus::ClampedParameter);
+            if !free && !iteration.fell_back[i] {
+                results[i].flag(PointStatus::ClampedParameter);
             }
         }
-        Ok(sound)
+        Ok(regular)
     }
 
     /// Iterates until the control points rest. At the end they solve the linear equations for the parameters.
-    fn rest(
+    fn converge(
         &mut self,
-        run: &Run<'_>,
-        options: &Options,
+        sub: &Subcurve<'_>,
         solution: &mut Solution,
         iteration: &mut Iteration,
         report: &mut Report,
-        tolerance: f64,
     ) -> bool {
-        let (mut least, mut share, mut halvings) = (f64::INFINITY, 0.0, 0);
-        for sweep in 0..options.max_sweeps {
-            let overlap = (OVERLAP << (sweep / 4).min(8)).min(MOST_OVERLAP);
-            let mut worth = self.evaluate(run, options, solution, iteration);
-            while worth > least && halvings < HALVINGS {
+        let tolerance = sub.options.tolerance.max(f64::EPSILON) * sub.size;
+        let (mut smallest, mut scale, mut halvings) = (f64::INFINITY, 0.0, 0);
+        for sweep in 0..sub.options.max_sweeps {
+            let overlap = (MIN_OVERLAP << (sweep / 4).min(8)).min(MAX_OVERLAP);
+            let mut sum = self.evaluate(sub, solution, iteration);
+            while sum > smallest && halvings < MAX_HALVINGS {
                 halvings += 1;
-                share *= 0.5;
-                self.go(run, solution, -share);
-                worth = self.evaluate(run, options, solution, iteration);
+                scale *= 0.5;
+                self.add_step(sub, solution, -scale);
+                sum = self.evaluate(sub, solution, iteration);
             }
             report.iterations += 1;
-            if worth > least || !self.eliminate(run, overlap) {
+            if sum > smallest || !self.eliminate(sub, overlap) {
                 // The map itself; it need not make F smaller.
-                composite::solve(run, solution);
-                least = f64::INFINITY;
-                halvings = 0;
-                share = 0.0;
+                equations::solve(sub, solution);
+                (smallest, scale, halvings) = (f64::INFINITY, 0.0, 0);
                 continue;
             }
-            least = worth;
-            (share, halvings) = (1.0, 0);
-            let farthest = self.go(run, solution, 1.0);
-            if farthest <= NEAR * run.size {
-                let before = &mut iteration.before;
-                before.clear();
-                before.extend_from_slice(&solution.controls[..run.points.len()]);
-                for i in run.sections() {
-                    solution.t[i] = self.parameter(run, options, solution, iteration, i);
-                }
-                composite::solve(run, solution);
-                let moves = run.sections().map(|i| solution.controls[i].distance_squared(iteration.before[i]));
-                report.last_move = moves.fold(0.0, f64::max).sqrt() / run.size;
-                if report.last_move * run.size <= tolerance {
+            (smallest, scale, halvings) = (sum, 1.0, 0);
+            let farthest = self.add_step(sub, solution, 1.0);
+            if farthest <= MAX_LAST_STEP * sub.size {
+                iteration.remember(sub, solution);
+                apply_map(sub, solution, iteration);
+                let moves = sub.sections().map(|i| solution.controls[i].distance_squared(iteration.previous[i]));
+                report.last_move = moves.fold(0.0, f64::max).sqrt() / sub.size;
+                if report.last_move * sub.size <= tolerance {
                     return true;
                 }
-                least = f64::INFINITY;
+                smallest = f64::INFINITY;
             }
         }
-        for i in run.sections() {
-            solution.t[i] = self.parameter(run, options, solution, iteration, i);
-        }
-        composite::solve(run, solution);
+        apply_map(sub, solution, iteration);
         false
     }
 
-    /// The parameter of point `i` on its section as it is now.
-    fn parameter(&self, run: &Run<'_>, options: &Options, solution: &Solution, iteration: &Iteration, i: usize) -> f64 {
-        if iteration.held[i] {
-            return solution.given[i];
-        }
-        let [_, u, v] = legs(run, solution, &iteration.shares, i);
-        parameter(options, u, v).0
-    }
-
     /// Enters all rows; the sum of the squares of the F_i.
-    fn evaluate(&mut self, run: &Run<'_>, options: &Options, solution: &mut Solution, iteration: &Iteration) -> f64 {
+    fn evaluate(&mut self, sub: &Subcurve<'_>, solution: &mut Solution, iteration: &Iteration) -> f64 {
         let mut sum = 0.0;
-        for i in run.sections() {
-            let [b, u, v] = legs(run, solution, &iteration.shares, i);
-            let (t, gradients) =
-                if iteration.held[i] { (solution.given[i], [DVec3::ZERO; 2]) } else { parameter(options, u, v) };
+        for i in sub.sections() {
+            let [b, u, v] = iteration.legs(sub, solution, i);
+            let (t, gradients) = match iteration.fell_back[i] {
+                true => (solution.data_t[i], [DVec3::ZERO; 2]),
+                false => parameter(sub.options, u, v),
+            };
             solution.t[i] = t;
             let s = 1.0 - t;
             let value = u * (s * s) + b * (2.0 * t * s) + v * (t * t);
             sum += value.length_squared();
-            let before = iteration.shares[if i == 0 { run.points.len() - 1 } else { i - 1 }];
-            let after = iteration.shares[i];
+            let (before, after) = (iteration.beta[sub.previous(i)], iteration.beta[i]);
             self.rows[i] = Row {
-                factors: composite::row(t, before, after),
+                factors: equations::row(t, before, after),
                 gradients: [
-                    cut(gradients[0] * (1.0 - before)),
-                    cut(gradients[0] * before + gradients[1] * (1.0 - after)),
-                    cut(gradients[1] * after),
+                    truncate(gradients[0] * (1.0 - before)),
+                    truncate(gradients[0] * before + gradients[1] * (1.0 - after)),
+                    truncate(gradients[1] * after),
                 ],
-                derivative: cut(((b - u) * s + (v - b) * t) * 2.0),
-                value: cut(value),
+                derivative: truncate(((b - u) * s + (v - b) * t) * 2.0),
+                value: truncate(value),
             };
         }
         sum
     }
 
     /// Finds Newton's step. False if the equations are singular.
-    fn eliminate(&mut self, run: &Run<'_>, overlap: usize) -> bool {
-        let n = run.points.len();
-        let sections = run.sections();
-        // The rows in their order; those of a closed run with its overlap.
-        let (count, from) = match run.closed {
+    fn eliminate(&mut self, sub: &Subcurve<'_>, overlap: usize) -> bool {
+        let n = sub.len();
+        // The rows in their order; those of a closed subcurve with its overlap.
+        let (count, from) = match sub.closed {
             true => (n + 2 * overlap, n * overlap.div_ceil(n) - overlap),
-            false => (sections.len(), 1),
+            false => (sub.sections().len(), 1),
         };
         let mut at = from;
         let (mut above, mut right) = ([[0.0; D]; D], [0.0; D]);
         for k in 0..count {
             let row = &self.rows[at];
-            at = if at + 1 == n { 0 } else { at + 1 };
+            at = sub.next(at);
             // D_k - L_k U_(k-1), and the right side -F_k - L_k y_(k-1), with L = a + q g^T.
             let [lower, middle, upper] = row.factors;
             let [g, h, l] = &row.gradients;
@@ -270,29 +228,29 @@ impl<const D: usize> Newton<D> {
             self.right[k] = right;
         }
         let mut next = [0.0; D];
-        let mut sound = true;
+        let mut finite = true;
         for k in (0..count).rev() {
             let upper = &self.upper[k];
             let here: [f64; D] =
                 std::array::from_fn(|r| self.right[k][r] - (0..D).map(|c| upper[r][c] * next[c]).sum::<f64>());
             next = here;
-            match run.closed {
+            match sub.closed {
                 true if (overlap..overlap + n).contains(&k) => self.step[k - overlap] = next,
                 true => {}
                 false => self.step[k + 1] = next,
             }
-            sound &= next.iter().all(|x| x.is_finite());
+            finite &= next.iter().all(|x| x.is_finite());
         }
-        sound
+        finite
     }
 
-    /// Adds a share of the step to the control points; the farthest move.
-    fn go(&self, run: &Run<'_>, solution: &mut Solution, share: f64) -> f64 {
+    /// Adds the step, times `scale`, to the control points; the farthest move.
+    fn add_step(&self, sub: &Subcurve<'_>, solution: &mut Solution, scale: f64) -> f64 {
         let mut farthest = 0.0f64;
-        for i in run.sections() {
+        for i in sub.sections() {
             let mut step = [0.0; 3];
             step[..D].copy_from_slice(&self.step[i]);
-            let step = DVec3::from_array(step) * share;
+            let step = DVec3::from_array(step) * scale;
             solution.controls[i] += step;
             farthest = farthest.max(step.length_squared());
         }
@@ -300,14 +258,21 @@ impl<const D: usize> Newton<D> {
     }
 }
 
-/// The control point of section `i`, and its first and last joint, from its point on.
-#[inline(always)]
-pub(super) fn legs(run: &Run<'_>, solution: &Solution, shares: &[f64], i: usize) -> [DVec3; 3] {
-    let n = run.points.len();
-    let (before, after) = (if i == 0 { n - 1 } else { i - 1 }, if i + 1 == n { 0 } else { i + 1 });
-    let p = run.points[i];
-    let [a, b, c] = [before, i, after].map(|k| solution.controls[k] - p);
-    [b, a + (b - a) * shares[before], b + (c - b) * shares[i]]
+/// Reads off the parameters and solves for the control points: the map whose fixed point is sought.
+fn apply_map(sub: &Subcurve<'_>, solution: &mut Solution, iteration: &Iteration) {
+    for i in sub.sections() {
+        solution.t[i] = section_parameter(sub, solution, iteration, i);
+    }
+    equations::solve(sub, solution);
+}
+
+/// The parameter of point `i` on its section as it is now.
+fn section_parameter(sub: &Subcurve<'_>, solution: &Solution, iteration: &Iteration, i: usize) -> f64 {
+    if iteration.fell_back[i] {
+        return solution.data_t[i];
+    }
+    let [_, u, v] = iteration.legs(sub, solution, i);
+    parameter(sub.options, u, v).0
 }
 
 /// The parameter on the section with the joints `u` and `v`, from the point on, and its gradients by them.
@@ -342,9 +307,9 @@ pub(super) fn parameter(options: &Options, u: DVec3, v: DVec3) -> (f64, [DVec3; 
     }
 }
 
-/// A vector of D dimensions.
+/// The first D components.
 #[inline]
-fn cut<const D: usize>(v: DVec3) -> [f64; D] {
+fn truncate<const D: usize>(v: DVec3) -> [f64; D] {
     let all = v.to_array();
     std::array::from_fn(|k| all[k])
 }
@@ -370,15 +335,6 @@ fn inverse<const D: usize>(m: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
     let scale = 1.0 / determinant;
     adjoint.iter_mut().flatten().for_each(|x| *x *= scale);
     (determinant.abs() > 1e-14).then_some(adjoint)
-}
-
-/// Reserves memory for `n` items.
-fn resize<T: Clone>(list: &mut Vec<T>, n: usize, empty: T) -> Result<()> {
-    if list.len() < n {
-        alloc::reserve(list, n - list.len())?;
-        list.resize(n, empty);
-    }
-    Ok(())
 }
 
 #[cfg(test)]

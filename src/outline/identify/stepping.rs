@@ -1,18 +1,20 @@
-//! The paper's way to a control point: steps along a direction, refined tenfold where the deviation changes its sign.
+//! The paper's search for a control point: steps along a direction, refined tenfold where the deviation changes its sign.
 //!
-//! The step is along the unit vector of the guide, not in y, as a guide may be level; it goes where the deviation says, not
-//! always up; and it ends when the step or the deviation is small, not when the sign changes for the first time.
+//! Unlike the paper's, a step is along the unit vector of the guide, not in y, as a guide may be level; it has the sign of the
+//! deviation, and may go down; and the search ends when the step or the deviation is small, not at the first change of sign.
+//! O(log(1 / tolerance)) steps once the sign has changed, first_step apart before.
 //!
 //! Source: Nadopta, points 4 to 6 of the method of the normal.
 
 use super::method::{Method, Section};
-use super::request::{Options, PointStatus};
+use super::options::Options;
+use super::report::PointStatus;
 use glam::DVec3;
 
 /// The offset x at which `deviation` is 0, from x = 0 on, and the number of steps; `None` if the steps are used up. The
 /// deviation falls with x.
 pub(super) fn step(options: &Options, size: f64, deviation: impl Fn(f64) -> f64, steps: &mut u64) -> Option<f64> {
-    // The deviation has a slope of 0.28 to 1 in our uses: what is left of an offset is that much more than the deviation.
+    // The deviation has a slope of 0.28 to 1 in all uses: the error of an offset is that much more than the deviation.
     let tolerance = (options.tolerance * 0.125).max(f64::EPSILON) * size;
     let (mut x, mut step) = (0.0f64, options.first_step * size);
     let mut flag = 0.0;

@@ -1,4 +1,4 @@
-//! The methods: where on its section a given point lies, and with it the section's control point.
+//! The methods: the parameter of a given point on its section, and with it the section's control point.
 //!
 //! A section is the quadratic (A, B, C) through P. With the guide through P and the foot S = A + s (C - A) of the chord, the
 //! curve crosses the guide at t = sqrt(s) / (sqrt(s) + sqrt(1 - s)) wherever on the guide B is (let f be affine and 0 on the
@@ -9,7 +9,7 @@
 //! Source: Nadopta, the methods of the normal, tangent, bisector and median; closed forms instead of the stepping, and vectors
 //! instead of slopes and angles. The foot of the bisector divides the chord by K / (1 + K), not by K as printed.
 
-use super::request::PointStatus;
+use super::report::PointStatus;
 use glam::DVec3;
 
 /// How a section's control point is found.
@@ -119,14 +119,14 @@ pub fn section_by_start_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Res
         return Err(PointStatus::NoTangent);
     }
     let tau = tau / length;
-    // What is left of V and W across the tangent; in a plane both are along one line.
+    // The components of V and W across the tangent; in a plane both are along one line.
     let (across_v, across_w) = (v - tau * v.dot(tau), w - tau * w.dot(tau));
     let reach = across_w.length_squared();
     if reach == 0.0 {
         return Err(PointStatus::TangentBeyond);
     }
     let ratio = across_v.dot(across_w) / reach;
-    if (across_v - across_w * ratio).length() > PLANE * (v.length() + w.length()) {
+    if (across_v - across_w * ratio).length() > MAX_PLANE_SINE * (v.length() + w.length()) {
         return Err(PointStatus::OutOfPlane);
     }
     if ratio <= 0.0 {
@@ -169,7 +169,7 @@ pub fn section_by_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Se
     if across_u.dot(across_w) <= 0.0 {
         return Err(PointStatus::TangentSeparates);
     }
-    if (across_u * after - across_w * before).length() > PLANE * before * after {
+    if (across_u * after - across_w * before).length() > MAX_PLANE_SINE * before * after {
         return Err(PointStatus::OutOfPlane);
     }
     let t = before.sqrt() / (before.sqrt() + after.sqrt());
@@ -183,7 +183,7 @@ pub fn section_by_tangent(a: DVec3, p: DVec3, c: DVec3, tau: DVec3) -> Result<Se
 }
 
 /// The sine of the angle by which a tangent may leave the plane of its section.
-const PLANE: f64 = 1e-9;
+const MAX_PLANE_SINE: f64 = 1e-9;
 
 /// The tangent of an angle, in radians counter-clockwise from the x-axis, in the plane z = 0.
 pub fn tangent_of_angle(angle: f64) -> DVec3 {

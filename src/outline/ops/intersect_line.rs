@@ -1,15 +1,16 @@
-//! Where a curve crosses a plane, or a plane curve a line.
+//! Intersections of a curve with a plane, and of a plane curve with a line: the roots of its distance, a polynomial in Bernstein
+//! form on each segment.
 
-use super::super::curve::{CurveView, MAX_DEGREE, Place, check_finite};
-use super::frame::Frame;
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::roots;
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{CurveView, MAX_DEGREE, Place, check_finite};
 use glam::DVec3;
 
-/// What a curve has in common with a line or a plane.
+/// The intersections of a curve with a line or a plane.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Crossings {
+pub struct PlaneIntersections {
     /// Places of crossing or touching, in the order of the curve, each once: a joint belongs to the segment that ends there,
     /// and the joint of a closed curve's end and start to its start.
     pub places: Vec<Place>,
@@ -18,32 +19,32 @@ pub struct Crossings {
 }
 
 /// Distances up to this are taken for 0, relative to the size of the curve.
-pub(super) const TOUCH: f64 = 1.0 / (1u64 << 46) as f64;
+const MAX_TOUCH_DISTANCE: f64 = 1.0 / (1u64 << 46) as f64;
 
 impl CurveView<'_> {
-    /// Crossings with the plane through `point` across `normal`, which need not have length 1. Where the curve comes within
+    /// PlaneIntersections with the plane through `point` across `normal`, which need not have length 1. Where the curve comes within
     /// 1.4e-14 of its size it counts as touching. Roots of the distance in closed form up to degree 2, isolated otherwise.
-    /// O(points) and O(degree^2) for each crossing.
+    /// O(points) and O(degree^2) for each intersection.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] (a normal of length 0), [`Error::NotFinite`] (point 0 is `point`, 1 is `normal`),
     /// [`Error::OutOfMemory`].
-    pub fn crossings_with_plane(&self, point: DVec3, normal: DVec3) -> Result<Crossings> {
+    pub fn intersect_plane(&self, point: DVec3, normal: DVec3) -> Result<PlaneIntersections> {
         check_finite(0, point)?;
         check_finite(1, normal)?;
         let largest = normal.abs().max_element();
         if largest == 0.0 {
             return Err(Error::OptionOutOfRange { option: "normal", value: 0.0 });
         }
-        let frame = Frame::of(self.points());
+        let frame = UnitFrame::of(self.points());
         let normal = (normal / largest).normalize();
         let level = normal.dot(frame.point(point));
-        let mut found = Crossings::default();
+        let mut found = PlaneIntersections::default();
         // Farther than any point of the curve; not a number where the plane is too far for the frame.
         if level.abs() > 2.0 || level.is_nan() {
             return Ok(found);
         }
-        let noise = TOUCH.max(4.0 * f64::EPSILON * frame.point(point).length());
+        let noise = MAX_TOUCH_DISTANCE.max(4.0 * f64::EPSILON * frame.point(point).length());
         for (k, controls) in self.segments().enumerate() {
             let mut heights = [0.0; MAX_DEGREE + 1];
             for (height, &p) in heights.iter_mut().zip(controls) {
@@ -61,23 +62,23 @@ impl CurveView<'_> {
         Ok(found)
     }
 
-    /// Crossings of a plane curve with the line through `point` along `direction`, endless to both sides. As
-    /// [`crossings_with_plane`](Self::crossings_with_plane).
+    /// PlaneIntersections of a plane curve with the line through `point` along `direction`, endless to both sides. As
+    /// [`intersect_plane`](Self::intersect_plane).
     ///
     /// # Errors [`Error::CurveNotPlane`] (the curve, or point or direction as points 0 and 1 of the line, have z other than
     /// 0), and those of the plane.
-    pub fn crossings_with_line(&self, point: DVec3, direction: DVec3) -> Result<Crossings> {
+    pub fn intersect_line(&self, point: DVec3, direction: DVec3) -> Result<PlaneIntersections> {
         self.check_plane()?;
         check_finite(0, point)?;
         check_finite(1, direction)?;
         if point.z != 0.0 || direction.z != 0.0 {
             return Err(Error::CurveNotPlane { point: u32::from(point.z == 0.0) });
         }
-        self.crossings_with_plane(point, DVec3::new(-direction.y, direction.x, 0.0))
+        self.intersect_plane(point, DVec3::new(-direction.y, direction.x, 0.0))
     }
 }
 
-impl Crossings {
+impl PlaneIntersections {
     /// Adds a root; not the start of a segment whose end before is there already, or lies inside.
     fn add(&mut self, segment: u32, t: f64) -> Result<()> {
         if t == 0.0 && segment > 0 {
@@ -89,7 +90,7 @@ impl Crossings {
         alloc::push(&mut self.places, Place { segment, t })
     }
 
-    /// Takes away what belongs to the start of a closed curve, or to a segment inside that follows.
+    /// Removes places that belong to the start of a closed curve, or to a segment inside that follows.
     fn close(&mut self, curve: &CurveView<'_>) {
         let last = curve.len() as u32;
         let start = Place { segment: 0, t: 0.0 };

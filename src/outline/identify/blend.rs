@@ -10,62 +10,59 @@
 //! both sides: a quintic, C2 in the knots of the method's exponent.
 //!
 //! At a free end the one section goes on alone; a given tangent is the first leg of the quadratic that takes the place of the
-//! missing section.
+//! missing section. O(n).
 //!
 //! Source: Nadopta, the overlapping sections of figure 2; Barry and Goldman, 1988, for the linear blend; C. Yuksel, 2020, for
 //! blends that keep second derivatives, there trigonometric.
 
-use super::curve::Place;
+use super::curve_builder::CurveBuilder;
 use super::method::{Method, through};
-use super::request::{Mode, Options, PointStatus};
-use super::run::{Run, Sketch, Solved, Workspace};
+use super::options::Mode;
+use super::solution::Solution;
+use super::subcurve::{PointResult, Subcurve};
 use crate::error::Result;
+use crate::outline::curve::Place;
 
-/// Appends the blended curve of a run.
-pub(super) fn curve(
-    run: &Run<'_>,
-    options: &Options,
-    solved: &mut [Solved],
-    workspace: &mut Workspace,
-    sketch: &mut Sketch,
+/// Appends the blended curve of a subcurve's points.
+pub(super) fn append(
+    sub: &Subcurve<'_>,
+    results: &mut [PointResult],
+    solution: &mut Solution,
+    builder: &mut CurveBuilder,
 ) -> Result<()> {
-    let points = run.points;
-    let n = points.len();
-    workspace.solution.resize(n)?;
-    let (controls, parameters) = (&mut workspace.solution.controls, &mut workspace.solution.t);
-    for i in run.sections() {
-        let [a, p, c] = run.triple(i);
-        let t = options.method.parameter(a, p, c).or_else(|status| {
-            solved[i].status = status;
+    let (points, n, method) = (sub.points, sub.len(), sub.options.method);
+    solution.resize(n)?;
+    let (controls, parameters) = (&mut solution.controls, &mut solution.t);
+    for i in sub.sections() {
+        let [a, p, c] = sub.triple(i);
+        let t = method.parameter(a, p, c).or_else(|status| {
+            results[i].status = status;
             Method::Bisector.parameter(a, p, c)
         });
         let section = t.and_then(|t| through(a, p, c, t)).or_else(|status| {
             // So near its neighbour that only the median will do.
-            if solved[i].status == PointStatus::Ok {
-                solved[i].status = status;
-            }
+            results[i].flag(status);
             through(a, p, c, 0.5)
         });
         if let Ok(section) = section {
             (controls[i], parameters[i]) = (section.control, section.t);
         }
     }
-    let pieces = if run.closed { n } else { n - 1 };
-    sketch.begin(points[0])?;
-    for i in 0..pieces {
-        let next = if i + 1 == n { 0 } else { i + 1 };
+    builder.begin(points[0])?;
+    for i in 0..if sub.closed { n } else { n - 1 } {
+        let next = sub.next(i);
         let (p, q) = (points[i], points[next]);
         let half = 0.5 * p.distance(q);
-        let forth = (run.closed || i > 0).then(|| controls[i].lerp(q, parameters[i]));
-        let back = (run.closed || next < n - 1).then(|| p.lerp(controls[next], parameters[next]));
-        let x = forth.or_else(|| run.tangents[0].map(|tangent| p + tangent * half));
-        let y = back.or_else(|| run.tangents[1].map(|tangent| q - tangent * half));
+        let forward = (sub.closed || i > 0).then(|| controls[i].lerp(q, parameters[i]));
+        let backward = (sub.closed || next < n - 1).then(|| p.lerp(controls[next], parameters[next]));
+        let x = forward.or_else(|| sub.tangents[0].map(|tangent| p + tangent * half));
+        let y = backward.or_else(|| sub.tangents[1].map(|tangent| q - tangent * half));
         let middle = p.midpoint(q);
         let (x, y) = (x.or(y).unwrap_or(middle), y.or(x).unwrap_or(middle));
-        let segment = sketch.len() as u32;
-        match options.mode {
-            Mode::BlendC1 => sketch.push(&[(p + x * 2.0) / 3.0, (y * 2.0 + q) / 3.0, q])?,
-            _ => sketch.push(&[
+        let segment = builder.len() as u32;
+        match sub.options.mode {
+            Mode::BlendC1 => builder.push(&[(p + x * 2.0) / 3.0, (y * 2.0 + q) / 3.0, q])?,
+            _ => builder.push(&[
                 (p * 3.0 + x * 2.0) / 5.0,
                 (p * 3.0 + x * 6.0 + q) / 10.0,
                 (p + y * 6.0 + q * 3.0) / 10.0,
@@ -73,9 +70,9 @@ pub(super) fn curve(
                 q,
             ])?,
         }
-        solved[i].place = Place { segment, t: 0.0 };
-        if i + 2 == n && !run.closed {
-            solved[i + 1].place = Place { segment, t: 1.0 };
+        results[i].place = Place { segment, t: 0.0 };
+        if i + 2 == n && !sub.closed {
+            results[i + 1].place = Place { segment, t: 1.0 };
         }
     }
     Ok(())

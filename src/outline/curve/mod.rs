@@ -1,12 +1,17 @@
-//! A curve: Bézier segments one after another, of any degrees.
+//! Piecewise Bézier curves: the data that all of this module reads and makes.
+//!
+//! * here: [`CurveView`], borrowed control points, and [`Curve`], owned ones. Segments of any degrees, one after another.
+//! * segment: one segment by its control points.
+//! * unit_frame: coordinates in which a curve is near the origin and of size about 1.
+
+pub(crate) mod segment;
+pub(crate) mod unit_frame;
 
 use crate::alloc;
 use crate::error::{Element, Error, Result};
-use crate::geom::bernstein;
 use glam::DVec3;
 
-/// The highest degree of a segment.
-pub const MAX_DEGREE: usize = bernstein::MAX_DEGREE;
+pub use segment::MAX_DEGREE;
 
 /// A borrowed curve: segment k has the control points `ends[k]..=ends[k + 1]`, so that each begins with the last control
 /// point of the one before. A plane curve has z = 0 everywhere.
@@ -17,9 +22,8 @@ pub struct CurveView<'a> {
     closed: bool,
 }
 
-/// # Errors
-/// [`Error::NotFinite`].
-pub(super) fn check_finite(point: usize, p: DVec3) -> Result<()> {
+/// That a point is finite; `point`: its number, for the error.
+pub(crate) fn check_finite(point: usize, p: DVec3) -> Result<()> {
     match p.to_array().into_iter().find(|x| !x.is_finite()) {
         Some(value) => Err(Error::NotFinite { element: Element::Point, index: point as u64, value }),
         None => Ok(()),
@@ -33,6 +37,13 @@ pub struct Place {
     pub segment: u32,
     /// 0 at the segment's first control point, 1 at its last.
     pub t: f64,
+}
+
+impl Place {
+    /// The place as one number: segment and parameter added.
+    pub(super) fn along(self) -> f64 {
+        f64::from(self.segment) + self.t
+    }
 }
 
 impl<'a> CurveView<'a> {
@@ -66,7 +77,7 @@ impl<'a> CurveView<'a> {
         Ok(CurveView { points, ends, closed })
     }
 
-    /// What the library made itself.
+    /// A curve whose points and ends are known to be valid.
     pub(super) fn trusted(points: &'a [DVec3], ends: &'a [u32], closed: bool) -> Self {
         CurveView { points, ends, closed }
     }
@@ -110,6 +121,32 @@ impl<'a> CurveView<'a> {
         self.ends.windows(2).map(move |pair| &points[pair[0] as usize..=pair[1] as usize])
     }
 
+    /// That a place lies on the curve; `index`: its number, for the error.
+    pub(super) fn check_place(&self, index: usize, place: Place) -> Result<()> {
+        if (place.segment as usize) < self.len() && (0.0..=1.0).contains(&place.t) {
+            return Ok(());
+        }
+        Err(Error::NoSuchPlace { index: index as u32, segment: place.segment, t: place.t })
+    }
+
+    /// That the curve has a point.
+    pub(super) fn check_not_empty(&self) -> Result<()> {
+        if self.points.is_empty() { Err(Error::EmptyCurve) } else { Ok(()) }
+    }
+
+    /// That the curve lies in the plane z = 0.
+    pub(super) fn check_plane(&self) -> Result<()> {
+        match self.points.iter().position(|p| p.z != 0.0) {
+            Some(point) => Err(Error::CurveNotPlane { point: point as u32 }),
+            None => Ok(()),
+        }
+    }
+
+    /// The number of segments after which a closed curve comes round; infinite for an open one.
+    pub(super) fn period(&self) -> f64 {
+        if self.closed { self.len() as f64 } else { f64::INFINITY }
+    }
+
     /// A copy that owns its points.
     ///
     /// # Errors
@@ -137,7 +174,14 @@ impl Curve {
     }
 
     /// Appends a segment by its control points but the first, which is where the curve ends so far.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] (more control points than 32 bits can count), [`Error::OutOfMemory`].
     pub(super) fn push(&mut self, rest: &[DVec3]) -> Result<()> {
+        let (count, limit) = ((self.points.len() + rest.len()) as u64, u64::from(u32::MAX));
+        if count > limit {
+            return Err(Error::TooLarge { what: "control points", count, limit });
+        }
         alloc::append(&mut self.points, rest)?;
         alloc::push(&mut self.ends, (self.points.len() - 1) as u32)
     }
@@ -153,7 +197,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_no_curve_is_refused() {
+    fn invalid_curves_are_refused() {
         let points = [DVec3::ZERO, DVec3::X, DVec3::Y];
         assert_eq!(CurveView::new(&points, &[0, 2], false).unwrap().segment(0), points);
         assert_eq!(CurveView::new(&points, &[0, 1, 2], false).unwrap().len(), 2);

@@ -1,0 +1,151 @@
+//! One Bézier segment by its control points: points, derivatives, parts.
+
+use crate::geom::bernstein;
+use glam::DVec3;
+use std::ops::{Deref, DerefMut};
+
+/// The highest degree of a segment.
+pub const MAX_DEGREE: usize = bernstein::MAX_DEGREE;
+
+/// The point at parameter `t`: de Casteljau's scheme, written out for the degrees that occur most.
+#[inline]
+pub(crate) fn point(controls: &[DVec3], t: f64) -> DVec3 {
+    let s = 1.0 - t;
+    match *controls {
+        [] => DVec3::ZERO,
+        [p] => p,
+        [p, q] => p * s + q * t,
+        [p, q, r] => (p * s + q * t) * s + (q * s + r * t) * t,
+        _ => horner(controls, t),
+    }
+}
+
+/// A bound of the sum of all binomials of the highest degree, 2^64 in all.
+const MAX_BINOMIAL_SUM: f64 = (1u128 << 80) as f64;
+
+/// The sum of the Bernstein terms; control points so large that a term overflows are scaled first.
+fn horner(controls: &[DVec3], t: f64) -> DVec3 {
+    let point = scaled_sum(controls, t, 1.0);
+    if point.is_finite() { point } else { scaled_sum(controls, t, 1.0 / MAX_BINOMIAL_SUM) * MAX_BINOMIAL_SUM }
+}
+
+/// The sum of the terms times `unit`, by a scheme like Horner's from the nearer end, so that no power overflows its binomial.
+fn scaled_sum(controls: &[DVec3], t: f64, unit: f64) -> DVec3 {
+    let n = controls.len() - 1;
+    let backwards = t > 0.5;
+    let (t, s) = if backwards { (1.0 - t, t) } else { (t, 1.0 - t) };
+    let at = |i: usize| controls[if backwards { n - i } else { i }] * unit;
+    // sum C(n, i) t^i s^(n - i) B_i = s^n sum C(n, i) x^i B_i, with x = t / s <= 1.
+    let x = t / s;
+    let mut sum = at(0);
+    let (mut factor, mut scale) = (1.0, s);
+    for i in 1..=n {
+        factor *= x * (n + 1 - i) as f64 / i as f64;
+        sum += at(i) * factor;
+        if i < n {
+            scale *= s;
+        }
+    }
+    sum * scale
+}
+
+/// From the first control point to the next one that differs.
+pub(crate) fn first_leg(controls: &[DVec3]) -> DVec3 {
+    let first = controls[0];
+    controls.iter().find(|&&p| p != first).map_or(DVec3::ZERO, |&p| p - first)
+}
+
+/// To the last control point, from the one before that differs.
+pub(crate) fn last_leg(controls: &[DVec3]) -> DVec3 {
+    let last = controls[controls.len() - 1];
+    controls.iter().rev().find(|&&p| p != last).map_or(DVec3::ZERO, |&p| last - p)
+}
+
+/// The control points of a segment of any degree, kept in place: no allocation.
+#[derive(Clone, Copy)]
+pub(crate) struct SegmentBuffer {
+    controls: [DVec3; MAX_DEGREE + 1],
+    len: usize,
+}
+
+impl SegmentBuffer {
+    /// A copy of control points.
+    pub(crate) fn new(controls: &[DVec3]) -> Self {
+        Self::mapped(controls, |p| p)
+    }
+
+    /// Control points, each moved by `map`.
+    pub(crate) fn mapped(controls: &[DVec3], map: impl Fn(DVec3) -> DVec3) -> Self {
+        let mut buffer = SegmentBuffer { controls: [DVec3::ZERO; MAX_DEGREE + 1], len: controls.len() };
+        buffer.controls.iter_mut().zip(controls).for_each(|(to, &p)| *to = map(p));
+        buffer
+    }
+
+    /// Replaces the control points by those of the derivative, n (B_(i+1) - B_i); a constant leaves none.
+    pub(crate) fn derive(&mut self) {
+        self.len = self.len.saturating_sub(1);
+        for i in 0..self.len {
+            self.controls[i] = (self.controls[i + 1] - self.controls[i]) * self.len as f64;
+        }
+    }
+
+    /// Raises the degree to `degree` step by step: B'_i = i / (n + 1) B_(i-1) + (1 - i / (n + 1)) B_i.
+    pub(crate) fn elevate(&mut self, degree: usize) {
+        while self.len <= degree {
+            let n = self.len - 1;
+            self.controls[n + 1] = self.controls[n];
+            for i in (1..=n).rev() {
+                let x = i as f64 / (n + 1) as f64;
+                self.controls[i] = self.controls[i - 1] * x + self.controls[i] * (1.0 - x);
+            }
+            self.len += 1;
+        }
+    }
+
+    /// Keeps the part after `t`, and returns the part before it: de Casteljau's scheme.
+    pub(crate) fn split_off_front(&mut self, t: f64) -> Self {
+        let mut front = *self;
+        let (n, s) = (self.len - 1, 1.0 - t);
+        for (k, first) in front.iter_mut().enumerate() {
+            *first = self.controls[0];
+            for i in 0..n - k {
+                self.controls[i] = self.controls[i] * s + self.controls[i + 1] * t;
+            }
+        }
+        front
+    }
+
+    /// The part between two parameters, `from < to`; ends that are ends of the segment stay as they are.
+    pub(crate) fn part(mut self, from: f64, to: f64) -> Self {
+        let mut end = to;
+        if from > 0.0 {
+            self.split_off_front(from);
+            end = (to - from) / (1.0 - from);
+        }
+        if to < 1.0 { self.split_off_front(end) } else { self }
+    }
+}
+
+impl Deref for SegmentBuffer {
+    type Target = [DVec3];
+
+    fn deref(&self) -> &[DVec3] {
+        &self.controls[..self.len]
+    }
+}
+
+impl DerefMut for SegmentBuffer {
+    fn deref_mut(&mut self) -> &mut [DVec3] {
+        &mut self.controls[..self.len]
+    }
+}
+
+/// The point at `t` and its derivatives by the parameter, N values in all; 0 beyond the degree.
+pub(crate) fn jet<const N: usize>(controls: &[DVec3], t: f64) -> [DVec3; N] {
+    let mut derived = SegmentBuffer::new(controls);
+    [(); N].map(|()| {
+        let value = point(&derived, t);
+        derived.derive();
+        value
+    })
+}

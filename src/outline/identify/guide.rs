@@ -1,0 +1,102 @@
+//! Guides: the lines through the points of an outline that control points are sought on.
+//!
+//! The guide of a point is that of its triangle with the two neighbours: the bisector, the median, the normal of the chord, or
+//! in general the line to the foot that divides the chord as t^2 to (1 - t)^2. Guides need a plane; for one outline the plane
+//! through its farthest points is tried.
+//!
+//! Source: Nadopta, the methods of the normal, bisector and median. O(1) for a guide, O(n) for the plane.
+
+use super::method::Method;
+use super::report::PointStatus;
+use super::subcurve::Subcurve;
+use glam::DVec3;
+
+/// The sine of the angle by which an outline may leave its plane.
+const MAX_PLANE_SINE: f64 = 1e-9;
+
+/// The normal of the plane of a subcurve, of length 1; `None` if there is none.
+pub(super) fn plane_normal(sub: &Subcurve<'_>) -> Option<DVec3> {
+    if sub.points.iter().all(|p| p.z == 0.0) {
+        return Some(DVec3::Z);
+    }
+    let origin = sub.points[0];
+    let farthest = |measure: &dyn Fn(DVec3) -> f64| {
+        let mut best = (0.0, DVec3::ZERO);
+        for v in sub.points.iter().map(|&p| p - origin) {
+            let length = measure(v);
+            if length > best.0 {
+                best = (length, v);
+            }
+        }
+        best.1
+    };
+    let axis = farthest(&|v| v.length_squared()).normalize_or_zero();
+    let aside = farthest(&|v| v.cross(axis).length_squared());
+    let normal = axis.cross(aside);
+    // A straight subcurve is in any plane that contains it.
+    let normal = match normal.length() > MAX_PLANE_SINE * sub.size {
+        true => normal.normalize(),
+        false => axis.any_orthonormal_vector(),
+    };
+    sub.points.iter().all(|&p| normal.dot(p - origin).abs() <= MAX_PLANE_SINE * sub.size).then_some(normal)
+}
+
+/// The direction of the guide of a triangle in a plane, with the corners `u` and `w` before and after the point: from the
+/// foot to the point.
+///
+/// The bisector is also across the difference of the directions of the legs, which is better known if the triangle is flat.
+pub(super) fn guide(method: Method, u: DVec3, w: DVec3, normal: DVec3) -> Result<DVec3, PointStatus> {
+    let chord = w - u;
+    let t = method.parameter(u, DVec3::ZERO, w)?;
+    let (first, last) = (u.normalize_or_zero(), w.normalize_or_zero());
+    let (along, sum) = (last - first, first + last);
+    let direction = match method.alpha() {
+        Some(0.5) if along.length_squared() >= sum.length_squared() => normal.cross(along),
+        Some(0.5) => -sum,
+        None => normal.cross(chord),
+        Some(_) => {
+            let (before, after) = ((1.0 - t) * (1.0 - t), t * t);
+            let from_foot = -(u * before + w * after) / (before + after);
+            if from_foot.length() <= 1e-12 * chord.length() { normal.cross(chord) } else { from_foot }
+        }
+    };
+    direction.try_normalize().ok_or(PointStatus::Collinear)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::options::Options;
+    use super::*;
+
+    #[test]
+    fn planes() {
+        let options = Options::default();
+        let normal = |points: &[DVec3]| {
+            plane_normal(&Subcurve { points, closed: false, tangents: [None, None], size: 4.0, options: &options })
+        };
+        assert_eq!(normal(&[DVec3::ZERO, DVec3::X, DVec3::Y]), Some(DVec3::Z));
+        let tilted = [DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0), DVec3::Y, DVec3::new(-2.0, 1.0, -2.0)];
+        let across = normal(&tilted).unwrap();
+        assert!(across.cross(DVec3::new(1.0, 0.0, -1.0)).length() < 1e-15, "{across}");
+        // A straight run lies in a plane; four corners of a box do not.
+        let straight = normal(&[DVec3::ZERO, DVec3::ONE, DVec3::ONE * 3.0]).unwrap();
+        assert!(straight.dot(DVec3::ONE).abs() < 1e-15);
+        assert_eq!(normal(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z]), None);
+    }
+
+    #[test]
+    fn guides_of_triangles() {
+        let (u, w) = (DVec3::new(-3.0, -4.0, 0.0), DVec3::new(7.0, -4.0, 0.0));
+        // The errata's triangle: the foot of the bisector of (0, 0), (3, 4), (10, 0) is at 3.83, not at 6.20 as printed.
+        let bisector = guide(Method::Bisector, u, w, DVec3::Z).unwrap();
+        let foot = 3.0 - 4.0 * bisector.x / bisector.y;
+        assert!((foot - 10.0 * 5.0 / (5.0 + 65f64.sqrt())).abs() < 1e-14, "{foot}");
+        let normal = guide(Method::Normal, u, w, DVec3::Z).unwrap();
+        assert!(normal.x.abs() < 1e-15);
+        let median = guide(Method::Median, u, w, DVec3::Z).unwrap();
+        assert!((3.0 - 4.0 * median.x / median.y - 5.0).abs() < 1e-14);
+        // Flat: across the chord; there and back: along it.
+        assert!(guide(Method::Bisector, -DVec3::X, DVec3::X, DVec3::Z).unwrap().x.abs() < 1e-15);
+        assert!(guide(Method::Bisector, DVec3::X, DVec3::X, DVec3::Z).unwrap().y.abs() < 1e-15);
+    }
+}

@@ -1,0 +1,42 @@
+//! Identification: curves through given points, the inverse problem of Bézier curves.
+//!
+//! The paper takes three neighbouring points at a time: the quadratic through the middle one whose control point lies on a guide,
+//! the normal of the chord, the bisector, the median, or a tangent. From the bottom up:
+//!
+//! * outlines, options, report, fit: input, choices, account and result.
+//! * method, sections: closed forms for three points; stepping: the paper's steps; guide: the lines that control points lie on.
+//! * nodes, subcurve, solution, curve_builder, residuals: one outline near the origin, in parts, and the curve through it.
+//! * composite, single, blend, cubic_spline: the solvers, one for each kind of curve ([`Mode`]).
+//! * driver: [`fit()`], outlines on threads.
+//!
+//! Source: T. Nadopta, Theoretical foundations of the identification of outline curves, 2008; where the readings of the set of sections are ours the modules say so.
+
+mod blend;
+mod composite;
+mod cubic_spline;
+mod curve_builder;
+mod driver;
+mod fit;
+mod guide;
+mod method;
+mod nodes;
+mod options;
+mod outlines;
+mod report;
+mod residuals;
+mod sections;
+mod single;
+mod solution;
+mod stepping;
+mod subcurve;
+
+pub use driver::fit;
+pub use fit::Fit;
+pub use method::{
+    Method, Section, section_by_end_tangent, section_by_start_tangent, section_by_tangent, tangent_of_angle,
+};
+pub use options::{Ends, JointParameter, Lock, Mode, Options, Solver};
+pub use outlines::{Constraint, MAX_POINTS, Outlines, PointConstraint, Points};
+pub use report::{FitStatus, PointStatus, Report};
+pub use sections::{Sections, sections};
+pub use stepping::step_section;

@@ -1,0 +1,235 @@
+//! The nodes of an outline: its points near the origin, freed of repeats, and cut at corners and tangents. O(n log n).
+
+use super::options::{Ends, Options};
+use super::outlines::{Constraint, Outlines, PointConstraint};
+use super::report::PointStatus;
+use super::subcurve::{PointResult, Subcurve};
+use crate::alloc;
+use crate::error::Result;
+use crate::geom::scale::power_of_two;
+use crate::outline::curve::check_finite;
+use glam::DVec3;
+use std::ops::Range;
+
+/// The nodes of one outline; the memory is used again for the next.
+#[derive(Default)]
+pub(super) struct Nodes {
+    /// The points that differ from their neighbours. A closed outline that is cut begins at its first cut, and ends with that
+    /// point once more.
+    pub(super) points: Vec<DVec3>,
+    /// For each point of the outline its node.
+    pub(super) node_of: Vec<u32>,
+    /// The outcome at each node.
+    pub(super) results: Vec<PointResult>,
+    /// Nodes where the outline is cut, or ends, and the directions there.
+    pub(super) cuts: Vec<Cut>,
+    /// Whether they are a closed outline; two nodes are not.
+    pub(super) closed: bool,
+    pub(super) placement: Placement,
+}
+
+#[derive(Clone, Copy)]
+pub(super) struct Cut {
+    pub(super) node: u32,
+    /// Of length 1.
+    pub(super) tangent: Option<DVec3>,
+}
+
+/// The position of an outline: point = origin + unit * node.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Placement {
+    pub(super) origin: DVec3,
+    /// A power of two.
+    pub(super) unit: f64,
+    /// The longest side of the box of the nodes: between 1 and 4, but for outlines without extent.
+    pub(super) size: f64,
+}
+
+impl Nodes {
+    /// Reads the nodes of some points, and cuts them.
+    pub(super) fn read(
+        &mut self,
+        outlines: &Outlines<'_>,
+        span: &Range<usize>,
+        constraints: &[Constraint],
+        options: &Options,
+    ) -> Result<()> {
+        self.read_points(outlines, span, options.repeat_tolerance)?;
+        self.closed = outlines.closed && self.points.len() > 2;
+        self.cut(span, constraints, options)
+    }
+
+    /// Reads the points near the origin, and enters those that repeat others.
+    fn read_points(&mut self, outlines: &Outlines<'_>, span: &Range<usize>, repeat_tolerance: f64) -> Result<()> {
+        let Nodes { points, node_of, .. } = self;
+        points.clear();
+        node_of.clear();
+        alloc::reserve(points, span.len() + 1)?;
+        alloc::reserve(node_of, span.len())?;
+        outlines.points.read(span.clone(), points);
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        // A sum of zeros, unless a coordinate is not finite.
+        let mut zeros = DVec3::ZERO;
+        for &p in points.iter() {
+            (low, high) = (low.min(p), high.max(p));
+            zeros += p * 0.0;
+        }
+        if zeros != DVec3::ZERO {
+            (span.start..).zip(points.iter()).try_for_each(|(point, &p)| check_finite(point, p))?;
+        }
+        let half = (high * 0.5 - low * 0.5).max_element();
+        if points.is_empty() || half == 0.0 {
+            let origin = points.first().copied().unwrap_or(DVec3::ZERO);
+            points.truncate(1);
+            points.iter_mut().for_each(|p| *p = DVec3::ZERO);
+            node_of.resize(span.len(), 0);
+            self.placement = Placement { origin, unit: 1.0, size: 0.0 };
+            return Ok(());
+        }
+        // Exact: a power of two, far from the ends of the range.
+        let unit = power_of_two(half);
+        let (origin, scale) = (points[0], 1.0 / unit);
+        let size = half * scale * 2.0;
+        // A box far larger than the unit has only repeats left out.
+        let shift = origin * scale;
+        points.iter_mut().for_each(|p| *p = *p * scale - shift);
+        self.placement = Placement { origin, unit, size };
+        self.merge_repeats(outlines.closed, (repeat_tolerance * size).powi(2));
+        Ok(())
+    }
+
+    /// Makes one node of neighbours that are no farther apart, by the squares of distances.
+    fn merge_repeats(&mut self, closed: bool, near: f64) {
+        let Nodes { points, node_of, .. } = self;
+        node_of.extend(0..points.len() as u32);
+        let mut count = points.len();
+        if points.windows(2).any(|pair| pair[0].distance_squared(pair[1]) <= near) {
+            count = 1;
+            for i in 1..points.len() {
+                if points[i].distance_squared(points[count - 1]) > near {
+                    points[count] = points[i];
+                    count += 1;
+                }
+                node_of[i] = count as u32 - 1;
+            }
+        }
+        while closed && count > 1 && points[count - 1].distance_squared(points[0]) <= near {
+            count -= 1;
+        }
+        let closing = node_of.partition_point(|&node| (node as usize) < count);
+        node_of[closing..].fill(0);
+        points.truncate(count);
+    }
+
+    /// Finds the cuts, and turns a closed outline so that it begins at one.
+    fn cut(&mut self, span: &Range<usize>, constraints: &[Constraint], options: &Options) -> Result<()> {
+        self.cuts.clear();
+        self.results.clear();
+        alloc::reserve(&mut self.results, self.points.len() + 1)?;
+        self.results.resize(self.points.len(), PointResult::default());
+        for constraint in constraints {
+            let node = self.node_of[constraint.point as usize - span.start];
+            let tangent = match constraint.kind {
+                PointConstraint::Corner => None,
+                PointConstraint::Tangent(tangent) => match direction(tangent) {
+                    Some(tangent) => Some(tangent),
+                    None => {
+                        self.results[node as usize].status = PointStatus::NoTangent;
+                        continue;
+                    }
+                },
+            };
+            alloc::push(&mut self.cuts, Cut { node, tangent })?;
+        }
+        self.cut_corners(options.corner_angle)?;
+        let last = self.points.len().saturating_sub(1) as u32;
+        if !self.closed {
+            alloc::reserve(&mut self.cuts, 2)?;
+            self.cuts.push(Cut { node: 0, tangent: None });
+            self.cuts.push(Cut { node: last, tangent: None });
+        }
+        // Of several at a node the first holds.
+        self.cuts.sort_by_key(|cut| cut.node);
+        self.cuts.dedup_by_key(|cut| cut.node);
+        if let (true, Some(&first)) = (self.closed, self.cuts.first()) {
+            let n = self.points.len() as u32;
+            self.points.rotate_left(first.node as usize);
+            self.results.rotate_left(first.node as usize);
+            self.points.push(self.points[0]);
+            self.results.push(self.results[0]);
+            self.node_of.iter_mut().for_each(|node| *node = (*node + n - first.node) % n);
+            self.cuts.iter_mut().for_each(|cut| cut.node -= first.node);
+            alloc::push(&mut self.cuts, Cut { node: n, ..first })?;
+        }
+        Ok(())
+    }
+
+    /// Adds the nodes where the polygon turns by more than an angle.
+    fn cut_corners(&mut self, angle: f64) -> Result<()> {
+        let n = self.points.len();
+        if angle >= std::f64::consts::PI || n < 3 {
+            return Ok(());
+        }
+        let min_cosine = libm::cos(angle);
+        let inner = if self.closed { 0..n } else { 1..n - 1 };
+        for i in inner {
+            let [a, p, c] = [self.points[(i + n - 1) % n], self.points[i], self.points[(i + 1) % n]];
+            let (u, v) = (p - a, c - p);
+            if u.dot(v) < min_cosine * u.length() * v.length() {
+                alloc::push(&mut self.cuts, Cut { node: i as u32, tangent: None })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A closed outline without a cut as one subcurve, and the results of its nodes.
+    pub(super) fn whole<'a>(&'a mut self, options: &'a Options) -> (Subcurve<'a>, &'a mut [PointResult]) {
+        let size = self.placement.size;
+        (Subcurve { points: &self.points, closed: true, tangents: [None, None], size, options }, &mut self.results)
+    }
+
+    /// The subcurve from cut `k` to the next, and the results of its nodes.
+    pub(super) fn between_cuts<'a>(
+        &'a mut self,
+        k: usize,
+        options: &'a Options,
+    ) -> (Subcurve<'a>, &'a mut [PointResult]) {
+        let [from, to] = [self.cuts[k], self.cuts[k + 1]];
+        let nodes = from.node as usize..to.node as usize + 1;
+        let results = &mut self.results[nodes.clone()];
+        let tangents = [from.tangent, to.tangent];
+        let size = self.placement.size;
+        let mut sub = Subcurve { points: &self.points[nodes], closed: false, tangents, size, options };
+        if options.ends == Ends::Perpendicular {
+            set_perpendicular_ends(&mut sub, results);
+        }
+        (sub, results)
+    }
+}
+
+/// A vector of length 1; `None` for one without direction.
+fn direction(tangent: DVec3) -> Option<DVec3> {
+    let largest = tangent.abs().max_element();
+    (largest > 0.0).then(|| (tangent * (1.0 / largest).min(f64::MAX)).normalize())
+}
+
+/// Gives the free ends of a subcurve the directions perpendicular to the first and the last chord, in the planes of the first
+/// and the last three points.
+fn set_perpendicular_ends(sub: &mut Subcurve<'_>, results: &mut [PointResult]) {
+    let last = sub.len() - 1;
+    for (end, sign) in [(0, 1.0), (1, -1.0)] {
+        if sub.tangents[end].is_some() {
+            continue;
+        }
+        let perpendicular = (last >= 2).then(|| {
+            let [tip, next, far] = [0, 1, 2].map(|k| sub.points[if end == 0 { k } else { last - k }]);
+            let (leg, chord) = (next - tip, far - tip);
+            let across = leg - chord * (leg.dot(chord) / chord.length_squared());
+            (across.length() > 1e-9 * leg.length()).then(|| across.normalize() * sign)
+        });
+        match perpendicular.flatten() {
+            Some(tangent) => sub.tangents[end] = Some(tangent),
+            None => results[end * last].status = PointStatus::Collinear,
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! The input of an identification: points as they lie in the host's memory, outlines of them, and constraints.
+
+use crate::error::{Error, Result};
+use crate::outline::curve::check_finite;
+use glam::DVec3;
+use std::ops::Range;
+
+/// Points as they lie in memory: 2 or 3 coordinates at the start of every `stride` bytes, at any alignment. Plane points have
+/// z = 0.
+#[derive(Debug, Clone, Copy)]
+pub struct Points<'a> {
+    bytes: &'a [u8],
+    stride: usize,
+    count: usize,
+    dimension: usize,
+}
+
+impl<'a> Points<'a> {
+    /// `dimension`: 2 or 3; `stride`: in bytes, 0 for points without gaps.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] (the dimension), [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`],
+    /// [`Error::ArrayTooShort`].
+    pub fn strided(bytes: &'a [u8], stride: usize, count: usize, dimension: usize) -> Result<Self> {
+        let needed = Self::bytes_needed(stride, count, dimension)?;
+        if bytes.len() < needed {
+            let (needed, given) = (needed as u64, bytes.len() as u64);
+            return Err(Error::ArrayTooShort { what: "points", needed, given });
+        }
+        let stride = if stride == 0 { 8 * dimension } else { stride };
+        Ok(Points { bytes: &bytes[..needed], stride, count, dimension })
+    }
+
+    /// The number of bytes that `count` points span.
+    ///
+    /// # Errors
+    /// Those of [`Points::strided`].
+    pub fn bytes_needed(stride: usize, count: usize, dimension: usize) -> Result<usize> {
+        if !(2..=3).contains(&dimension) {
+            return Err(Error::OptionOutOfRange { option: "dimension", value: dimension as f64 });
+        }
+        if count > MAX_POINTS {
+            return Err(Error::TooLarge { what: "points", count: count as u64, limit: MAX_POINTS as u64 });
+        }
+        let size = 8 * dimension;
+        if stride != 0 && stride < size {
+            return Err(Error::StrideTooSmall { stride: stride as u64, min: size as u64 });
+        }
+        let stride = if stride == 0 { size } else { stride };
+        let bytes = count.saturating_sub(1).checked_mul(stride).and_then(|n| n.checked_add(size * count.min(1)));
+        bytes.filter(|&n| n <= isize::MAX as usize).ok_or(Error::SizeOverflow { what: "points", count: count as u64 })
+    }
+
+    /// The number of points.
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// True if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// 2 or 3.
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// Appends the points of a range to a list of sufficient capacity.
+    pub(super) fn read(&self, range: Range<usize>, list: &mut Vec<DVec3>) {
+        let rows = |size: usize| range.clone().map(move |i| &self.bytes[i * self.stride..][..size]);
+        if self.dimension == 2 {
+            list.extend(rows(16).map(|row| {
+                let [x, y]: [f64; 2] = bytemuck::pod_read_unaligned(row);
+                DVec3::new(x, y, 0.0)
+            }));
+        } else {
+            list.extend(rows(24).map(|row| DVec3::from_array(bytemuck::pod_read_unaligned(row))));
+        }
+    }
+
+    /// Point `i`.
+    ///
+    /// # Panics
+    /// If there is none.
+    #[inline]
+    pub fn get(&self, i: usize) -> DVec3 {
+        let at = i * self.stride;
+        if self.dimension == 2 {
+            let [x, y]: [f64; 2] = bytemuck::pod_read_unaligned(&self.bytes[at..at + 16]);
+            DVec3::new(x, y, 0.0)
+        } else {
+            DVec3::from_array(bytemuck::pod_read_unaligned(&self.bytes[at..at + 24]))
+        }
+    }
+}
+
+impl<'a> From<&'a [[f64; 2]]> for Points<'a> {
+    fn from(points: &'a [[f64; 2]]) -> Self {
+        Points { bytes: bytemuck::cast_slice(points), stride: 16, count: points.len(), dimension: 2 }
+    }
+}
+
+impl<'a> From<&'a [[f64; 3]]> for Points<'a> {
+    fn from(points: &'a [[f64; 3]]) -> Self {
+        Points { bytes: bytemuck::cast_slice(points), stride: 24, count: points.len(), dimension: 3 }
+    }
+}
+
+/// The largest number of points in one call: 2^30, so that control points can be counted in 32 bits.
+pub const MAX_POINTS: usize = 1 << 30;
+
+/// Outlines: all their points one after another.
+#[derive(Debug, Clone, Copy)]
+pub struct Outlines<'a> {
+    /// The points of all outlines.
+    pub points: Points<'a>,
+    /// Outline k has the points `offsets[k]..offsets[k + 1]`; `None` for a single outline of all points.
+    pub offsets: Option<&'a [u32]>,
+    /// Whether they are closed: from the last point back to the first.
+    pub closed: bool,
+    /// In ascending order of the points, at most one for each. Of points that are merged the first constraint holds.
+    pub constraints: &'a [Constraint],
+}
+
+/// A constraint on the curve at a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constraint {
+    /// The point, counted over all outlines.
+    pub point: u32,
+    /// The constraint.
+    pub kind: PointConstraint,
+}
+
+/// What is required of the curve where it passes a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PointConstraint {
+    /// The curve may turn sharply: it is made of two that meet there.
+    Corner,
+    /// The curve passes in this direction; of any length but 0.
+    Tangent(DVec3),
+}
+
+impl Outlines<'_> {
+    /// Checks offsets and constraints; the number of outlines.
+    pub(super) fn check(&self) -> Result<usize> {
+        let count = self.points.len();
+        if let Some(offsets) = self.offsets {
+            let value = |entry: usize| offsets.get(entry).copied().unwrap_or(0);
+            let bad = |entry: usize| Error::BadOffsets { entry: entry as u32, value: value(entry) };
+            if offsets.first() != Some(&0) {
+                return Err(bad(0));
+            }
+            if let Some(k) = (1..offsets.len()).find(|&k| offsets[k] < offsets[k - 1] || offsets[k] as usize > count) {
+                return Err(bad(k));
+            }
+            if value(offsets.len() - 1) as usize != count {
+                return Err(bad(offsets.len() - 1));
+            }
+        }
+        for (k, constraint) in self.constraints.iter().enumerate() {
+            let follows = k == 0 || constraint.point > self.constraints[k - 1].point;
+            if constraint.point as usize >= count || !follows {
+                return Err(Error::BadConstraint { constraint: k as u32, point: constraint.point });
+            }
+            if let PointConstraint::Tangent(tangent) = constraint.kind {
+                check_finite(constraint.point as usize, tangent)?;
+            }
+        }
+        Ok(self.offsets.map_or(1, |offsets| offsets.len() - 1))
+    }
+
+    /// The points of outline `k`.
+    pub(in crate::outline) fn span(&self, k: usize) -> Range<usize> {
+        match self.offsets {
+            Some(offsets) => offsets[k] as usize..offsets[k + 1] as usize,
+            None => 0..self.points.len(),
+        }
+    }
+}

@@ -1,0 +1,361 @@
+//! Near misses of two curves in space: the places where their distance is least, if it is small enough.
+//!
+//! Pairs of parts are halved until a proof holds:
+//!
+//! * *apart*: their hulls are farther from each other than asked for, along an axis or across both chords;
+//! * *empty*: one of the slopes of f = |A(s) - B(t)|^2 / 2 has one sign all over the pair, and leads into the next part;
+//! * *unique*: the Hessian of f is positive definite for all s and t of the pair, or f falls towards the end of a segment and is
+//!   convex along that end: then Newton's method finds the only least distance. All by bounds over the control points.
+//!
+//! Parts that run beside each other have no such proof: those left at the least size are clustered into overlaps, if they are near
+//! enough.
+//!
+//! Source: Hanniel and Elber, 2007, for halving that ends where one solution at most is proved; the bounds of slopes and Hessian
+//! are ours. Cost: at most [`MAX_PAIRS`] pairs of parts for two segments, O(degree^2) each.
+
+use super::intersect::Overlap;
+use super::part::{Part, chord, halve, separates, sort_distinct};
+use crate::geom::{Aabb, box_tree::BoxTree};
+use crate::alloc;
+use crate::error::{Error, Result};
+use crate::geom::subdivision::{
+    BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
+};
+use crate::job::Job;
+use crate::outline::curve::segment::{self, SegmentBuffer, jet};
+use crate::outline::curve::unit_frame::UnitFrame;
+use crate::outline::curve::{CurveView, Place};
+use glam::{DVec2, DVec3};
+
+/// Two places of two curves, between which their distance is least.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearMiss {
+    /// On the first curve.
+    pub a: Place,
+    /// On the second.
+    pub b: Place,
+    /// How far the points there are apart.
+    pub distance: f64,
+}
+
+/// Where two curves come near to each other.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct NearMisses {
+    /// By their places on the first curve.
+    pub places: Vec<NearMiss>,
+    /// Parts that stay near, or touch so closely that no place can be told from the next; the nearest places of each are among the
+    /// places. On the second curve: the places between which the near points are.
+    pub overlaps: Vec<Overlap>,
+    /// True if parts were given up that may be near enough and are not among the overlaps.
+    pub undecided: bool,
+}
+
+/// Distances below this, in a frame of size 1, are rounding.
+const ROUNDING: f64 = 1e-12;
+/// Parts are not halved below this length of their parameter.
+const MIN_PART_LENGTH: f64 = 1.0 / 1024.0;
+/// Pairs of parts that are examined for two segments before halving ends.
+const MAX_PAIRS: usize = 20_000;
+/// Places whose parameters differ by less are one.
+const SAME_PARAMETER: f64 = 1e-7;
+
+/// A least distance, in the frame; the places as numbers, segment and parameter added.
+#[derive(Clone, Copy)]
+struct Minimum {
+    at: DVec2,
+    distance: f64,
+}
+
+impl CurveView<'_> {
+    /// Where two curves in space come as near to each other as `within`: each place where their distance is least, once; of curves
+    /// that stay near, the parts where they do. `within` below 1e-12 of the curves' size is taken as that. Bounded work for each
+    /// pair of segments whose boxes are near.
+    ///
+    /// # Errors [`Error::EmptyCurve`], [`Error::OptionOutOfRange`] (`within` is negative or not finite), [`Error::OutOfMemory`],
+    /// [`Error::Cancelled`].
+    pub fn near_misses(&self, other: &CurveView<'_>, within: f64, job: &Job<'_>) -> Result<NearMisses> {
+        if self.is_empty() || other.is_empty() {
+            return Err(Error::EmptyCurve);
+        }
+        if !(within >= 0.0 && within.is_finite()) {
+            return Err(Error::OptionOutOfRange { option: "within", value: within });
+        }
+        let frame = UnitFrame::of(self.points().iter().chain(other.points()));
+        let points = [local_points(self, &frame)?, local_points(other, &frame)?];
+        let sides = [
+            CurveView::trusted(&points[0], self.ends(), self.is_closed()),
+            CurveView::trusted(&points[1], other.ends(), other.is_closed()),
+        ];
+        let within = frame.length(within).max(ROUNDING);
+        let mut search = Search { sides, within, minima: Vec::new(), unresolved: Vec::new(), undecided: false };
+        let tree = BoxTree::new(sides[1].segments().map(Aabb::of))?;
+        for (i, a) in sides[0].segments().enumerate() {
+            if i % 16 == 0 {
+                job.step(i as f64 / self.len() as f64, "near misses of curves")?;
+            }
+            tree.overlapping(&Aabb::of(a), within, |j| search.search_pair([i, j]))?;
+        }
+        search.finish(&frame)
+    }
+}
+
+fn local_points(curve: &CurveView<'_>, frame: &UnitFrame) -> Result<Vec<DVec3>> {
+    alloc::collect(curve.points().iter().map(|&p| frame.point(p)))
+}
+
+/// The direction in which a curve goes on beyond segment k at one of its ends; `None` if it ends there.
+fn leg_beyond(curve: &CurveView<'_>, k: usize, at_end: bool) -> Option<DVec3> {
+    let (count, last) = (curve.len(), if at_end { curve.len() - 1 } else { 0 });
+    if k == last && !curve.is_closed() {
+        return None;
+    }
+    let next = curve.segment(if at_end { (k + 1) % count } else { (k + count - 1) % count });
+    Some(if at_end { segment::first_leg(next) } else { -segment::last_leg(next) })
+}
+
+/// The search, in the frame.
+struct Search<'a> {
+    sides: [CurveView<'a>; 2],
+    within: f64,
+    minima: Vec<Minimum>,
+    /// Pairs of parts without a proof at the least size: the places as numbers, and the distance in the middle.
+    unresolved: Vec<UnresolvedBox>,
+    undecided: bool,
+}
+
+/// The search of two segments, by their numbers.
+struct PairSearch<'s, 'a> {
+    search: &'s mut Search<'a>,
+    numbers: [usize; 2],
+    whole: [&'a [DVec3]; 2],
+}
+
+impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
+    type Solution = ();
+    /// The number of the part that is halved.
+    type Split = usize;
+    type Stop = Error;
+
+    fn classify(&mut self, [p, q]: &[Part; 2]) -> Result<BoxTest<(), usize>> {
+        if apart(&p.controls, &q.controls, self.search.within) {
+            return Ok(BoxTest::Empty);
+        }
+        Ok(match count_minima(p, q) {
+            Some(0) => BoxTest::Empty,
+            Some(_) => BoxTest::Unique(()),
+            None => {
+                let short = [p, q].map(|part| part.to - part.from <= MIN_PART_LENGTH);
+                let larger = || usize::from(Aabb::of(&p.controls).size().max_element() < Aabb::of(&q.controls).size().max_element());
+                match short {
+                    [true, true] => BoxTest::Unresolved,
+                    [false, true] => BoxTest::Undecided(0),
+                    [true, false] => BoxTest::Undecided(1),
+                    [false, false] => BoxTest::Undecided(larger()),
+                }
+            }
+        })
+    }
+
+    fn accept(&mut self, pair: [Part; 2], (): ()) -> Result<()> {
+        self.search.add_minimum(self.whole, self.numbers, pair)
+    }
+
+    fn give_up(&mut self, [p, q]: [Part; 2], exhausted: bool) -> Result<()> {
+        self.search.undecided |= exhausted;
+        let middle = DVec2::new(p.from + p.to, q.from + q.to) * 0.5;
+        let [x, y] = [segment::point(self.whole[0], middle.x), segment::point(self.whole[1], middle.y)];
+        let half = (DVec2::new(p.to - p.from, q.to - q.from) * 0.5).extend(0.0);
+        let middle = (number_of(self.numbers) + middle).extend(0.0);
+        alloc::push(&mut self.search.unresolved, UnresolvedBox { middle, half, residual: x.distance(y) })
+    }
+
+    fn split(&mut self, pair: [Part; 2], number: usize) -> [[Part; 2]; 2] {
+        halve(pair, number)
+    }
+
+    fn reserve(stack: &mut Stack<[Part; 2]>) -> Result<()> {
+        alloc::reserve(stack, 2)
+    }
+}
+
+impl Search<'_> {
+    /// Examines two segments, by their numbers.
+    fn search_pair(&mut self, numbers: [usize; 2]) -> Result<()> {
+        let whole = [0, 1].map(|k| self.sides[k].segment(numbers[k]));
+        let first = whole.map(|controls| Part::whole(SegmentBuffer::new(controls)));
+        let limits = Limits { max_depth: u32::MAX, max_boxes: MAX_PAIRS + 1 };
+        subdivide(&mut PairSearch { search: self, numbers, whole }, first, &mut Vec::new(), limits)
+    }
+
+    /// Adds the least distance of a pair that has only one, if it is one of the curves too and near enough.
+    fn add_minimum(&mut self, whole: [&[DVec3]; 2], numbers: [usize; 2], pair: [Part; 2]) -> Result<()> {
+        let low = DVec2::new(pair[0].from, pair[1].from);
+        let high = DVec2::new(pair[0].to, pair[1].to);
+        let (at, gradient) = descend(whole, 0.5 * (low + high), low, high);
+        let gap = segment::point(whole[0], at.x) - segment::point(whole[1], at.y);
+        for k in 0..2 {
+            let (at_low, at_high) = (at[k] <= low[k], at[k] >= high[k]);
+            let falls = if at_low { gradient[k] } else { -gradient[k] };
+            let size = || Aabb::of(whole[k]).size().max_element();
+            if gap.length() <= ROUNDING || !(at_low || at_high) || falls <= 1e-12 * size() * gap.length() {
+                continue;
+            }
+            // At an inner end of a part the next part has it; at a joint the next segment, if it goes down there.
+            let at_joint = at[k] == 0.0 || at[k] == 1.0;
+            let sign = if k == 0 { 1.0 } else { -1.0 };
+            let goes_on = |along: DVec3| sign * gap.dot(along) < 0.0;
+            if !at_joint || leg_beyond(&self.sides[k], numbers[k], at_high).is_some_and(goes_on) {
+                return Ok(());
+            }
+        }
+        if gap.length() <= self.within {
+            alloc::push(&mut self.minima, Minimum { at: number_of(numbers) + at, distance: gap.length() })?;
+        }
+        Ok(())
+    }
+
+    /// Clusters the unresolved pairs, sorts, and merges repeats.
+    fn finish(mut self, frame: &UnitFrame) -> Result<NearMisses> {
+        let mut found = NearMisses { undecided: self.undecided, ..NearMisses::default() };
+        let sides = self.sides;
+        let place = |k: usize, at: f64| {
+            let segment = (at.max(0.0) as usize).min(sides[k].len() - 1);
+            Place { segment: segment as u32, t: (at - segment as f64).clamp(0.0, 1.0) }
+        };
+        self.unresolved.sort_by(|x, y| x.middle.x.total_cmp(&y.middle.x).then(x.middle.y.total_cmp(&y.middle.y)));
+        let mut clusters = Vec::new();
+        cluster(&self.unresolved, &mut clusters)?;
+        for UnresolvedCluster { best, low, high } in clusters {
+            let places = [place(0, best.middle.x), place(1, best.middle.y)];
+            let numbers = places.map(|place| place.segment as usize);
+            let whole = [0, 1].map(|k| sides[k].segment(numbers[k]));
+            let start = DVec2::new(places[0].t, places[1].t);
+            let reach = 2.0 * best.half.truncate();
+            let (at, _) = descend(whole, start, (start - reach).max(DVec2::ZERO), (start + reach).min(DVec2::ONE));
+            let distance = segment::point(whole[0], at.x).distance(segment::point(whole[1], at.y));
+            if distance <= self.within {
+                alloc::push(&mut self.minima, Minimum { at: number_of(numbers) + at, distance })?;
+                let ends = |k: usize| [place(k, low[k]), place(k, high[k])];
+                alloc::push(&mut found.overlaps, Overlap { a: ends(0), b: ends(1) })?;
+            } else if best.residual <= self.within {
+                found.undecided = true;
+            }
+        }
+        let periods = sides.map(|curve| curve.period());
+        sort_distinct(&mut self.minima, |found| found.at.to_array(), periods, SAME_PARAMETER);
+        found.places = alloc::collect(self.minima.iter().map(|found| {
+            let (a, b) = (place(0, found.at.x), place(1, found.at.y));
+            NearMiss { a, b, distance: frame.length_back(found.distance) }
+        }))?;
+        Ok(found)
+    }
+}
+
+/// The numbers of two segments, for places as numbers.
+fn number_of(numbers: [usize; 2]) -> DVec2 {
+    DVec2::new(numbers[0] as f64, numbers[1] as f64)
+}
+
+/// The mean of the derivative of an order over a part, n (n - 1) (B_i+2 - 2 B_i+1 + B_i) or n (B_i+1 - B_i), and the radius of
+/// the ball round it that holds all values.
+fn derivative_range(part: &Part, order: usize) -> (DVec3, f64) {
+    let mut derived = part.controls;
+    (0..order).for_each(|_| derived.derive());
+    if derived.is_empty() {
+        return (DVec3::ZERO, 0.0);
+    }
+    let mean = derived.iter().sum::<DVec3>() / derived.len() as f64;
+    (mean, derived.iter().map(|v| v.distance(mean)).fold(0.0, f64::max))
+}
+
+/// Whether the hulls are farther apart than `within`.
+fn apart(a: &[DVec3], b: &[DVec3], within: f64) -> bool {
+    if !Aabb::of(a).is_within(&Aabb::of(b), within) {
+        return true;
+    }
+    let (u, v) = (chord(a), chord(b));
+    let normal = u.cross(v).normalize_or_zero();
+    let between = a[0] - b[0];
+    let across = (between - between.dot(u) * u).normalize_or_zero();
+    // The directions are of length 1 but for rounding.
+    let slack = within * (1.0 + 1e-12) + 1e-15;
+    let axes = [normal, u, v, normal.cross(u), normal.cross(v), across];
+    axes.into_iter().any(|axis| axis != DVec3::ZERO && separates(axis, a, b, slack))
+}
+
+/// The number of least distances in a pair, 0 or 1, by bounds of the slopes and the Hessian of |A(s) - B(t)|^2 / 2 all over it;
+/// `None` if they prove neither.
+fn count_minima(p: &Part, q: &Part) -> Option<usize> {
+    let [(here, r), (there, rr)] = [p, q].map(|part| derivative_range(part, 0));
+    let [(a, ra), (b, rb)] = [p, q].map(|part| derivative_range(part, 1));
+    let [(aa, raa), (bb, rbb)] = [p, q].map(|part| derivative_range(part, 2));
+    let (gap, spread) = (here - there, r + rr);
+    // A bound of the difference of products from that of the means.
+    let slack = |x: DVec3, rx: f64, y: DVec3, ry: f64| x.length() * ry + y.length() * rx + rx * ry;
+    let sign = |slope: f64, slack: f64| if slope > slack { 1 } else { -i32::from(slope < -slack) };
+    let signs = [sign(gap.dot(a), slack(gap, spread, a, ra)), sign(-gap.dot(b), slack(gap, spread, b, rb))];
+    // The function falls towards one end, which is an end of the segment.
+    let held = |k: usize, part: &Part| (signs[k] > 0 && part.from == 0.0) || (signs[k] < 0 && part.to == 1.0);
+    let held = [held(0, p), held(1, q)];
+    if (0..2).any(|k| signs[k] != 0 && !held[k]) {
+        return Some(0);
+    }
+    let x = a.length_squared() + gap.dot(aa) - slack(a, ra, a, ra) - slack(gap, spread, aa, raa);
+    let y = b.length_squared() - gap.dot(bb) - slack(b, rb, b, rb) - slack(gap, spread, bb, rbb);
+    let z = a.dot(b).abs() + slack(a, ra, b, rb);
+    // Where the Hessian is indefinite, there is no least distance but at ends of segments.
+    let inner = [p, q].iter().all(|part| part.from > 0.0 && part.to < 1.0);
+    let [max_x, max_y] = [
+        a.length_squared() + gap.dot(aa) + slack(a, ra, a, ra) + slack(gap, spread, aa, raa),
+        b.length_squared() - gap.dot(bb) + slack(b, rb, b, rb) + slack(gap, spread, bb, rbb),
+    ];
+    let min_z = (a.dot(b).abs() - slack(a, ra, b, rb)).max(0.0);
+    if inner && (max_x < 0.0 || max_y < 0.0 || max_x * max_y < min_z * min_z) {
+        return Some(0);
+    }
+    let convex = x > 0.0 && y > 0.0 && x * y > z * z * (1.0 + 1e-9);
+    let at_end = (held[0] && (y > 0.0 || held[1])) || (held[1] && x > 0.0);
+    (convex || at_end).then_some(1)
+}
+
+/// Minimises |A - B|^2 / 2 within a box by steps of Newton and of Gauss and Newton; the place and the gradient there.
+fn descend(whole: [&[DVec3]; 2], start: DVec2, low: DVec2, high: DVec2) -> (DVec2, DVec2) {
+    let jets = |at: DVec2| (jet::<3>(whole[0], at.x), jet::<3>(whole[1], at.y));
+    let mut at = start.clamp(low, high);
+    let (mut a, mut b) = jets(at);
+    let slope = |a: &[DVec3; 3], b: &[DVec3; 3]| {
+        let gap = a[0] - b[0];
+        DVec2::new(gap.dot(a[1]), -gap.dot(b[1]))
+    };
+    for _ in 0..50 {
+        let (gap, gradient) = (a[0] - b[0], slope(&a, &b));
+        let held = |k: usize| (at[k] <= low[k] && gradient[k] > 0.0) || (at[k] >= high[k] && gradient[k] < 0.0);
+        let (mixed, gauss) = (-a[1].dot(b[1]), [a[1].length_squared(), b[1].length_squared()]);
+        let full = [gauss[0] + gap.dot(a[2]), gauss[1] - gap.dot(b[2])];
+        let solve = |[x, y]: [f64; 2]| match (held(0), held(1)) {
+            (false, false) => {
+                let determinant = x * y - mixed * mixed;
+                (x > 0.0 && determinant > 1e-14 * x * y).then(|| {
+                    DVec2::new(gradient.x * y - gradient.y * mixed, gradient.y * x - gradient.x * mixed) / determinant
+                })
+            }
+            (false, true) => (x > 0.0).then(|| DVec2::new(gradient.x / x, 0.0)),
+            (true, false) => (y > 0.0).then(|| DVec2::new(0.0, gradient.y / y)),
+            (true, true) => None,
+        };
+        // Newton's step, or where that does not descend Gauss and Newton's, which along valleys is damped.
+        let shorter = |step: DVec2| {
+            let lengths = [1.0, 0.25, 0.0625, 0.015_625, 0.004];
+            lengths.into_iter().map(move |length| (at - length * step).clamp(low, high))
+        };
+        let steps = [full, gauss.map(|x| 1.000_001 * x), gauss.map(|x| 1.2 * x)].into_iter().filter_map(solve);
+        let next = steps.filter(|step| step.is_finite()).flat_map(shorter).find_map(|there| {
+            let (p, q) = jets(there);
+            let down = there != at && p[0].distance_squared(q[0]) < gap.length_squared();
+            down.then_some((there, p, q))
+        });
+        let Some((there, p, q)) = next else { break };
+        (at, a, b) = (there, p, q);
+    }
+    (at, slope(&a, &b))
+}
