@@ -1,19 +1,22 @@
 //! The frame of outlines: curves across and curves along a body, through a common grid of nodes.
 //!
-//! What the paper is for: a body is described by its cross sections, closed outlines one behind another, and by curves along
+//! The paper's application: a body is described by its cross sections, closed outlines one behind another, and by curves along
 //! it. Both families pass the same nodes, so they meet there. From the curves along come cross sections at any plane.
 //!
+//! * options: [`Correspondence`] of points, and the options of the curves.
 //! * correspond: the nodes; which points of one section belong to which of the next.
 //! * [`frame`](frame()): the curves through them.
-//! * slice: new sections, and how girth and area change along the body.
+//! * slice: new sections, and girth and area along the body.
 //!
 //! Nodes come row by row, a row for each section: the layout of regular nets, H rows of W nodes.
 //!
 //! Source: Nadopta, introduction; the correspondences are ours.
 
 mod correspond;
+mod options;
 mod slice;
 
+pub use options::{Correspondence, FrameOptions};
 pub use slice::{Measure, Slice, measures, slice};
 
 use crate::outline::identify::{Fit, Options, Outlines, Points, fit};
@@ -23,51 +26,6 @@ use crate::error::{Error, Result};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use glam::DVec3;
-
-/// Which points of the sections belong together.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Correspondence<'a> {
-    /// The points themselves, by their places: all sections have equally many.
-    Given,
-    /// Equal parts of the arc length of each section from its first point on; a section that runs the other way round than
-    /// the first one is taken backwards.
-    ArcLength {
-        /// The number of nodes in a section.
-        columns: usize,
-    },
-    /// Equal angles round an axis: nodes where the half-planes from the axis meet each section, the farthest where there are
-    /// several.
-    Angle {
-        /// The number of nodes in a section.
-        columns: usize,
-        /// A point of the axis.
-        point: DVec3,
-        /// Its direction; seen against it angles grow counter-clockwise.
-        direction: DVec3,
-        /// Towards the nodes of column 0; any vector not along the axis.
-        reference: DVec3,
-    },
-    /// Landmarks: points of each section that belong together, and equal parts of the arc length between them.
-    Landmarks {
-        /// For each section its landmarks in order, as places among its own points; as many for each.
-        points: &'a [u32],
-        /// How many parts there are from each landmark to the next.
-        parts: usize,
-    },
-}
-
-/// How a frame is made.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrameOptions<'a> {
-    /// Which points of the sections belong together.
-    pub correspondence: Correspondence<'a>,
-    /// How the curves across are made, those of the given sections too.
-    pub across: Options,
-    /// How the curves along are made.
-    pub along: Options,
-    /// The last section is followed by the first one, as in a ring.
-    pub ring: bool,
-}
 
 /// The nodes of a frame.
 #[derive(Debug, Clone, PartialEq)]

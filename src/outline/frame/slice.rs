@@ -1,12 +1,11 @@
-//! New sections of a frame, and what sections measure.
+//! New sections of a frame by planes, and the girth, area and centre of sections.
 
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::scale::common_unit;
 use crate::job::Job;
 use crate::outline::curve::{CurveView, Place};
-use crate::outline::identify::{Fit, fit};
-use crate::outline::identify::{Options, Outlines, Points};
+use crate::outline::identify::{Fit, Options, Outlines, Points, fit};
 use glam::DVec3;
 
 /// A section of a frame by a plane.
@@ -24,7 +23,7 @@ pub struct Slice {
 /// order of the columns, `closed` or not. O(segments) for crossings.
 ///
 /// # Errors [`Error::OptionOutOfRange`] (the normal), [`Error::NotFinite`] (point 0 is `point`, 1 is `normal`),
-/// [`Error::NoNode`] (section 0, and the curve that the plane does not cross), those of [`fit`](super::super::fit()).
+/// [`Error::NoNode`] (section 0, and the curve that the plane does not cross), those of [`fit`](crate::outline::fit()).
 pub fn slice(
     along: &Fit,
     point: DVec3,
@@ -53,7 +52,7 @@ pub fn slice(
     Ok(Slice { curve: fit(&outline, options, job)?, places, ambiguous })
 }
 
-/// What a section measures.
+/// The measures of a section.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measure {
     /// Its length: of a closed section all round.
@@ -77,9 +76,10 @@ impl Measure {
         let unit = common_unit(curve.points());
         for k in 0..curve.len() {
             let mut before = DVec3::ZERO;
-            for i in 0..=STEPS {
-                let p =
-                    curve.point(Place { segment: k as u32, t: f64::from(i) / f64::from(STEPS) })? / unit - start / unit;
+            for i in 0..=CHORDS_PER_SEGMENT {
+                let p = curve.point(Place { segment: k as u32, t: f64::from(i) / f64::from(CHORDS_PER_SEGMENT) })?
+                    / unit
+                    - start / unit;
                 if i > 0 {
                     let length = before.distance(p);
                     weighted += before.midpoint(p) * length;
@@ -93,8 +93,8 @@ impl Measure {
     }
 }
 
-/// Chords that a segment is measured by for its centre.
-const STEPS: u32 = 16;
+/// The chords of a segment by which its centre is measured.
+const CHORDS_PER_SEGMENT: u32 = 16;
 
 /// Measures the sections of a frame by planes through some points across `normal`: girth and area along a body.
 ///

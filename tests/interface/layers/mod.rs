@@ -23,14 +23,12 @@ const LAYERS: [&[&str]; 10] = [
 ];
 
 /// Folders that still have circles: this list only gets shorter.
-const KNOWN: [&str; 13] = [
+const KNOWN: [&str; 11] = [
     "ffi",
     "ffi/net",
     "ffi/openmfx",
     "ffi/plugin",
     "filters",
-    "outline",
-    "outline/frame",
     "surface",
     "surface/contour",
     "surface/index",

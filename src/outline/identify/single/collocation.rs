@@ -13,6 +13,9 @@ use crate::outline::identify::method::Method;
 use crate::outline::identify::subcurve::{PointResult, Subcurve};
 use glam::DVec3;
 
+/// The distance from its points, in sizes of the outline, beyond which a curve does not pass them.
+pub(super) const MAX_MISS: f64 = 1e-12;
+
 /// The unknowns and the memory to find them in: all for the points of the subcurve, the first once more at the end of a closed
 /// one.
 #[derive(Default)]

@@ -10,8 +10,7 @@
 //!
 //! Source: Nadopta for the sweeps; that the crossing does not depend on lambda_i, and Newton's method, are ours.
 
-use super::MAX_MISS;
-use super::collocation::{Collocation, bernstein};
+use super::collocation::{Collocation, MAX_MISS, bernstein};
 use crate::error::Result;
 use crate::outline::curve::segment;
 use crate::outline::identify::options::Solver;

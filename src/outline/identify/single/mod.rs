@@ -23,13 +23,11 @@ use super::subcurve::{PointResult, Subcurve};
 use crate::error::Result;
 use crate::outline::curve::{MAX_DEGREE, Place};
 pub(super) use collocation::Collocation;
+use collocation::MAX_MISS;
 use glam::DVec3;
 
 /// The distance of a control point from its point, in sizes of the outline, that shows nearly singular equations.
 const MAX_CONTROL_DISTANCE: f64 = 2.0;
-
-/// The distance from its points, in sizes, at which a curve is none of theirs.
-const MAX_MISS: f64 = 1e-12;
 
 /// The distance from the curve, in sizes, at which rounding has made it miss a point.
 const MAX_ROUNDING: f64 = 1e-14;

@@ -1,0 +1,49 @@
+//! The options of a frame.
+
+use crate::outline::identify::Options;
+use glam::DVec3;
+
+/// Which points of the sections belong together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Correspondence<'a> {
+    /// The points themselves, by their places: all sections have equally many.
+    Given,
+    /// Equal parts of the arc length of each section from its first point on; a section that runs the other way round than
+    /// the first one is taken backwards.
+    ArcLength {
+        /// The number of nodes in a section.
+        columns: usize,
+    },
+    /// Equal angles round an axis: nodes where the half-planes from the axis meet each section, the farthest where there are
+    /// several.
+    Angle {
+        /// The number of nodes in a section.
+        columns: usize,
+        /// A point of the axis.
+        point: DVec3,
+        /// Its direction; seen against it angles grow counter-clockwise.
+        direction: DVec3,
+        /// Towards the nodes of column 0; any vector not along the axis.
+        reference: DVec3,
+    },
+    /// Landmarks: points of each section that belong together, and equal parts of the arc length between them.
+    Landmarks {
+        /// For each section its landmarks in order, as places among its own points; as many for each.
+        points: &'a [u32],
+        /// How many parts there are from each landmark to the next.
+        parts: usize,
+    },
+}
+
+/// The options of a frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrameOptions<'a> {
+    /// Which points of the sections belong together.
+    pub correspondence: Correspondence<'a>,
+    /// Of the curves across, those of the given sections too.
+    pub across: Options,
+    /// Of the curves along.
+    pub along: Options,
+    /// The last section is followed by the first one, as in a ring.
+    pub ring: bool,
+}
