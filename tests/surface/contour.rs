@@ -4,7 +4,7 @@ use crate::contours::{check, length, surface};
 use crate::shapes::{Random, SHAPES, Shape, grid, torus};
 use glam::DVec3;
 use gusset::Job;
-use gusset::surface::contour::{PointSpacing, Planes};
+use gusset::surface::contour::{Planes, PointSpacing};
 use gusset::surface::{Grid, Nodes, Paths, Scheme, Sheet, Surface};
 use gusset::{Element, Error, Progress};
 use std::collections::HashMap;
@@ -256,7 +256,8 @@ fn lines_of_the_surface_and_tangent_planes() {
     let sheet = Grid::new(Nodes::strided(flat, 5, 6, 0, 0).unwrap(), [false; 2], Scheme::SixTap).unwrap();
     let surface = Surface::new(vec![Sheet::Grid(sheet)], None, &job).unwrap();
     let normal = DVec3::new(0.0, 0.0, 3.0);
-    let paths = surface.section(&Planes { point: DVec3::ZERO, normal, offsets: &[0.25] }, PointSpacing::Auto, &job).unwrap();
+    let paths =
+        surface.section(&Planes { point: DVec3::ZERO, normal, offsets: &[0.25] }, PointSpacing::Auto, &job).unwrap();
     assert_eq!((paths.len(), paths.unresolved.len()), (0, 20));
 }
 
@@ -402,7 +403,10 @@ fn what_is_refused() {
     assert_eq!((plane(DVec3::ZERO, DVec3::Z, &[]), plane(DVec3::ZERO, DVec3::Z, &[1e300])), (Ok(0), Ok(0)));
     assert_eq!(plane(DVec3::ZERO, 1e-300 * DVec3::Z, &[0.01]), plane(DVec3::ZERO, 1e300 * DVec3::Z, &[0.01]));
     let values = vec![0.5; 41 * 53];
-    assert!(matches!(surface.contours(&values[1..], &[0.1], PointSpacing::Auto, &job), Err(Error::ArrayTooShort { .. })));
+    assert!(matches!(
+        surface.contours(&values[1..], &[0.1], PointSpacing::Auto, &job),
+        Err(Error::ArrayTooShort { .. })
+    ));
     let mut bad = values.clone();
     bad[77] = f64::NAN;
     assert!(matches!(

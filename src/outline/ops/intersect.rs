@@ -4,9 +4,9 @@ use super::part::{Part, sort_distinct};
 use super::segment_intersection::{
     BOX_SLACK, Joined, MAX_COMMON_DISTANCE, SAME_PARAMETER, SegmentIntersections, advances, intersect,
 };
-use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::alloc;
 use crate::error::Result;
+use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, Place};

@@ -15,12 +15,12 @@
 
 use super::intersect::Overlap;
 use super::part::{Part, chord, halve, separates, sort_distinct};
-use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::subdivision::{
     BoxTest, Limits, Stack, Subdivision, UnresolvedBox, UnresolvedCluster, cluster, subdivide,
 };
+use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
 use crate::outline::curve::segment::{self, SegmentBuffer, jet};
 use crate::outline::curve::unit_frame::UnitFrame;
@@ -145,7 +145,9 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
             Some(_) => BoxTest::Unique(()),
             None => {
                 let short = [p, q].map(|part| part.to - part.from <= MIN_PART_LENGTH);
-                let larger = || usize::from(Aabb::of(&p.controls).size().max_element() < Aabb::of(&q.controls).size().max_element());
+                let larger = || {
+                    usize::from(Aabb::of(p.controls.iter()).size().max_element() < Aabb::of(q.controls.iter()).size().max_element())
+                };
                 match short {
                     [true, true] => BoxTest::Unresolved,
                     [false, true] => BoxTest::Undecided(0),

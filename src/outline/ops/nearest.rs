@@ -5,10 +5,10 @@
 //! of all.
 
 use super::cubic;
-use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::alloc;
 use crate::error::{Error, Result};
 use crate::geom::bernstein::{MAX_COEFFICIENTS, add_product, roots};
+use crate::geom::{Aabb, box_tree::BoxTree};
 use crate::job::Job;
 use crate::outline::curve::unit_frame::UnitFrame;
 use crate::outline::curve::{CurveView, MAX_DEGREE, Place, check_finite, segment};

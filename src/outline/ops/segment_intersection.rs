@@ -18,9 +18,9 @@
 
 use super::nearest::nearest_on;
 use super::part::{Part, chord, halve, separates};
-use crate::geom::Aabb;
 use crate::alloc;
 use crate::error::{Error, Result};
+use crate::geom::Aabb;
 use crate::geom::subdivision::{BoxTest, Limits, Stack, Subdivision, subdivide};
 use crate::outline::curve::segment::{self, SegmentBuffer, jet};
 use glam::DVec3;
@@ -139,7 +139,7 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_> {
         if once && let Some(at) = newton(a, b, p, q) {
             return Ok(BoxTest::Unique(at));
         }
-        let sizes = [Aabb::of(&p.controls).size().max_element(), Aabb::of(&q.controls).size().max_element()];
+        let sizes = [Aabb::of(p.controls.iter()).size().max_element(), Aabb::of(q.controls.iter()).size().max_element()];
         if sizes[0].max(sizes[1]) > MIN_PART_SIZE {
             return Ok(BoxTest::Undecided(usize::from(sizes[0] < sizes[1])));
         }
