@@ -160,7 +160,7 @@ TEST_CASE("the normals of a sphere are its radii") {
     const Net net = Net::from_primitive(shape.with(gusset::Scalar::f32));
     const Net exact = Net::from_primitive(shape);
     const auto normals = net.normals<float>();
-    CHECK(normals.without == 0);
+    CHECK(normals.missing_count == 0);
     double worst = 0.0;
     for (std::size_t i = 0; i < net.rows(); ++i) {
         for (std::size_t j = 0; j < net.columns(); ++j) {

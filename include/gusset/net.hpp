@@ -418,7 +418,7 @@ public:
         detail::require_scalar<T>(view());
         const std::size_t count = node_count();
         NetNormals<T> found{std::vector<T>(count), std::vector<T>(count), std::vector<T>(count)};
-        context.call(gusset_net_normals, get(), found.x.data(), found.y.data(), found.z.data(), count, &found.without);
+        context.call(gusset_net_normals, get(), found.x.data(), found.y.data(), found.z.data(), count, &found.missing_count);
         return found;
     }
 

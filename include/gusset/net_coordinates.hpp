@@ -47,7 +47,7 @@ struct NetNormals {
     /// The coordinates of the normals, row after row.
     std::vector<T> x, y, z;
     /// The number of nodes without a normal, which get zeros.
-    uint64_t without = 0;
+    uint64_t missing_count = 0;
 };
 
 /// Heights over a grid; see gusset_heights.
