@@ -28,7 +28,8 @@ pub(crate) fn filled_cancellable<T: Clone>(value: T, len: usize, job: &Job<'_>, 
     Ok(vec)
 }
 
-/// A vector of `len` zeros, whose memory is touched only when it is used: by the thread that uses it.
+/// A vector of `len` zeros, whose memory is touched only when it is used: by the thread that uses
+/// it.
 pub(crate) fn zeroed<T: bytemuck::Zeroable>(len: usize) -> Result<Vec<T>> {
     let bytes = (len as u64).saturating_mul(size_of::<T>() as u64);
     bytemuck::allocation::try_zeroed_vec(len).map_err(|()| Error::OutOfMemory { bytes })

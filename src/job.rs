@@ -4,12 +4,13 @@ use crate::error::{Error, Result};
 use std::ops::{ControlFlow, Range};
 
 /// Elements of simple work that are done within a few milliseconds.
-const AT_ONCE: usize = 1 << 19;
+const ELEMENTS_PER_REPORT: usize = 1 << 19;
 
 /// Receives progress and notes. All calls come from the thread that started the computation.
 pub trait Progress {
-    /// `fraction` of the whole is done (0 to 1, never decreasing within a call of the library) and `stage` begins or
-    /// goes on. `Break` cancels: the computation returns [`Error::Cancelled`] soon after.
+    /// `fraction` of the whole is done (0 to 1, never decreasing within a call of the library) and
+    /// `stage` begins or goes on. `Break` cancels: the computation returns [`Error::Cancelled`]
+    /// soon after.
     fn step(&self, fraction: f64, stage: &'static str) -> ControlFlow<()>;
 
     /// Something the caller may want to know that is no failure.
@@ -35,7 +36,8 @@ pub struct Job<'a> {
 }
 
 impl<'a> Job<'a> {
-    /// `threads`: 0 for as many as the machine has, 1 for the calling thread only. The result does not depend on it.
+    /// `threads`: 0 for as many as the machine has, 1 for the calling thread only. The result does
+    /// not depend on it.
     pub fn new(threads: usize, progress: &'a dyn Progress) -> Self {
         Job { threads, progress, from: 0.0, to: 1.0 }
     }
@@ -67,16 +69,17 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Does work of `len` elements, so many at a time that no host waits, and reports before each time.
+    /// Does work of `len` elements, so many at a time that no host waits, and reports before each
+    /// time.
     pub(crate) fn ranges(
         &self,
         stage: &'static str,
         len: usize,
         mut work: impl FnMut(Range<usize>) -> Result<()>,
     ) -> Result<()> {
-        for start in (0..len).step_by(AT_ONCE) {
+        for start in (0..len).step_by(ELEMENTS_PER_REPORT) {
             self.step(start as f64 / len as f64, stage)?;
-            work(start..len.min(start + AT_ONCE))?;
+            work(start..len.min(start + ELEMENTS_PER_REPORT))?;
         }
         Ok(())
     }

@@ -1,8 +1,8 @@
 //! Work on many threads whose result does not depend on their number.
 //!
-//! The work is cut into items that do not depend on the number of threads, and the results come back in the order of the
-//! items: whatever is reduced over them is reduced in the same order on one thread and on a hundred. No thread outlives the
-//! call.
+//! The work is cut into items that do not depend on the number of threads, and the results come
+//! back in the order of the items: whatever is reduced over them is reduced in the same order on
+//! one thread and on a hundred. No thread outlives the call.
 
 use crate::error::Result;
 use crate::job::Job;
@@ -26,8 +26,9 @@ pub(crate) fn map<T: Send, R: Send>(
     }
 }
 
-/// [`map`] that the host can cancel: the calling thread reports progress before each item that it takes, and once the host
-/// cancels no thread takes another. Items should be large enough to be worth a report and small enough not to delay one.
+/// [`map`] that the host can cancel: the calling thread reports progress before each item that it
+/// takes, and once the host cancels no thread takes another. Items should be large enough to be
+/// worth a report and small enough not to delay one.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled).
@@ -42,8 +43,8 @@ pub(crate) fn map_cancellable<T: Send, R: Send>(
     run_ordered(job.threads(), items, work, |i| job.step(i as f64 / count, stage))
 }
 
-/// The engine of [`map`]: results in the order of the items. `before` is called on this thread with the number of each item
-/// that it takes.
+/// The engine of [`map`]: results in the order of the items. `before` is called on this thread with
+/// the number of each item that it takes.
 fn run_ordered<T: Send, R: Send, E>(
     threads: usize,
     items: impl ExactSizeIterator<Item = T> + Send,
@@ -116,7 +117,8 @@ fn ranges(len: usize, chunk: usize) -> impl ExactSizeIterator<Item = Range<usize
     (0..len.div_ceil(chunk)).map(move |i| i * chunk..len.min((i + 1) * chunk))
 }
 
-/// How many threads `threads` stands for (0: as many as the machine has), but at most `limit`, and at least 1.
+/// How many threads `threads` stands for (0: as many as the machine has), but at most `limit`, and
+/// at least 1.
 pub(crate) fn at_most(limit: usize, threads: usize) -> usize {
     match threads {
         // Asking the system takes longer than a small job.

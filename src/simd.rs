@@ -1,14 +1,14 @@
 //! Kernels: loops over slices, compiled for wider vectors too and chosen at run time.
 //!
-//! A kernel is written as plain arithmetic. The compiler neither reorders nor fuses floating point operations, whatever
-//! vectors it may use, so that all ways through here give the same bits.
+//! A kernel is written as plain arithmetic. The compiler neither reorders nor fuses floating point
+//! operations, whatever vectors it may use, so that all ways through here give the same bits.
 //!
-//! What the compiler needs to see in such a loop: slices of one length that are arguments of a function, as only those
-//! are known not to overlap; no calls that are not inlined; and sums, which it may not reorder, written as several side
-//! by side.
+//! What the compiler needs to see in such a loop: slices of one length that are arguments of a
+//! function, as only those are known not to overlap; no calls that are not inlined; and sums, which
+//! it may not reorder, written as several side by side.
 
-/// A loop over slices. `run` must be `#[inline(always)]`, and so must be what it calls: code that is not inlined is
-/// compiled for the narrow vectors only.
+/// A loop over slices. `run` must be `#[inline(always)]`, and so must be what it calls: code that
+/// is not inlined is compiled for the narrow vectors only.
 pub(crate) trait Kernel {
     /// What it returns.
     type Output;

@@ -7,9 +7,10 @@ use std::cmp::Ordering;
 use std::ops::Range;
 
 /// Elements sorted between two progress reports.
-const PART: usize = 1 << 16;
+const ELEMENTS_PER_REPORT: usize = 1 << 16;
 
-/// Sorts in place, unstably: `compare` must be a total order without ties for results to be deterministic.
+/// Sorts in place, unstably: `compare` must be a total order without ties for results to be
+/// deterministic.
 ///
 /// # Errors
 /// [`Error::Cancelled`](crate::Error::Cancelled); the elements are then in some order.
@@ -25,7 +26,7 @@ pub(crate) fn sort<T>(
     let mut done = 0;
     while let Some(part) = parts.pop() {
         job.step(done as f64 / whole, stage)?;
-        if part.len() <= PART {
+        if part.len() <= ELEMENTS_PER_REPORT {
             part.sort_unstable_by(&compare);
             done += part.len();
         } else {
@@ -38,8 +39,8 @@ pub(crate) fn sort<T>(
     Ok(())
 }
 
-/// Brings the number that `middle` numbers precede by key to its place, and those that precede it before it; of equal keys the
-/// smaller numbers come first. O(n).
+/// Brings the number that `middle` numbers precede by key to its place, and those that precede it
+/// before it; of equal keys the smaller numbers come first. O(n).
 pub(crate) fn select(numbers: &mut [u32], middle: usize, key: impl Fn(u32) -> f64) {
     numbers.select_nth_unstable_by(middle, |&i, &j| key(i).total_cmp(&key(j)).then(i.cmp(&j)));
 }
@@ -53,10 +54,11 @@ pub(crate) struct Buckets<T> {
 }
 
 impl<T: Copy> Buckets<T> {
-    /// Puts items, fewer than 2^32, each into the bucket named with it, of `count`; within a bucket they keep their order.
-    /// `blank` fills memory until then. O(items + count).
+    /// Puts items, fewer than 2^32, each into the bucket named with it, of `count`; within a bucket
+    /// they keep their order. `blank` fills memory until then. O(items + count).
     pub(crate) fn new(count: usize, blank: T, given: impl Iterator<Item = (usize, T)> + Clone) -> Result<Self> {
-        // Counted two buckets further on, so that the sums are the starts of buckets one further on while they are filled.
+        // Counted two buckets further on, so that the sums are the starts of buckets one further on
+        // while they are filled.
         let mut start = alloc::filled(0u32, count + 2)?;
         given.clone().for_each(|(bucket, _)| start[bucket + 2] += 1);
         for bucket in 2..count + 2 {
@@ -117,7 +119,7 @@ mod tests {
 
     #[test]
     fn the_same_as_in_one_go() {
-        for count in [0, 1, 2, 1000, 3 * PART as u64 + 17] {
+        for count in [0, 1, 2, 1000, 3 * ELEMENTS_PER_REPORT as u64 + 17] {
             let (mut ours, mut plain) = (numbers(count), numbers(count));
             sort(&mut ours, u64::cmp, &Job::default(), "sorting").unwrap();
             plain.sort_unstable();
@@ -166,7 +168,7 @@ mod tests {
             }
         }
         let counter = Counter(Cell::new(0));
-        let done = sort(&mut numbers(4 * PART as u64), u64::cmp, &Job::new(1, &counter), "sorting");
+        let done = sort(&mut numbers(4 * ELEMENTS_PER_REPORT as u64), u64::cmp, &Job::new(1, &counter), "sorting");
         assert_eq!((done, counter.0.get()), (Err(crate::Error::Cancelled), 5));
     }
 }

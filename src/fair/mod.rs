@@ -1,9 +1,11 @@
-//! Thin-plate fairing: some vertices of a triangle patch move so that the patch bends as little as possible, the rest stay.
+//! Thin-plate fairing: some vertices of a triangle patch move so that the patch bends as little as
+//! possible, the rest stay.
 //!
-//! Source: M. Botsch, L. Kobbelt, *An intuitive framework for real-time freeform modeling* (2004), and P. Liepa, *Filling holes
-//! in meshes* (2003), section 5, which both minimise the thin-plate energy, the sum over vertices of the squared Laplacian. Its
-//! minimum solves the bi-Laplacian equation; with two rows of fixed vertices round the free ones, the rim and the old vertices
-//! next to it, the new surface leaves the old one without a crease.
+//! Source: M. Botsch, L. Kobbelt, *An intuitive framework for real-time freeform modeling* (2004),
+//! and P. Liepa, *Filling holes in meshes* (2003), section 5, which both minimise the thin-plate
+//! energy, the sum over vertices of the squared Laplacian. Its minimum solves the bi-Laplacian
+//! equation; with two rows of fixed vertices round the free ones, the rim and the old vertices next
+//! to it, the new surface leaves the old one without a crease.
 //!
 //! | file | what it does |
 //! |---|---|

@@ -1,9 +1,11 @@
 //! An order of the unknowns that keeps the factor sparse: nested dissection.
 //!
-//! Source: A. George, *Nested dissection of a regular finite element mesh* (1973). The unknowns are halved by a plane; those of
-//! one half that the equations couple with the other half are the separator and come last, and the halves, which have nothing
-//! to do with each other any more, are halved in turn. On a surface the factor of n unknowns gets O(n log n) entries and costs
-//! O(n^1.5) operations; on a strip, whose separators are short, both are linear but for the logarithm of its width.
+//! Source: A. George, *Nested dissection of a regular finite element mesh* (1973). The unknowns are
+//! halved by a plane; those of one half that the equations couple with the other half are the
+//! separator and come last, and the halves, which have nothing to do with each other any more, are
+//! halved in turn. On a surface the factor of n unknowns gets O(n log n) entries and costs O(n^1.5)
+//! operations; on a strip, whose separators are short, both are linear but for the logarithm of its
+//! width.
 
 use super::rings::Rings;
 use crate::alloc;
@@ -13,17 +15,18 @@ use crate::sort::select;
 use glam::DVec3;
 
 /// Parts of at most this many unknowns are not halved.
-const LEAF: usize = 24;
+const MAX_LEAF_UNKNOWNS: usize = 24;
 
-/// Puts the vertices in `order`, all of them unknowns, into the order of elimination. Two are coupled if a row of `rings` that
-/// `is_row` holds both. O(n log n); extra memory: 5 bytes a vertex of the patch.
+/// Puts the vertices in `order`, all of them unknowns, into the order of elimination. Two are
+/// coupled if a row of `rings` that `is_row` holds both. O(n log n); extra memory: 5 bytes a vertex
+/// of the patch.
 pub(super) fn dissect(order: &mut [u32], points: &[DVec3], rings: &Rings, is_row: &[bool]) -> Result<()> {
-    let mut halving = Halving { points, rings, is_row, stamp: alloc::filled(0u32, points.len())?, part: 0 };
-    halving.halve(order);
+    let mut dissection = Dissection { points, rings, is_row, stamp: alloc::filled(0u32, points.len())?, part: 0 };
+    dissection.halve(order);
     Ok(())
 }
 
-struct Halving<'a> {
+struct Dissection<'a> {
     points: &'a [DVec3],
     rings: &'a Rings,
     is_row: &'a [bool],
@@ -32,9 +35,9 @@ struct Halving<'a> {
     part: u32,
 }
 
-impl Halving<'_> {
+impl Dissection<'_> {
     fn halve(&mut self, order: &mut [u32]) {
-        if order.len() <= LEAF {
+        if order.len() <= MAX_LEAF_UNKNOWNS {
             return;
         }
         let axis = Aabb::of(order.iter().map(|&v| self.points[v as usize])).size().max_position();

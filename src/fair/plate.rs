@@ -14,23 +14,28 @@ use crate::job::Job;
 use crate::mesh::NONE;
 use glam::DVec3;
 
-/// Moves the `free` vertices of a patch to where the sum over all `centres` v of |L x(v)|^2 is least; the others stay.
+/// Moves the `free` vertices of a patch to where the sum over all `centres` v of |L x(v)|^2 is
+/// least; the others stay.
 ///
-/// For a crease-free seam the centres are the free vertices and those fixed ones that border on a free one, each with its whole
-/// one-ring in `triangles`, old neighbours included. A vertex stays where it is if no chain of free vertices connects it with a
-/// fixed one, or if the equations do not determine its place.
+/// For a crease-free seam the centres are the free vertices and those fixed ones that border on a
+/// free one, each with its whole one-ring in `triangles`, old neighbours included. A vertex stays
+/// where it is if no chain of free vertices connects it with a fixed one, or if the equations do
+/// not determine its place.
 ///
-/// `layout`: places of the vertices by which they are put in order, near each other where they are neighbours and spread
-/// evenly; `None` for the points themselves. The result does not depend on it but for round-off; time and memory do.
+/// `layout`: places of the vertices by which they are put in order, near each other where they are
+/// neighbours and spread evenly; `None` for the points themselves. The result does not depend on it
+/// but for round-off; time and memory do.
 ///
-/// The displacement y of the free vertices solves A y = -G, G being the gradient of the energy where they are now and A its
-/// second derivative, a sparse matrix that couples vertices with a centre in common.
+/// The displacement y of the free vertices solves A y = -G, G being the gradient of the energy
+/// where they are now and A its second derivative, a sparse matrix that couples vertices with a
+/// centre in common.
 ///
-/// For n free vertices of a patch of T triangles O(T + n log n) and the factor: O(n^1.5) operations and O(n log n) memory, 16
-/// bytes an entry, on a surface patch; nearly linear on a strip.
+/// For n free vertices of a patch of T triangles O(T + n log n) and the factor: O(n^1.5) operations
+/// and O(n log n) memory, 16 bytes an entry, on a surface patch; nearly linear on a strip.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`](crate::Error::OutOfMemory), [`Error::Cancelled`](crate::Error::Cancelled).
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory),
+/// [`Error::Cancelled`](crate::Error::Cancelled).
 pub(crate) fn thin_plate(
     points: &mut [DVec3],
     triangles: &[[u32; 3]],
@@ -42,11 +47,11 @@ pub(crate) fn thin_plate(
 ) -> Result<()> {
     job.step(0.0, "fairing")?;
     let unit = common_unit(&*points);
-    // Seen from one of the points, so that a patch far from the origin loses no digits.
+    // Relative to one of the points, so that a patch far from the origin loses no digits.
     let origin = points.first().map_or(DVec3::ZERO, |&p| p / unit);
     let local = alloc::collect(points.iter().map(|&p| p / unit - origin))?;
     let rings = Rings::new(&local, triangles, weights)?;
-    let mut unknowns = held(&rings, free)?;
+    let mut unknowns = anchored(&rings, free)?;
     dissect(&mut unknowns, layout.unwrap_or(&local), &rings, centres)?;
     let (matrix, mut moves) = equations(&local, &rings, &unknowns, centres)?;
     Factor::new(&matrix, &job.part(0.2, 1.0))?.solve(&mut moves);
@@ -60,7 +65,7 @@ pub(crate) fn thin_plate(
 }
 
 /// The free vertices that a chain of free vertices connects with a fixed one.
-fn held(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
+fn anchored(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
     let mut found = alloc::filled(false, free.len())?;
     let mut list = alloc::with_capacity(free.len())?;
     let neighbours = |v: u32| rings.ring(v as usize).iter().map(|&(w, _)| w as usize);
@@ -83,7 +88,8 @@ fn held(rings: &Rings, free: &[bool]) -> Result<Vec<u32>> {
     Ok(list)
 }
 
-/// The second derivative of the energy, in the order of `unknowns`, and less its gradient; both halved.
+/// The second derivative of the energy, in the order of `unknowns`, and less its gradient; both
+/// halved.
 fn equations(points: &[DVec3], rings: &Rings, unknowns: &[u32], centres: &[bool]) -> Result<(Symmetric, Vec<DVec3>)> {
     // The Laplacian of each centre, scaled.
     let mut bend = alloc::filled(DVec3::ZERO, points.len())?;

@@ -10,14 +10,16 @@ use glam::DVec3;
 /// The discrete Laplacian L x(v) = s(v) sum over neighbours w of weight(v, w) (x(w) - x(v)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Weights {
-    /// Every neighbour weighs the same. The result depends on the connectivity alone, and vertices spread evenly.
+    /// Every neighbour weighs the same. The result depends on the connectivity alone, and vertices
+    /// spread evenly.
     Uniform,
-    /// The cotangent weights of the triangles as they are, over the vertex's share of the area: the Laplacian of the surface.
-    /// The shape of the result hardly depends on the triangulation.
+    /// The cotangent weights of the triangles as they are, over the vertex's share of the area: the
+    /// Laplacian of the surface. The shape of the result hardly depends on the triangulation.
     Cotangent,
 }
 
-/// The neighbours of every vertex, ascending, with weights that are the same both ways, and each vertex's scale.
+/// The neighbours of every vertex, ascending, with weights that are the same both ways, and each
+/// vertex's scale.
 pub(super) struct Rings {
     start: Vec<u32>,
     entries: Vec<(u32, f64)>,
@@ -27,7 +29,8 @@ pub(super) struct Rings {
     scale: Vec<f64>,
 }
 
-/// Cotangents are kept within these bounds, those of 2.9 and 177.1 degrees: slivers must not outweigh all others.
+/// Cotangents are kept within these bounds, those of 2.9 and 177.1 degrees: slivers must not
+/// outweigh all others.
 const MAX_COTANGENT: f64 = 20.0;
 /// An edge weighs at least this much, so that no vertex is let go by its neighbours.
 const MIN_COTANGENT: f64 = 1e-3;
@@ -35,7 +38,8 @@ const MIN_COTANGENT: f64 = 1e-3;
 const MIN_AREA_SHARE: f64 = 1e-3;
 
 impl Rings {
-    /// O(T) for T triangles, which may repeat vertices or be without area; extra memory: about 100 bytes a triangle.
+    /// O(T) for T triangles, which may repeat vertices or be without area; extra memory: about 100
+    /// bytes a triangle.
     pub(super) fn new(points: &[DVec3], triangles: &[[u32; 3]], weights: Weights) -> Result<Self> {
         let proper = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
         let double_area = |triangle: &[u32; 3]| {
@@ -127,7 +131,8 @@ impl Rings {
     }
 }
 
-/// The cotangent of an angle from the product and the cross product of its legs, kept within bounds.
+/// The cotangent of an angle from the product and the cross product of its legs, kept within
+/// bounds.
 fn cotangent(dot: f64, cross: f64) -> f64 {
     // Not a quotient where the cross product is small or 0.
     if dot.abs() >= MAX_COTANGENT * cross { MAX_COTANGENT.copysign(dot) } else { dot / cross }

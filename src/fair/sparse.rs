@@ -1,16 +1,17 @@
-//! The factor L D L^T of a sparse symmetric matrix that is positive definite but for some of its unknowns.
+//! The factor L D L^T of a sparse symmetric matrix that is positive definite but for some of its
+//! unknowns.
 //!
-//! Source: T. A. Davis, *Algorithm 849: a concise sparse Cholesky factorization package* (2005). Row k of L solves a triangular
-//! system with the rows above it; which columns it has follows from the elimination tree alone. All sums run in one fixed
-//! order, on any machine.
+//! Source: T. A. Davis, *Algorithm 849: a concise sparse Cholesky factorization package* (2005).
+//! Row k of L solves a triangular system with the rows above it; which columns it has follows from
+//! the elimination tree alone. All sums run in one fixed order, on any machine.
 
 use crate::alloc;
 use crate::error::Result;
 use crate::job::Job;
 use glam::DVec3;
 
-/// The upper triangle of a symmetric matrix, column by column: the entries above the diagonal as (row, value), and the
-/// diagonal.
+/// The upper triangle of a symmetric matrix, column by column: the entries above the diagonal as
+/// (row, value), and the diagonal.
 pub(super) struct Symmetric {
     pub(super) start: Vec<usize>,
     pub(super) entries: Vec<(u32, f64)>,
@@ -26,14 +27,14 @@ pub(super) struct Factor {
 
 /// The root of a tree.
 const NONE: u32 = u32::MAX;
-/// A pivot that is this part of its diagonal entry, or less, is rounding.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Pivots up to this share of their diagonal entries are rounding.
+const MIN_RELATIVE_PIVOT: f64 = 4.0 * f64::EPSILON;
 /// Rows between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 10;
 
 impl Factor {
-    /// Factors `matrix`. An unknown whose pivot is not positive is left out: its solution will be 0, and the others are found
-    /// as if its row and column did not exist.
+    /// Factors `matrix`. An unknown whose pivot is not positive is left out: its solution will be
+    /// 0, and the others are found as if its row and column did not exist.
     ///
     /// O(sum of the squares of the columns' lengths); memory: 16 bytes an entry of L, and 36 a row.
     pub(super) fn new(matrix: &Symmetric, job: &Job<'_>) -> Result<Self> {
@@ -65,7 +66,7 @@ impl Factor {
                 end[i] += 1;
             }
             // Not `<=`: a pivot that is no number is left out as well.
-            if pivot > ROUNDING * matrix.diagonal[k] {
+            if pivot > MIN_RELATIVE_PIVOT * matrix.diagonal[k] {
                 factor.inverse[k] = 1.0 / pivot;
             }
         }

@@ -38,8 +38,8 @@ impl Patch {
     }
 }
 
-/// A disk of radius 1 in the plane z = 0: a middle vertex and `rings` rings, ring i of 6 i vertices; all but the last two
-/// rings are free.
+/// A disk of radius 1 in the plane z = 0: a middle vertex and `rings` rings, ring i of 6 i
+/// vertices; all but the last two rings are free.
 fn disk(rings: u32) -> Patch {
     let first = |i: u32| if i == 0 { 0 } else { 3 * i * (i - 1) + 1 };
     let vertex = |i: u32, k: u32| if i == 0 { 0 } else { first(i) + k % (6 * i) };
@@ -104,8 +104,8 @@ fn fixed_vertices_keep_their_bits_and_free_ones_forget_where_they_were() {
     }
 }
 
-/// On a nearly flat disk the energy with cotangent weights is the thin plate's, and biharmonic functions minimise it: second
-/// order in the length of the edges.
+/// On a nearly flat disk the energy with cotangent weights is the thin plate's, and biharmonic
+/// functions minimise it: second order in the length of the edges.
 #[test]
 fn biharmonic_functions_are_found() {
     let height = |p: DVec3| 1e-4 * (p.length_squared() * (p.x + 1.0) + p.x * p.y);
@@ -121,8 +121,8 @@ fn biharmonic_functions_are_found() {
     assert!(errors[0] < 0.03 && errors[1] < errors[0] / 3.0 && errors[2] < errors[1] / 3.0, "{errors:?}");
 }
 
-/// Over a cap of radius R of the unit sphere the biharmonic surface with the sphere's height and slope at the rim is R^4 / 8
-/// off at the most.
+/// Over a cap of radius R of the unit sphere the biharmonic surface with the sphere's height and
+/// slope at the rim is R^4 / 8 off at the most.
 #[test]
 fn a_hole_in_a_sphere_is_domed() {
     for weights in ALL {
@@ -144,7 +144,8 @@ fn a_hole_in_a_sphere_is_domed() {
     }
 }
 
-/// A tube of `around` vertices a row and `rows` rows, of which all but the outer two on each side are free.
+/// A tube of `around` vertices a row and `rows` rows, of which all but the outer two on each side
+/// are free.
 fn tube(around: u32, rows: u32) -> Patch {
     let (mut points, mut triangles, mut free) = (Vec::new(), Vec::new(), Vec::new());
     for row in 0..rows {
@@ -196,7 +197,8 @@ fn symmetric_input_gives_symmetric_output() {
     }
 }
 
-/// At the minimum no vertex can be moved to gain anything. The energy is computed here in its own way.
+/// At the minimum no vertex can be moved to gain anything. The energy is computed here in its own
+/// way.
 #[test]
 fn the_energy_is_least() {
     let mut patch = disk(6);

@@ -22,9 +22,11 @@ const MAX_GRID_CELLS: f64 = 1024.0;
 /// Ears between two progress reports.
 const REPORT_INTERVAL: usize = 1 << 10;
 
-/// Triangulates the loop through `points`; `None` if every ear that is left would have an edge that is `taken`.
+/// Triangulates the loop through `points`; `None` if every ear that is left would have an edge that
+/// is `taken`.
 ///
-/// O(n log n) for n points and the vertices looked at, which are those near each ear; linear memory, about 150 bytes a point.
+/// O(n log n) for n points and the vertices looked at, which are those near each ear; linear
+/// memory, about 150 bytes a point.
 pub(super) fn clip_ears(
     points: &[DVec3],
     taken: &impl Fn(u32, u32) -> bool,

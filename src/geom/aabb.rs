@@ -1,7 +1,7 @@
 //! Axis-aligned bounding boxes, and ranges of numbers.
 //!
-//! The empty box has its low end at +infinity and its high end at -infinity, so that it is neutral in unions and infinitely
-//! far from every point.
+//! The empty box has its low end at +infinity and its high end at -infinity, so that it is neutral
+//! in unions and infinitely far from every point.
 
 use glam::DVec3;
 use std::borrow::Borrow;
@@ -19,7 +19,8 @@ impl Aabb {
     /// The box of no points.
     pub(crate) const EMPTY: Aabb = Aabb { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
-    /// The box of some points, taken in their order: a point that is no number replaces what came before it.
+    /// The box of some points, taken in their order: a point that is no number replaces what came
+    /// before it.
     #[inline]
     pub(crate) fn of(points: impl IntoIterator<Item = impl Borrow<DVec3>>) -> Self {
         points.into_iter().fold(Self::EMPTY, |whole, point| whole.with(*point.borrow()))

@@ -1,8 +1,9 @@
 //! Bounding volume hierarchy over boxes in an order in which neighbours are near each other.
 //!
-//! The tree is the complete binary one over the order, without pointers: node k has the children 2 k and 2 k + 1, and the leaves
-//! are the last nodes, padded by empty boxes to a power of two. Consecutive parts of a curve are neighbours as they come; boxes
-//! without an order get one from [`spatial_order`].
+//! The tree is the complete binary one over the order, without pointers: node k has the children 2
+//! k and 2 k + 1, and the leaves are the last nodes, padded by empty boxes to a power of two.
+//! Consecutive parts of a curve are neighbours as they come; boxes without an order get one from
+//! [`spatial_order`].
 
 use super::Aabb;
 use crate::alloc;
@@ -29,16 +30,16 @@ impl BoxTree {
         Ok(BoxTree { nodes, leaves })
     }
 
-    /// Descends to the leaves whose boxes are nearer to `p` than the best so far, the nearer child first. `leaf` is given the
-    /// leaf, and returns the square of the best distance.
+    /// Descends to the leaves whose boxes are nearer to `p` than the best so far, the nearer child
+    /// first. `leaf` is given the leaf, and returns the square of the best distance.
     pub(crate) fn nearest(&self, p: glam::DVec3, mut best: f64, leaf: &mut impl FnMut(usize) -> f64) {
-        // At most one node a level waits, beside the one at work.
-        let mut waiting = [(0usize, 0.0); 64];
+        // At most one node of each level is on the stack, beside the one at work.
+        let mut stack = [(0usize, 0.0); 64];
         let mut len = 1;
-        waiting[0] = (1, self.nodes[1].distance_squared(p));
+        stack[0] = (1, self.nodes[1].distance_squared(p));
         while len > 0 {
             len -= 1;
-            let (node, distance) = waiting[len];
+            let (node, distance) = stack[len];
             if distance >= best {
                 continue;
             }
@@ -48,20 +49,21 @@ impl BoxTree {
             }
             let [a, b] = [2 * node, 2 * node + 1].map(|k| (k, self.nodes[k].distance_squared(p)));
             let (near, far) = if a.1 <= b.1 { (a, b) } else { (b, a) };
-            waiting[len] = far;
-            waiting[len + 1] = near;
+            stack[len] = far;
+            stack[len + 1] = near;
             len += 2;
         }
     }
 
-    /// Calls `leaf` for the leaves whose boxes come within `slack` of `b` along every axis, in ascending order.
+    /// Calls `leaf` for the leaves whose boxes come within `slack` of `b` along every axis, in
+    /// ascending order.
     pub(crate) fn overlapping(&self, b: &Aabb, slack: f64, mut leaf: impl FnMut(usize) -> Result<()>) -> Result<()> {
-        let mut waiting = [0usize; 64];
+        let mut stack = [0usize; 64];
         let mut len = 1;
-        waiting[0] = 1;
+        stack[0] = 1;
         while len > 0 {
             len -= 1;
-            let node = waiting[len];
+            let node = stack[len];
             if !self.nodes[node].is_within(b, slack) {
                 continue;
             }
@@ -69,16 +71,17 @@ impl BoxTree {
                 leaf(node - self.leaves)?;
                 continue;
             }
-            waiting[len] = 2 * node + 1;
-            waiting[len + 1] = 2 * node;
+            stack[len] = 2 * node + 1;
+            stack[len + 1] = 2 * node;
             len += 2;
         }
         Ok(())
     }
 }
 
-/// An order of boxes in which consecutive runs of `group`, of twice as many and so on lie close together: each part is split
-/// by its boxes' centres along its widest axis, at a multiple of what makes the tree over the groups complete. O(n log n).
+/// An order of boxes in which consecutive runs of `group`, of twice as many and so on lie close
+/// together: each part is split by its boxes' centres along its widest axis, at a multiple of what
+/// makes the tree over the groups complete. O(n log n).
 pub(crate) fn spatial_order(boxes: &[Aabb], group: usize) -> Result<Vec<u32>> {
     let mut order = alloc::collect((0..boxes.len()).map(|i| i as u32))?;
     split(boxes, &mut order, group);

@@ -1,8 +1,10 @@
-//! Disjoint sets of numbered elements: the union-find structure, plain and with a parity for every element.
+//! Disjoint sets of numbered elements: the union-find structure, plain and with a parity for every
+//! element.
 //!
-//! The root of a set is its smallest element whatever the order of the unions, so that results depend on the sets alone: a
-//! parent never exceeds its child. Paths are halved while they are climbed (Tarjan and van Leeuwen 1984), which makes m
-//! operations on n elements O(m log n) at worst, and nearly linear in practice. 4 bytes an element.
+//! The root of a set is its smallest element whatever the order of the unions, so that results
+//! depend on the sets alone: a parent never exceeds its child. Paths are halved while they are
+//! climbed (Tarjan and van Leeuwen 1984), which makes m operations on n elements O(m log n) at
+//! worst, and nearly linear in practice. 4 bytes an element.
 
 use crate::alloc;
 use crate::error::Result;
@@ -70,7 +72,8 @@ impl DisjointSets {
         (0..).zip(&self.parents).filter(|&(i, &parent)| i == parent).map(|(i, _)| i)
     }
 
-    /// The root of every element, found in one pass since parents come before their children; the host can cancel.
+    /// The root of every element, found in one pass since parents come before their children; the
+    /// host can cancel.
     pub(crate) fn into_roots(mut self, job: &Job<'_>, stage: &'static str) -> Result<Vec<u32>> {
         job.ranges(stage, self.parents.len(), |range| {
             for i in range {
@@ -82,8 +85,8 @@ impl DisjointSets {
     }
 }
 
-/// Disjoint sets of elements that are each equal or opposed to the root of their set, such as orientations that are bound to
-/// each other.
+/// Disjoint sets of elements that are each equal or opposed to the root of their set, such as
+/// orientations that are bound to each other.
 pub(crate) struct ParitySets {
     /// Twice the parent, plus 1 if the element is opposed to it.
     parents: Vec<u32>,

@@ -1,7 +1,10 @@
 //! Nearest point of a set, and all points within a distance: a balanced k-d tree without pointers.
 //!
-//! The points' indices are permuted so that the middle element of every range splits it by the range's widest axis, and
-//! the two halves are trees in turn. Building takes O(n log n), a query O(log n) for points that are not all equidistant.
+//! The points' indices are permuted so that the middle element of every range splits it by the
+//! range's widest axis, and the two halves are trees in turn (Friedman, Bentley and Finkel 1977). No
+//! point of a half is nearer than its cell, so that a half whose cell is farther than the best point
+//! so far is left out. Building takes O(n log n), a query O(log n) for points that are not all
+//! equidistant.
 
 use crate::alloc;
 use crate::error::Result;
@@ -13,14 +16,15 @@ use glam::DVec3;
 use std::ops::Range;
 
 /// Ranges of at most this many points are searched one by one.
-const LEAF: usize = 8;
+const MAX_LEAF_POINTS: usize = 8;
 
-/// Ranges of at most this many points are split without asking the host.
-const HEARD: usize = 1 << 15;
+/// Ranges of at most this many points are split between two progress reports.
+const MAX_UNREPORTED: usize = 1 << 15;
 
-/// The middles of ranges that are not searched one by one are this far from each other at least: the smaller range, of 9 points or
-/// more, has 4 on either side of its own, and ends beside the other.
-const APART: usize = 5;
+/// The middles of ranges that are not searched one by one are this far from each other at least:
+/// the smaller range, of 9 points or more, has 4 on either side of its own, and ends beside the
+/// other.
+const MIN_MIDDLE_DISTANCE: usize = 5;
 
 /// Points of several groups.
 const MIXED: u32 = u32::MAX;
@@ -31,9 +35,11 @@ pub(crate) struct KdTree<'a> {
     order: Vec<u32>,
     /// The splitting axis of the range whose middle is at this place of `order`.
     axis: Vec<u8>,
-    /// The group of all points of the range whose middle is at this place, or [`MIXED`]; empty if there are no groups.
+    /// The group of all points of the range whose middle is at this place, or [`MIXED`]; empty if
+    /// there are no groups.
     group: Vec<u32>,
-    /// The box round all points of the range whose middle is at [`APART`] times this place, or up to 4 beyond; empty if there are none.
+    /// The box round all points of the range whose middle is at [`MIN_MIDDLE_DISTANCE`] times this place, or up
+    /// to 4 beyond; empty if there are none.
     boxes: Vec<Aabb>,
     /// The box round all points.
     whole: Aabb,
@@ -51,20 +57,20 @@ impl<'a> KdTree<'a> {
             whole: Aabb::of(points),
         };
         let mut done = 0;
-        let mut hear = |count: usize| {
+        let mut report = |count: usize| {
             job.step(done as f64 / points.len().max(1) as f64, stage)?;
             done += count;
             Ok(())
         };
-        split_cancellable(points, &mut tree.order, &mut tree.axis, &mut hear)?;
+        split_reported(points, &mut tree.order, &mut tree.axis, &mut report)?;
         Ok(tree)
     }
 
-    /// A tree for queries that are far away from points which are close together, such as those of a curve: what cells do not tell
-    /// apart, boxes that fit do. 10 bytes a point more.
+    /// A tree for queries that are far away from points which are close together, such as those of
+    /// a curve: what cells do not tell apart, boxes that fit do. 10 bytes a point more.
     pub(crate) fn boxed(points: &'a [DVec3], job: &Job<'_>, stage: &'static str) -> Result<Self> {
         let mut tree = Self::new(points, job, stage)?;
-        let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(APART))?;
+        let mut boxes = alloc::filled(Aabb::EMPTY, points.len().div_ceil(MIN_MIDDLE_DISTANCE))?;
         tree.find_boxes(0..points.len(), &mut boxes);
         tree.boxes = boxes;
         Ok(tree)
@@ -72,7 +78,7 @@ impl<'a> KdTree<'a> {
 
     /// Enters and returns the box of a range.
     fn find_boxes(&self, range: Range<usize>, out: &mut [Aabb]) -> Aabb {
-        if range.len() <= LEAF {
+        if range.len() <= MAX_LEAF_POINTS {
             return Aabb::of(self.order[range].iter().map(|&index| self.points[index as usize]));
         }
         let middle = usize::midpoint(range.start, range.end);
@@ -80,12 +86,12 @@ impl<'a> KdTree<'a> {
         let high = self.find_boxes(middle + 1..range.end, out);
         let mut whole = low.union(high);
         whole.add(self.points[self.order[middle] as usize]);
-        out[middle / APART] = whole;
+        out[middle / MIN_MIDDLE_DISTANCE] = whole;
         whole
     }
 
-    /// A tree that also answers [`nearest_elsewhere`](Self::nearest_elsewhere): each point is of one of the `groups`, all below
-    /// 2^32 - 1.
+    /// A tree that also answers [`nearest_elsewhere`](Self::nearest_elsewhere): each point is of
+    /// one of the `groups`, all below 2^32 - 1.
     pub(crate) fn grouped(points: &'a [DVec3], groups: &[u32]) -> Result<Self> {
         let mut tree = Self::new(points, &Job::default(), "")?;
         let mut group = alloc::filled(MIXED, points.len())?;
@@ -98,7 +104,7 @@ impl<'a> KdTree<'a> {
     fn find_groups(&self, range: Range<usize>, groups: &[u32], out: &mut [u32]) -> u32 {
         let of = |place: usize| groups[self.order[place] as usize];
         let middle = usize::midpoint(range.start, range.end);
-        let whole = if range.len() <= LEAF {
+        let whole = if range.len() <= MAX_LEAF_POINTS {
             let first = range.clone().next().map_or(MIXED, of);
             if range.clone().all(|place| of(place) == first) { first } else { MIXED }
         } else {
@@ -112,8 +118,8 @@ impl<'a> KdTree<'a> {
         whole
     }
 
-    /// As [`nearest`](Self::nearest), among the points that are of another group than `own`; parts of the tree that are all of
-    /// it are passed over.
+    /// As [`nearest`](Self::nearest), among the points that are of another group than `own`; parts
+    /// of the tree that are all of it are passed over.
     pub(crate) fn nearest_elsewhere(
         &self,
         query: DVec3,
@@ -126,16 +132,17 @@ impl<'a> KdTree<'a> {
         (best.1 != u32::MAX).then_some(best)
     }
 
-    /// The nearest point that `accept`s, as (squared distance, index), among those not farther than `limit` (squared); of
-    /// equally near ones the smallest index.
+    /// The nearest point that `accept`s, as (squared distance, index), among those not farther than
+    /// `limit` (squared); of equally near ones the smallest index.
     pub(crate) fn nearest(&self, query: DVec3, limit: f64, accept: impl Fn(u32) -> bool) -> Option<(f64, u32)> {
         let mut best = (limit, u32::MAX);
         self.search(0..self.order.len(), query, self.whole.outside(query), MIXED, &accept, &mut best);
         (best.1 != u32::MAX).then_some(best)
     }
 
-    /// Searches a range of `order`. `off` is how far the query lies outside the range's cell along each axis: no point of the
-    /// range is nearer than its length. Ranges of group `own` are passed over.
+    /// Searches a range of `order`. `off` is how far the query lies outside the range's cell along
+    /// each axis: no point of the range is nearer than its length. Ranges of group `own` are passed
+    /// over.
     fn search(
         &self,
         range: Range<usize>,
@@ -149,10 +156,10 @@ impl<'a> KdTree<'a> {
         if own != MIXED && self.group.get(middle) == Some(&own) {
             return;
         }
-        // What a range of few points has is no more work than its box.
+        // The points of a leaf are no more work than its box.
         if !self.boxes.is_empty()
-            && range.len() > LEAF
-            && let Some(around) = self.boxes.get(middle / APART)
+            && range.len() > MAX_LEAF_POINTS
+            && let Some(around) = self.boxes.get(middle / MIN_MIDDLE_DISTANCE)
             && around.distance_squared(query) > best.0
         {
             return;
@@ -163,7 +170,7 @@ impl<'a> KdTree<'a> {
                 *best = candidate;
             }
         };
-        if range.len() <= LEAF {
+        if range.len() <= MAX_LEAF_POINTS {
             self.order[range].iter().for_each(|&index| visit(index));
             return;
         }
@@ -183,49 +190,50 @@ impl<'a> KdTree<'a> {
 }
 
 impl KdTree<'_> {
-    /// Calls `visit` with (squared distance in units of the reach, index) of every point within `reach` of the query, in no
-    /// particular order. O(log n) for each point found.
-    pub(crate) fn within(&self, query: DVec3, reach: Reach, visit: &mut impl FnMut(f64, u32)) {
-        self.gather(0..self.order.len(), query, reach, visit);
+    /// Calls `visit` with (squared distance in units of the reach, index) of every point within
+    /// `reach` of the query, in no particular order. O(log n) for each point found.
+    pub(crate) fn within(&self, query: DVec3, reach: Radius, visit: &mut impl FnMut(f64, u32)) {
+        self.search_within(0..self.order.len(), query, reach, visit);
     }
 
-    fn gather(&self, range: Range<usize>, query: DVec3, reach: Reach, visit: &mut impl FnMut(f64, u32)) {
-        let mut look = |index: u32| {
+    fn search_within(&self, range: Range<usize>, query: DVec3, reach: Radius, visit: &mut impl FnMut(f64, u32)) {
+        let mut test = |index: u32| {
             let squared = reach.squared(self.points[index as usize] - query);
             if squared <= reach.limit {
                 visit(squared, index);
             }
         };
-        if range.len() <= LEAF {
-            self.order[range].iter().for_each(|&index| look(index));
+        if range.len() <= MAX_LEAF_POINTS {
+            self.order[range].iter().for_each(|&index| test(index));
             return;
         }
         let middle = usize::midpoint(range.start, range.end);
-        look(self.order[middle]);
+        test(self.order[middle]);
         let axis = self.axis[middle] as usize;
         let offset = self.points[self.order[middle] as usize][axis] - query[axis];
         let near = reach.squared(DVec3::new(offset, 0.0, 0.0)) <= reach.limit;
         if near || offset >= 0.0 {
-            self.gather(range.start..middle, query, reach, visit);
+            self.search_within(range.start..middle, query, reach, visit);
         }
         if near || offset <= 0.0 {
-            self.gather(middle + 1..range.end, query, reach, visit);
+            self.search_within(middle + 1..range.end, query, reach, visit);
         }
     }
 }
 
-/// A distance, held so that its square neither overflows nor vanishes: in a power-of-two unit of its own size.
+/// A distance, held so that its square neither overflows nor vanishes: in a power-of-two unit of
+/// its own size.
 #[derive(Clone, Copy)]
-pub(crate) struct Reach {
+pub(crate) struct Radius {
     unit: f64,
     limit: f64,
 }
 
-impl Reach {
+impl Radius {
     /// `distance` is finite and positive.
     pub(crate) fn new(distance: f64) -> Self {
         let unit = common_unit(&[DVec3::splat(distance)]);
-        Reach { unit, limit: (distance / unit) * (distance / unit) }
+        Radius { unit, limit: (distance / unit) * (distance / unit) }
     }
 
     /// The squared length of a difference of points; infinite if it is that much longer.
@@ -234,26 +242,27 @@ impl Reach {
     }
 }
 
-/// Splits a range and its halves; `hear` is called for every large one, with the number of points that it sees to alone.
-fn split_cancellable(
+/// Splits a range and its halves; `report` is called for every large one, with the number of points
+/// that it sees to alone.
+fn split_reported(
     points: &[DVec3],
     order: &mut [u32],
     axes: &mut [u8],
-    hear: &mut impl FnMut(usize) -> Result<()>,
+    report: &mut impl FnMut(usize) -> Result<()>,
 ) -> Result<()> {
-    if order.len() <= HEARD {
-        hear(order.len())?;
+    if order.len() <= MAX_UNREPORTED {
+        report(order.len())?;
         split(points, order, axes);
         return Ok(());
     }
-    hear(1)?;
+    report(1)?;
     let [(left, left_axes), (right, right_axes)] = split_once(points, order, axes);
-    split_cancellable(points, left, left_axes, hear)?;
-    split_cancellable(points, right, right_axes, hear)
+    split_reported(points, left, left_axes, report)?;
+    split_reported(points, right, right_axes, report)
 }
 
 fn split(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
-    if order.len() > LEAF {
+    if order.len() > MAX_LEAF_POINTS {
         split_once(points, order, axes).into_iter().for_each(|(order, axes)| split(points, order, axes));
     }
 }
@@ -309,7 +318,7 @@ mod tests {
                 let scaled: Vec<DVec3> = points.iter().map(|&p| p * unit).collect();
                 let mut found = Vec::new();
                 let tree = KdTree::new(&scaled, &Job::default(), "").unwrap();
-                tree.within(query * unit, Reach::new(reach * unit), &mut |_, i| found.push(i));
+                tree.within(query * unit, Radius::new(reach * unit), &mut |_, i| found.push(i));
                 found.sort_unstable();
                 // On a lattice, in a power of two: nothing is rounded.
                 let close = |&i: &u32| points[i as usize].distance(query) <= reach;

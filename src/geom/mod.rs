@@ -5,11 +5,12 @@
 //! * [`linear`]: systems of linear equations.
 //! * [`disjoint_sets`], [`bit_set`]: sets of numbered things.
 //! * [`kd_tree`], [`box_tree`]: nearest points of a set, boxes that overlap a box.
-//! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of what is left.
+//! * [`subdivision`]: all solutions of equations over a box of parameters, by proofs; clusters of
+//!   what is left.
 //! * [`strided`]: elements of a host, at any stride and alignment.
 //! * [`triangle`]: area, angles and aspect ratio of one triangle.
-//! * [`scale`]: a power of two as unit of length, so that products of coordinates neither overflow nor vanish whatever
-//!   the host's units are.
+//! * [`scale`]: a power of two as unit of length, so that products of coordinates neither overflow
+//!   nor vanish whatever the host's units are.
 
 pub(crate) mod aabb;
 pub(crate) mod bernstein;

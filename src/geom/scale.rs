@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-/// The largest power of two that does not exceed the largest coordinate's magnitude, kept within 2^-900 .. 2^900; 1 if all
-/// coordinates are 0 or there are none.
+/// The largest power of two that does not exceed the largest coordinate's magnitude, kept within
+/// 2^-900 .. 2^900; 1 if all coordinates are 0 or there are none.
 ///
-/// Dividing points by it is exact, so lengths and areas compare as before, while products of a few coordinates neither
-/// overflow nor vanish whatever unit the host uses.
+/// Dividing points by it is exact, so lengths and areas compare as before, while products of a few
+/// coordinates neither overflow nor vanish whatever unit the host uses.
 pub(crate) fn common_unit<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> f64 {
     let largest = points.into_iter().fold(0.0, |m: f64, p| m.max(p.abs().max_element()));
     if largest == 0.0 {

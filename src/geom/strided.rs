@@ -1,4 +1,5 @@
-//! Elements as they lie in a host's memory: some bytes at the start of every stride, at any alignment.
+//! Elements as they lie in a host's memory: some bytes at the start of every stride, at any
+//! alignment.
 
 use crate::error::{Error, Result};
 use bytemuck::{AnyBitPattern, NoUninit};
@@ -13,7 +14,8 @@ pub(crate) struct Strided<'a> {
 }
 
 impl<'a> Strided<'a> {
-    /// `bytes` begins with the first element; a stride of 0 stands for elements without gaps. `what` names them in errors.
+    /// `bytes` begins with the first element; a stride of 0 stands for elements without gaps.
+    /// `what` names them in errors.
     ///
     /// # Errors
     /// Those of [`Strided::span`], [`Error::ArrayTooShort`].
@@ -32,7 +34,8 @@ impl<'a> Strided<'a> {
         Strided { bytes: bytemuck::cast_slice(elements), stride: size, size, count: elements.len() }
     }
 
-    /// The bytes from the start of the first element to the end of the last, which needs no whole stride.
+    /// The bytes from the start of the first element to the end of the last, which needs no whole
+    /// stride.
     ///
     /// # Errors
     /// [`Error::StrideTooSmall`], [`Error::SizeOverflow`].

@@ -1,17 +1,20 @@
-//! Adaptive subdivision with proofs: all solutions of a system of equations over a box of parameters, none missed.
+//! Adaptive subdivision with proofs: all solutions of a system of equations over a box of
+//! parameters, none missed.
 //!
-//! A box is classified by tests on the control points of the equations over it. Bernstein coefficients bound the
-//! polynomial, so a test that excludes solutions is a proof of their absence; a Jacobian whose diagonal dominates all over
-//! the box proves that there is one solution at most, which Newton's method then finds. A box without either proof is
-//! split by de Casteljau's algorithm, which is the scheme of Sherbrooke and Patrikalakis (1993, "Computation of the
-//! solutions of nonlinear polynomial systems"), of Mourrain and Pavone (2009, "Subdivision methods for solving polynomial
-//! equations"), who precondition by the inverse of the middle Jacobian, and of Hanniel and Elber (2007, "Subdivision
-//! termination criteria in subdivision multivariate solvers"), who end it where a box holds one root at most. Boxes that
-//! stay undecided when they are too small, too deep or too many are clustered and reported.
+//! A box is classified by tests on the control points of the equations over it. Bernstein
+//! coefficients bound the polynomial, so a test that excludes solutions is a proof of their
+//! absence; a Jacobian whose diagonal dominates all over the box proves that there is one solution
+//! at most, which Newton's method then finds. A box without either proof is split by de Casteljau's
+//! algorithm, which is the scheme of Sherbrooke and Patrikalakis (1993, "Computation of the
+//! solutions of nonlinear polynomial systems"), of Mourrain and Pavone (2009, "Subdivision methods
+//! for solving polynomial equations"), who precondition by the inverse of the middle Jacobian, and
+//! of Hanniel and Elber (2007, "Subdivision termination criteria in subdivision multivariate
+//! solvers"), who end it where a box holds one root at most. Boxes that stay undecided when they
+//! are too small, too deep or too many are clustered and reported.
 //!
-//! Invariant: the boxes on the stack, those given up and those decided cover the first one. Cost: one classification a
-//! box; boxes examined number at most `max_boxes` and those still on the stack then; the stack, depth first, holds at
-//! most (K - 1) `max_depth` + 1.
+//! Invariant: the boxes on the stack, those given up and those decided cover the first one. Cost:
+//! one classification a box; boxes examined number at most `max_boxes` and those still on the stack
+//! then; the stack, depth first, holds at most (K - 1) `max_depth` + 1.
 
 use crate::alloc;
 use crate::error::Result;
@@ -127,9 +130,11 @@ impl UnresolvedBox {
     }
 }
 
-/// Adds the clusters of boxes, by their first box. O(n log n + pairs that overlap along the first parameter).
+/// Adds the clusters of boxes, by their first box. O(n log n + pairs that overlap along the first
+/// parameter).
 pub(crate) fn cluster(boxes: &[UnresolvedBox], clusters: &mut Vec<UnresolvedCluster>) -> Result<()> {
-    // A sweep along the first parameter finds the pairs; each tree of the forest has its first box as its root.
+    // A sweep along the first parameter finds the pairs; each tree of the forest has its first box
+    // as its root.
     let ends = |k: u32| {
         let UnresolvedBox { middle, half, .. } = boxes[k as usize];
         [middle.x - GROWTH * half.x, middle.x + GROWTH * half.x]

@@ -9,8 +9,8 @@ pub(crate) fn double_area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 
 /// The smallest interior angle, in radians; 0 for a degenerate triangle.
 ///
-/// The smallest angle lies opposite the shortest side; the arc tangent of (cross, dot) is accurate for any angle, and
-/// `libm`'s gives the same bits on every machine.
+/// The smallest angle lies opposite the shortest side; the arc tangent of (cross, dot) is accurate
+/// for any angle, and `libm`'s gives the same bits on every machine.
 pub(crate) fn min_angle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let corner = |p: DVec3, q: DVec3, r: DVec3| {
         let (u, v) = (q - p, r - p);
@@ -28,13 +28,14 @@ pub(crate) fn min_angle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     }
 }
 
-/// The longest side over 2 sqrt(3) times the radius of the inscribed circle: 1 for the equilateral triangle, infinite for a
-/// degenerate one.
+/// The longest side over 2 sqrt(3) times the radius of the inscribed circle: 1 for the equilateral
+/// triangle, infinite for a degenerate one.
 pub(crate) fn aspect(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let sides = [(b - a).length(), (c - b).length(), (a - c).length()];
     let longest = sides[0].max(sides[1]).max(sides[2]);
     let perimeter: f64 = sides.iter().sum();
-    // r = 2 area / perimeter, hence longest / (2 sqrt(3) r) = longest * perimeter / (2 sqrt(3) * double area).
+    // r = 2 area / perimeter, hence longest / (2 sqrt(3) r) = longest * perimeter / (2 sqrt(3) *
+    // double area).
     let area2 = double_area(a, b, c);
     if area2 == 0.0 { f64::INFINITY } else { longest * perimeter / (2.0 * 3f64.sqrt() * area2) }
 }

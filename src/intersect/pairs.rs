@@ -10,9 +10,9 @@ use crate::par;
 use glam::DVec3;
 
 /// New triangles in a leaf of the tree of boxes.
-const LEAF: usize = 4;
+const LEAF_TRIANGLES: usize = 4;
 
-/// Triangles that one thread looks at at a time, and between two progress reports.
+/// Triangles tested by a thread at a time, and between two progress reports.
 const CHUNK: usize = 1 << 9;
 const REPORT_INTERVAL: usize = 1 << 15;
 
@@ -22,14 +22,16 @@ pub(crate) struct Soup<'a, P: Fn(u32) -> DVec3 + Sync> {
     pub(crate) at: P,
     /// The new triangles.
     pub(crate) new: &'a [[u32; 3]],
-    /// The old ones that are to be looked at.
+    /// The old ones to be tested.
     pub(crate) old: &'a [[u32; 3]],
 }
 
-/// The pairs (new, other) of triangles that cut each other, in ascending order; old triangle k is `other` = number of new ones
-/// + k. Of two new ones the smaller comes first. See [`cut`] for what counts.
+/// The pairs (new, other) of triangles that intersect, in ascending order; old triangle k is
+/// `other` = number of new ones + k. Of two new ones the smaller comes first. See
+/// [`triangles_intersect`] for which pairs count.
 ///
-/// O((n + o) log n + pairs of boxes that overlap) for n new and o old triangles; extra memory about 100 bytes a new triangle.
+/// O((n + o) log n + pairs of boxes that overlap) for n new and o old triangles; extra memory about
+/// 100 bytes a new triangle.
 pub(crate) fn intersecting_pairs(
     soup: &Soup<'_, impl Fn(u32) -> DVec3 + Sync>,
     job: &Job<'_>,
@@ -40,17 +42,17 @@ pub(crate) fn intersecting_pairs(
     job.step(0.0, "looking for intersections")?;
     let around = |t: &[u32; 3]| Aabb::of(t.map(&soup.at));
     let boxes = alloc::collect(soup.new.iter().map(around))?;
-    let order = spatial_order(&boxes, LEAF)?;
+    let order = spatial_order(&boxes, LEAF_TRIANGLES)?;
     let leaf_box = |leaf: &[u32]| leaf.iter().fold(Aabb::EMPTY, |whole, &i| whole.union(boxes[i as usize]));
-    let tree = BoxTree::new(order.chunks(LEAF).map(leaf_box))?;
+    let tree = BoxTree::new(order.chunks(LEAF_TRIANGLES).map(leaf_box))?;
     let n = soup.new.len();
-    let look = |range: std::ops::Range<usize>| -> Result<Vec<[u32; 2]>> {
+    let pairs_of = |range: std::ops::Range<usize>| -> Result<Vec<[u32; 2]>> {
         let mut found = Vec::new();
         for k in range {
             let (triangle, query) =
                 if k < n { (soup.new[k], boxes[k]) } else { (soup.old[k - n], around(&soup.old[k - n])) };
             tree.overlapping(&query, 0.0, |leaf| {
-                let of_leaf = &order[LEAF * leaf..n.min(LEAF * (leaf + 1))];
+                let of_leaf = &order[LEAF_TRIANGLES * leaf..n.min(LEAF_TRIANGLES * (leaf + 1))];
                 let met = |&&i: &&u32| {
                     (i as usize) < k
                         && boxes[i as usize].overlaps(&query)
@@ -66,7 +68,7 @@ pub(crate) fn intersecting_pairs(
     for start in (0..total).step_by(REPORT_INTERVAL) {
         job.step(start as f64 / total as f64, "looking for intersections")?;
         let count = REPORT_INTERVAL.min(total - start);
-        for part in par::chunks(job.threads(), count, CHUNK, |range| look(start + range.start..start + range.end)) {
+        for part in par::chunks(job.threads(), count, CHUNK, |range| pairs_of(start + range.start..start + range.end)) {
             let part = part?;
             alloc::reserve(&mut pairs, part.len())?;
             pairs.extend(part);

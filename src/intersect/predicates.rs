@@ -8,7 +8,8 @@
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-/// Six times the volume of the tetrahedron: its sign says on which side of the plane of p, q, r the point s lies.
+/// Six times the volume of the tetrahedron: its sign says on which side of the plane of p, q, r the
+/// point s lies.
 fn volume(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
     let at = |v: DVec3| Coord3D { x: v.x, y: v.y, z: v.z };
     orient3d(at(p), at(q), at(r), at(s))
@@ -66,7 +67,8 @@ fn segment_meets(p: DVec3, q: DVec3, triangle: [DVec3; 3]) -> bool {
         return false;
     }
     if to_p != 0.0 || to_q != 0.0 {
-        // It reaches the plane in one point; the lines from it round the triangle all turn the same way.
+        // It reaches the plane in one point; the lines from it round the triangle all turn the same
+        // way.
         return all_on_one_side([volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)]);
     }
     match projection(triangle) {
@@ -104,7 +106,8 @@ pub(super) fn triangles_intersect(v: [u32; 3], w: [u32; 3], at: impl Fn(u32) -> 
                 || (0..3).any(|k| segment_meets(edge(q, k).0, edge(q, k).1, p))
         }
         1 => {
-            // Whatever else they have in common reaches the side opposite the shared vertex of one of them.
+            // Whatever else they have in common reaches the side opposite the shared vertex of one
+            // of them.
             let opposite = |t: [u32; 3], other: [u32; 3]| {
                 let k = (0..3).find(|&k| other.contains(&t[k])).unwrap_or(0);
                 (at(t[(k + 1) % 3]), at(t[(k + 2) % 3]))
@@ -129,11 +132,13 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// An independent answer in integers. The common points are the (s, t, u, v) with p(s, t) = q(u, v), 0 <= s, t, s + t <= 1
-    /// and the same for u, v: a polytope, which is not empty if and only if it has a corner, where four independent rows are 0.
+    /// An independent answer in integers. The common points are the (s, t, u, v) with p(s, t) =
+    /// q(u, v), 0 <= s, t, s + t <= 1 and the same for u, v: a polytope, which is not empty if and
+    /// only if it has a corner, where four independent rows are 0.
     fn have_common_points(p: [[i64; 3]; 3], q: [[i64; 3]; 3]) -> bool {
         let edge = |t: [[i64; 3]; 3], corner: usize, k: usize| i128::from(t[corner][k] - t[0][k]);
-        // Rows: coefficients of s, t, u, v and a constant; three that must be 0, and six that must not be negative.
+        // Rows: coefficients of s, t, u, v and a constant; three that must be 0, and six that must
+        // not be negative.
         let mut rows: Vec<[i128; 5]> = (0..3)
             .map(|k| [edge(p, 1, k), edge(p, 2, k), -edge(q, 1, k), -edge(q, 2, k), i128::from(p[0][k] - q[0][k])])
             .collect();

@@ -33,7 +33,8 @@ impl Scalar {
     }
 }
 
-/// Positions as they lie in memory: `x, y, z` at the start of every `stride` bytes, at any alignment.
+/// Positions as they lie in memory: `x, y, z` at the start of every `stride` bytes, at any
+/// alignment.
 #[derive(Debug, Clone, Copy)]
 pub struct Positions<'a> {
     points: Strided<'a>,
@@ -41,11 +42,12 @@ pub struct Positions<'a> {
 }
 
 impl<'a> Positions<'a> {
-    /// `bytes` starts with the first position; `stride` is in bytes, 0 for positions without gaps. The last position needs
-    /// its own bytes only, not a whole stride.
+    /// `bytes` starts with the first position; `stride` is in bytes, 0 for positions without gaps.
+    /// The last position needs its own bytes only, not a whole stride.
     ///
     /// # Errors
-    /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`], [`Error::ArrayTooShort`].
+    /// [`Error::TooLarge`], [`Error::StrideTooSmall`], [`Error::SizeOverflow`],
+    /// [`Error::ArrayTooShort`].
     pub fn strided(bytes: &'a [u8], stride: usize, count: usize, scalar: Scalar) -> Result<Self> {
         check_count(count)?;
         Ok(Positions { points: Strided::new(bytes, count, stride, scalar.position_size(), "positions")?, scalar })
@@ -89,8 +91,9 @@ impl<'a> Positions<'a> {
     /// True if all coordinates in `range` are finite.
     fn are_finite(&self, mut range: Range<usize>) -> bool {
         match (self.packed_bytes(), self.scalar) {
-            // Sign apart, adding one to the exponent carries into the sign bit just where the exponent is the largest, that
-            // of infinities and NaN. A loop without an exit runs several times as fast.
+            // Sign apart, adding one to the exponent carries into the sign bit just where the
+            // exponent is the largest, that of infinities and NaN. A loop without an exit runs
+            // several times as fast.
             (Some(bytes), Scalar::F64) => {
                 let add = |carry, bits: &[u8]| {
                     carry | ((bytemuck::pod_read_unaligned::<u64>(bits) & (u64::MAX >> 1)) + (1 << 52))
@@ -182,8 +185,8 @@ enum Layout<'a> {
 
 /// Somebody whom [`Faces::visit`] shows faces to.
 pub(crate) trait Visitor {
-    /// A face, its first half-edge and its vertices. To be inlined: triangles and quads are arrays, whose length the
-    /// compiler then knows.
+    /// A face, its first half-edge and its vertices. To be inlined: triangles and quads are arrays,
+    /// whose length the compiler then knows.
     fn face(&mut self, first: u32, corners: &[u32]) -> Result<()>;
 }
 
@@ -205,11 +208,12 @@ impl<'a> Faces<'a> {
         Ok(Faces { corners: indices(corners, needed, "corners")?, layout: Layout::Uniform(face_size), count })
     }
 
-    /// Face `f` has the corners `offsets[f] .. offsets[f + 1]` of `corners`; both are native-endian `u32`, and `offsets`
-    /// has one entry more than there are faces.
+    /// Face `f` has the corners `offsets[f] .. offsets[f + 1]` of `corners`; both are native-endian
+    /// `u32`, and `offsets` has one entry more than there are faces.
     ///
     /// # Errors
-    /// [`Error::TooLarge`], [`Error::ArrayTooShort`]. The offsets themselves are checked by [`MeshView::new`].
+    /// [`Error::TooLarge`], [`Error::ArrayTooShort`]. The offsets themselves are checked by
+    /// [`MeshView::new`].
     pub fn with_offsets(offsets: &'a [u8], corners: &'a [u8], count: usize) -> Result<Self> {
         let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
         let needed = offsets.get(count) as usize * 4;
@@ -242,11 +246,13 @@ impl<'a> Faces<'a> {
         Ok(count + 1)
     }
 
-    /// Holds the offsets of `count` faces to the rules before anybody has seen the corners, and returns how many corners
-    /// there must be. For callers that learn the length of the corner array from the offsets alone.
+    /// Holds the offsets of `count` faces to the rules before anybody has seen the corners, and
+    /// returns how many corners there must be. For callers that learn the length of the corner
+    /// array from the offsets alone.
     ///
     /// # Errors
-    /// [`Error::TooLarge`], [`Error::ArrayTooShort`], [`Error::BadOffsets`], [`Error::FaceTooSmall`].
+    /// [`Error::TooLarge`], [`Error::ArrayTooShort`], [`Error::BadOffsets`],
+    /// [`Error::FaceTooSmall`].
     pub fn check_offsets(offsets: &[u8], count: usize, job: &Job<'_>) -> Result<usize> {
         let offsets = indices(offsets, Self::offset_count(count)? * 4, "face offsets")?;
         offsets.check(job)?;
@@ -292,7 +298,8 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The face that corner (half-edge) `h` belongs to: at once for uniform faces, else by bisection.
+    /// The face that corner (half-edge) `h` belongs to: at once for uniform faces, else by
+    /// bisection.
     pub fn face_of(&self, h: u32) -> u32 {
         match self.layout {
             Layout::Uniform(n) => h / n,
@@ -323,7 +330,8 @@ impl<'a> Faces<'a> {
         self.corners.slice(range)
     }
 
-    /// Shows each face of `faces` in turn to `visitor`. Extra memory: the largest face that has more than four corners.
+    /// Shows each face of `faces` in turn to `visitor`. Extra memory: the largest face that has
+    /// more than four corners.
     pub(crate) fn visit(&self, faces: Range<usize>, visitor: &mut impl Visitor) -> Result<()> {
         if let Layout::Uniform(3) = self.layout {
             let corners = self.corners.0[12 * faces.start..12 * faces.end].chunks_exact(12);
@@ -364,10 +372,12 @@ fn indices<'a>(bytes: &'a [u8], needed: usize, what: &'static str) -> Result<Ind
     }
 }
 
-/// A polygon mesh in the host's memory that keeps the rules: at least one vertex and one face, monotone offsets, at least
-/// three corners a face, every index in range, and finite coordinates at every vertex that a face uses.
+/// A polygon mesh in the host's memory that keeps the rules: at least one vertex and one face,
+/// monotone offsets, at least three corners a face, every index in range, and finite coordinates at
+/// every vertex that a face uses.
 ///
-/// Vertices that no face uses may hold anything, as the empty cells of a range scan do; they are carried along untouched.
+/// Vertices that no face uses may hold anything, as the empty cells of a range scan do; they are
+/// carried along untouched.
 #[derive(Debug, Clone, Copy)]
 pub struct MeshView<'a> {
     positions: Positions<'a>,
@@ -378,8 +388,9 @@ impl<'a> MeshView<'a> {
     /// Checks the rules, in O(vertices + corners), on the job's threads.
     ///
     /// # Errors
-    /// [`Error::EmptyMesh`], [`Error::BadOffsets`], [`Error::FaceTooSmall`], [`Error::IndexOutOfRange`],
-    /// [`Error::NotFinite`], each with the first offending element; [`Error::Cancelled`].
+    /// [`Error::EmptyMesh`], [`Error::BadOffsets`], [`Error::FaceTooSmall`],
+    /// [`Error::IndexOutOfRange`], [`Error::NotFinite`], each with the first offending element;
+    /// [`Error::Cancelled`].
     pub fn new(positions: Positions<'a>, faces: Faces<'a>, job: &Job<'_>) -> Result<Self> {
         let mesh = MeshView { positions, faces };
         if positions.is_empty() {

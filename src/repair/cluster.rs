@@ -11,7 +11,7 @@
 use super::corners::Corners;
 use crate::alloc;
 use crate::error::Result;
-use crate::geom::kd_tree::{KdTree, Reach};
+use crate::geom::kd_tree::{KdTree, Radius};
 use crate::job::Job;
 use crate::mesh::{MeshView, NONE};
 use crate::sort::sort;
@@ -86,14 +86,14 @@ enum Near<'a> {
     },
     Within {
         tree: KdTree<'a>,
-        reach: Reach,
+        reach: Radius,
     },
 }
 
 impl<'a> Near<'a> {
     fn new(points: &'a [DVec3], tolerance: Option<f64>, job: &Job<'_>) -> Result<Self> {
         if let Some(tolerance) = tolerance {
-            return Ok(Near::Within { tree: KdTree::new(points, job, STAGE)?, reach: Reach::new(tolerance) });
+            return Ok(Near::Within { tree: KdTree::new(points, job, STAGE)?, reach: Radius::new(tolerance) });
         }
         job.step(0.0, STAGE)?;
         // -0 becomes 0, so that the order of bits is the order of numbers.

@@ -5,8 +5,8 @@ use crate::error::Result;
 use crate::mesh::MeshView;
 use crate::sort::Buckets;
 
-/// For each vertex the corners that name it, ascending, and for each corner its face, found without a search; 8 bytes a
-/// corner and 4 a vertex.
+/// For each vertex the corners that name it, ascending, and for each corner its face, found without
+/// a search; 8 bytes a corner and 4 a vertex.
 pub(super) struct Corners {
     face: Vec<u32>,
     corners: Buckets<u32>,

@@ -1,16 +1,17 @@
 //! Which vertices of two loops face each other: the paper's algorithm 2, corrected.
 //!
-//! Each loop has a centre C, the mean of its vertices (5). The vectors between the centres, a_1 = C_2 - C_1 and a_2 = -a_1
-//! (6), are the normals of two planes through the centres (7). A vertex faces the other loop if it lies on that loop's side
-//! of its own plane: (V - C) . a > 0.
+//! Each loop has a centre C, the mean of its vertices (5). The vectors between the centres, a_1 =
+//! C_2 - C_1 and a_2 = -a_1 (6), are the normals of two planes through the centres (7). A vertex
+//! faces the other loop if it lies on that loop's side of its own plane: (V - C) . a > 0.
 //!
 //! Where the paper's text does not suffice:
 //!
-//! * **Undecided planes.** Two coaxial rims lie in their planes, the commonest case of all, and the sign is round-off. So a
-//!   vertex faces the other loop if its distance from the plane is more than a tolerance, and where no vertex of a loop
-//!   is farther from its plane than that, or the centres coincide, the planes cannot decide, which is said.
-//! * **Runs.** The vertices that face the other loop need not be neighbours. They fall into runs; the one with the closest pair
-//!   of vertices is taken, or the longest.
+//! * **Undecided planes.** Two coaxial rims lie in their planes, the commonest case of all, and the
+//!   sign is round-off. So a vertex faces the other loop if its distance from the plane is more
+//!   than a tolerance, and where no vertex of a loop is farther from its plane than that, or the
+//!   centres coincide, the planes cannot decide, which is said.
+//! * **Runs.** The vertices that face the other loop need not be neighbours. They fall into runs;
+//!   the one with the closest pair of vertices is taken, or the longest.
 
 use crate::alloc;
 use crate::error::{Element, Error, Result, Side};
@@ -26,7 +27,8 @@ const REPORT_INTERVAL: usize = 1 << 23;
 
 const STAGE: &str = "looking for facing arcs";
 
-/// Two planes, each through a loop's centre and perpendicular to the line of the centres: equations 5 to 7.
+/// Two planes, each through a loop's centre and perpendicular to the line of the centres: equations
+/// 5 to 7.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Planes {
     /// C_1 and C_2.
@@ -46,7 +48,8 @@ impl Planes {
         Planes { centres, normals: [centres[1] - centres[0], centres[0] - centres[1]] }
     }
 
-    /// The distance of `p` from the plane of loop `side`, positive on the side of the other loop; 0 if the centres coincide.
+    /// The distance of `p` from the plane of loop `side`, positive on the side of the other loop; 0
+    /// if the centres coincide.
     pub fn distance(&self, side: Side, p: DVec3) -> f64 {
         let k = side as usize;
         (p - self.centres[k]).dot(self.normals[k].normalize_or_zero())
@@ -58,8 +61,8 @@ pub fn centre(points: &[DVec3]) -> DVec3 {
     points.iter().sum::<DVec3>() / points.len() as f64
 }
 
-/// The mean of a closed polyline's points, which vertices that lie close together do not draw to them; the mean of the vertices
-/// if it has no length.
+/// The mean of a closed polyline's points, which vertices that lie close together do not draw to
+/// them; the mean of the vertices if it has no length.
 pub fn centre_of_length(points: &[DVec3]) -> DVec3 {
     let n = points.len();
     let edges = (0..n).map(|i| (points[i], points[(i + 1) % n]));
@@ -85,8 +88,8 @@ pub enum Centres {
 pub struct Options {
     /// Which run is taken.
     pub run: Run,
-    /// A vertex must be farther from its plane than this, in the unit of the points; `None` for what round-off of double
-    /// precision can do.
+    /// A vertex must be farther from its plane than this, in the unit of the points; `None` for
+    /// what round-off of double precision can do.
     pub tolerance: Option<f64>,
     /// The loops' centres.
     pub centres: Centres,
@@ -116,19 +119,23 @@ pub struct Arc {
 pub struct Facing {
     /// The planes.
     pub planes: Planes,
-    /// The distance of each vertex of each loop from its plane, positive on the side of the other loop.
+    /// The distance of each vertex of each loop from its plane, positive on the side of the other
+    /// loop.
     pub distances: [Vec<f64>; 2],
-    /// All runs of facing vertices, for each loop, in order of their first places (a run that passes the loop's end last).
+    /// All runs of facing vertices, for each loop, in order of their first places (a run that
+    /// passes the loop's end last).
     pub runs: [Vec<Arc>; 2],
     /// The run taken on each loop.
     pub taken: [Arc; 2],
 }
 
-/// Finds the runs of vertices of loop `a` and of loop `b` that face the other loop; O((N + M) log M).
+/// Finds the runs of vertices of loop `a` and of loop `b` that face the other loop; O((N + M) log
+/// M).
 ///
 /// # Errors
-/// [`Error::LoopTooShort`] for a loop without vertices, [`Error::NotFinite`], [`Error::OptionOutOfRange`] for a tolerance
-/// that is negative or not finite; [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the
+/// [`Error::LoopTooShort`] for a loop without vertices, [`Error::NotFinite`],
+/// [`Error::OptionOutOfRange`] for a tolerance that is negative or not finite;
+/// [`Error::PlanesUndecided`] with the loop that has no vertex beyond the tolerance, or if the
 /// centres are no farther apart than that; [`Error::OutOfMemory`], [`Error::Cancelled`].
 pub fn facing(a: &[DVec3], b: &[DVec3], options: &Options, job: &Job<'_>) -> Result<Facing> {
     job.step(0.0, STAGE)?;
@@ -164,7 +171,8 @@ pub(super) fn check_points(side: Side, points: &[DVec3]) -> Result<()> {
     }
 }
 
-/// Of the largest coordinate: less than this is round-off, 64 units in the last place of the host's own numbers.
+/// Of the largest coordinate: less than this is round-off, 64 units in the last place of the host's
+/// own numbers.
 pub(super) fn round_off(scalar: Scalar) -> f64 {
     64.0 * match scalar {
         Scalar::F32 => f64::from(f32::EPSILON),
@@ -269,8 +277,9 @@ impl Arc {
     }
 }
 
-/// How well each loop faces the other one: |cosine| of the angle between its normal (the vector area of its polygon) and the
-/// line of the centres. 1 for coaxial rims, which are best joined whole; 0 for loops side by side in a plane.
+/// How well each loop faces the other one: |cosine| of the angle between its normal (the vector
+/// area of its polygon) and the line of the centres. 1 for coaxial rims, which are best joined
+/// whole; 0 for loops side by side in a plane.
 pub fn squareness(points: &[DVec3], planes: &Planes) -> f64 {
     let n = points.len();
     let centre = centre(points);

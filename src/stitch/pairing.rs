@@ -26,8 +26,8 @@ pub(super) fn usable_rims(mesh: &MeshView<'_>, boundary: &Boundary) -> Result<Ve
     Ok(rims)
 }
 
-/// Takes the nearest two rims out of the candidates, one from each side; of equally near pairs the first. On one mesh a
-/// rim is not paired with one that shares a vertex with it, itself above all.
+/// Takes the nearest two rims out of the candidates, one from each side; of equally near pairs the
+/// first. On one mesh a rim is not paired with one that shares a vertex with it, itself above all.
 ///
 /// Box tests for all pairs, and nearest-point searches for those that the boxes do not rule out.
 pub(super) fn nearest_pair(mut a: Vec<Rim>, mut b: Vec<Rim>, one_mesh: bool, job: &Job<'_>) -> Result<(Rim, Rim)> {
@@ -61,14 +61,15 @@ fn tree(points: &[DVec3]) -> Result<KdTree<'_>> {
     KdTree::new(points, &Job::default(), "")
 }
 
-/// The mean distance from the vertices of each rim to the nearest of the other, the larger of the two.
+/// The mean distance from the vertices of each rim to the nearest of the other, the larger of the
+/// two.
 pub(super) fn mean_gap(a: &Rim, b: &Rim) -> Result<f64> {
     let there = mean_distance(&b.points, &tree(&a.points)?);
     Ok(there.max(mean_distance(&a.points, &tree(&b.points)?)))
 }
 
-/// The mean distance from the vertices of one rim to the nearest of the other; of a long rim only every so many-th vertex is
-/// asked.
+/// The mean distance from the vertices of one rim to the nearest of the other; of a long rim only
+/// every so many-th vertex is asked.
 fn mean_distance(from: &[DVec3], to: &KdTree<'_>) -> f64 {
     let asked = from.iter().step_by(from.len().div_ceil(SAMPLE_VERTICES));
     let count = asked.len() as f64;

@@ -1,7 +1,8 @@
-//! De Casteljau's scheme: evaluation, subdivision, degree elevation, derivatives, blossoms and basis functions.
+//! De Casteljau's scheme: evaluation, subdivision, degree elevation, derivatives, blossoms and
+//! basis functions.
 //!
-//! Source: Farin, Curves and Surfaces for CAGD (2002), chapters 4 to 6. A column of the scheme replaces each coefficient by a
-//! combination of itself and the next one. O(n^2).
+//! Source: Farin, Curves and Surfaces for CAGD (2002), chapters 4 to 6. A column of the scheme
+//! replaces each coefficient by a combination of itself and the next one. O(n^2).
 
 use glam::{DVec2, DVec3};
 use std::ops::{Mul, Sub};
@@ -44,7 +45,8 @@ impl<T: Coefficient, const N: usize> Coefficient for [T; N] {
     }
 }
 
-/// One column of de Casteljau's scheme: combines each coefficient with the next one, but for the last.
+/// One column of de Casteljau's scheme: combines each coefficient with the next one, but for the
+/// last.
 #[inline(always)]
 fn column<T>(c: &mut [T], combine: impl Fn(&mut T, &T)) {
     for k in 1..c.len() {
@@ -53,8 +55,8 @@ fn column<T>(c: &mut [T], combine: impl Fn(&mut T, &T)) {
     }
 }
 
-/// De Casteljau's columns at t down to the last `keep`, which are the first ones of `c` then; the others keep what they had
-/// when they were left.
+/// De Casteljau's columns at t down to the last `keep`, which are the first ones of `c` then; the
+/// others keep what they had when they were left.
 #[inline(always)]
 pub(crate) fn reduce<T: Coefficient>(c: &mut [T], t: f64, keep: usize) {
     for count in (keep..c.len()).rev() {
@@ -83,8 +85,8 @@ where
     [work[0], slope]
 }
 
-/// The value and the first derivative at t, by differences: x + t (y - x) in place of (1 - t) x + t y, which is cheaper, but
-/// does not end at y.
+/// The value and the first derivative at t, by differences: x + t (y - x) in place of (1 - t) x + t
+/// y, which is cheaper, but does not end at y.
 #[inline(always)]
 pub(crate) fn value_and_slope_by_differences<const N: usize>(c: &[f64; N], t: f64) -> [f64; 2] {
     let mut work = *c;
@@ -150,7 +152,8 @@ pub(crate) fn restrict<T: Coefficient>(c: &mut [T], [from, to]: [f64; 2]) {
     }
 }
 
-/// Raises a polynomial of `degree` to the degree that fills `c`: c'_k = k / n c_(k - 1) + (1 - k / n) c_k for each new degree n.
+/// Raises a polynomial of `degree` to the degree that fills `c`: c'_k = k / n c_(k - 1) + (1 - k /
+/// n) c_k for each new degree n.
 #[inline(always)]
 pub(crate) fn elevate<T: Coefficient>(c: &mut [T], degree: usize) {
     for n in degree + 1..c.len() {
@@ -162,7 +165,8 @@ pub(crate) fn elevate<T: Coefficient>(c: &mut [T], degree: usize) {
     }
 }
 
-/// Replaces coefficients by those of the derivative, n (c_(i + 1) - c_i), and returns how many there are: 0 for a constant.
+/// Replaces coefficients by those of the derivative, n (c_(i + 1) - c_i), and returns how many
+/// there are: 0 for a constant.
 #[inline(always)]
 pub(crate) fn derive<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(c: &mut [T]) -> usize {
     let n = c.len().saturating_sub(1);
@@ -172,8 +176,8 @@ pub(crate) fn derive<T: Copy + Sub<Output = T> + Mul<f64, Output = T>>(c: &mut [
     n
 }
 
-/// The blossom at as many arguments as the degree (Ramshaw 1987): the symmetric function that is affine in each and the
-/// polynomial where all are equal. Exact where the arguments are 0 and 1.
+/// The blossom at as many arguments as the degree (Ramshaw 1987): the symmetric function that is
+/// affine in each and the polynomial where all are equal. Exact where the arguments are 0 and 1.
 #[inline(always)]
 pub(crate) fn blossom<T: Coefficient, const N: usize>(c: &[T; N], arguments: impl IntoIterator<Item = f64>) -> T {
     let mut work = *c;

@@ -1,11 +1,15 @@
-//! Polynomials in Bernstein form over 0 <= t <= 1: f(t) = sum over i of C(n, i) t^i (1 - t)^(n - i) c_i.
+//! Polynomials in Bernstein form over 0 <= t <= 1: f(t) = sum over i of C(n, i) t^i (1 - t)^(n - i)
+//! c_i.
 //!
-//! Coefficients are numbers, points, or rows of either: the net of a tensor patch is a polynomial in u whose coefficients are
-//! rows, so that one scheme serves both parameters. Everything here goes back to de Casteljau's scheme, whose columns are
-//! convex combinations of neighbours and therefore stable (Farouki and Rajan 1987); it costs O(n^2).
+//! Coefficients are numbers, points, or rows of either: the net of a tensor patch is a polynomial
+//! in u whose coefficients are rows, so that one scheme serves both parameters. Everything here
+//! goes back to de Casteljau's scheme, whose columns are convex combinations of neighbours and
+//! therefore stable (Farouki and Rajan 1987); it costs O(n^2).
 //!
-//! * `casteljau`: evaluation, subdivision, degree elevation, derivatives, blossoms and basis functions;
-//! * `polynomial`: evaluation in O(n), binomial coefficients, products and integrals of scalar polynomials;
+//! * `casteljau`: evaluation, subdivision, degree elevation, derivatives, blossoms and basis
+//!   functions;
+//! * `polynomial`: evaluation in O(n), binomial coefficients, products and integrals of scalar
+//!   polynomials;
 //! * `roots`: real roots by Descartes' rule.
 
 #![allow(dead_code, unused_imports, reason = "curves and surfaces change over to this one by one")]

@@ -1,13 +1,15 @@
-//! Scalar polynomials in Bernstein form: values in O(n), binomial coefficients, products and integrals (Farouki and Rajan
-//! 1988).
+//! Scalar polynomials in Bernstein form: values in O(n), binomial coefficients, products and
+//! integrals (Farouki and Rajan 1988).
 
 /// The highest degree of a curve's segments.
 pub(crate) const MAX_DEGREE: usize = 64;
 
-/// The most coefficients that are searched for roots: (C - q) . C' of a segment C has degree 2 n - 1.
+/// The most coefficients that are searched for roots: (C - q) . C' of a segment C has degree 2 n -
+/// 1.
 pub(crate) const MAX_COEFFICIENTS: usize = 2 * MAX_DEGREE;
 
-/// f(t) and f'(t). The sum runs from the nearer end by a scheme like Horner's, so that no power overflows its binomial.
+/// f(t) and f'(t). The sum runs from the nearer end by a scheme like Horner's, so that no power
+/// overflows its binomial.
 pub(crate) fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
     let n = c.len() - 1;
     let backwards = t > 0.5;
@@ -52,8 +54,8 @@ pub(crate) const fn binomial_row<const M: usize>(n: usize) -> [f64; M] {
     row
 }
 
-/// Adds the product of two polynomials, times `factor`, to `out`, whose degree is the sum of theirs:
-/// (f g)_k = sum over i + j = k of C(n, i) C(m, j) / C(n + m, k) f_i g_j.
+/// Adds the product of two polynomials, times `factor`, to `out`, whose degree is the sum of
+/// theirs: (f g)_k = sum over i + j = k of C(n, i) C(m, j) / C(n + m, k) f_i g_j.
 pub(crate) fn add_product(f: &[f64], g: &[f64], factor: f64, out: &mut [f64]) {
     let (n, m) = (f.len() - 1, g.len() - 1);
     let mut weights = [0.0; 4 * MAX_DEGREE + 1];

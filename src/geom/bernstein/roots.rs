@@ -1,13 +1,15 @@
 //! All real roots of a polynomial in Bernstein form between 0 and 1.
 //!
-//! A polynomial has at most as many roots in (0, 1) as its coefficients change sign, and the difference is even (Descartes'
-//! rule in Bernstein form; Farouki and Rajan 1987): none or one change decides, and otherwise the interval is halved, which
-//! de Casteljau's scheme does without loss. One root is closed in on by Newton's method, held inside its bracket.
+//! A polynomial has at most as many roots in (0, 1) as its coefficients change sign, and the
+//! difference is even (Descartes' rule in Bernstein form; Farouki and Rajan 1987): none or one
+//! change decides, and otherwise the interval is halved, which de Casteljau's scheme does without
+//! loss. One root is closed in on by Newton's method, held inside its bracket.
 //!
-//! Multiple roots are where rounding hides the sign. Coefficients within `noise` of 0 count as 0; an interval where all do is
-//! a place where the polynomial cannot be told from 0. Such intervals and the roots next to them become one root: where the
-//! polynomial, or else one of its first two derivatives, changes its sign, or else the middle. So a root of multiplicity m is
-//! found once; places that come closer to 0 than the noise without reaching it count as double roots.
+//! Multiple roots are where rounding hides the sign. Coefficients within `noise` of 0 count as 0;
+//! an interval where all do is a place where the polynomial cannot be told from 0. Such intervals
+//! and the roots next to them become one root: where the polynomial, or else one of its first two
+//! derivatives, changes its sign, or else the middle. So a root of multiplicity m is found once;
+//! places that come closer to 0 than the noise without reaching it count as double roots.
 
 use super::casteljau::halve;
 use super::polynomial::{MAX_COEFFICIENTS, value_and_slope};
@@ -40,8 +42,8 @@ impl Roots {
     }
 }
 
-/// Visits a polynomial from `from` to `to`, or where `visit` asks for it, the halves of this interval from left to right, and
-/// so on. O(n^2) for each halving.
+/// Visits a polynomial from `from` to `to`, or where `visit` asks for it, the halves of this
+/// interval from left to right, and so on. O(n^2) for each halving.
 pub(crate) fn bisect<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
     c: &mut A,
     [from, to]: [f64; 2],
@@ -56,14 +58,15 @@ pub(crate) fn bisect<A: AsRef<[f64]> + AsMut<[f64]> + Clone>(
     }
 }
 
-/// The number of changes of sign among coefficients: by Descartes' rule that of the roots in (0, 1), or an even number more.
+/// The number of changes of sign among coefficients: by Descartes' rule that of the roots in (0,
+/// 1), or an even number more.
 #[inline(always)]
 pub(crate) fn sign_changes(signs: impl Iterator<Item = bool>) -> usize {
     let mut last = None;
     signs.filter(|&sign| last.replace(sign).is_some_and(|last| last != sign)).count()
 }
 
-/// Coefficients in memory of their own.
+/// Coefficients in a buffer of fixed size.
 #[derive(Clone)]
 struct Coefficients {
     c: [f64; MAX_COEFFICIENTS],
@@ -91,11 +94,12 @@ impl AsMut<[f64]> for Coefficients {
 }
 
 /// Intervals are not halved beyond this width.
-const NARROW: f64 = 1.0 / (1u64 << 48) as f64;
+const MIN_WIDTH: f64 = 1.0 / (1u64 << 48) as f64;
 
-/// The roots of the polynomial with these coefficients, at least one and at most [`MAX_COEFFICIENTS`]; values up to `noise`, in absolute
-/// terms, are taken for 0. O(n^2) for each halving; a simple root takes about log2 of 1 over its distance from the next one,
-/// a root of multiplicity m about log2(1 / noise) / m.
+/// The roots of the polynomial with these coefficients, at least one and at most
+/// [`MAX_COEFFICIENTS`]; values up to `noise`, in absolute terms, are taken for 0. O(n^2) for each
+/// halving; a simple root takes about log2 of 1 over its distance from the next one, a root of
+/// multiplicity m about log2(1 / noise) / m.
 pub(crate) fn roots(c: &[f64], noise: f64) -> Roots {
     let mut found = Roots::new();
     if c.is_empty() || c.len() > MAX_COEFFICIENTS {
@@ -137,11 +141,11 @@ fn linear(a: f64, b: f64, noise: f64, found: &mut Roots) {
     }
 }
 
-/// a (1 - t)^2 + 2 b t (1 - t) + d t^2 in closed form. False if a root is so near to an end, or two to each other, that only
-/// the search can tell.
+/// a (1 - t)^2 + 2 b t (1 - t) + d t^2 in closed form. False if a root is so near to an end, or two
+/// to each other, that only the search can tell.
 ///
-/// With A = a - 2 b + d, B = b - a: A t^2 + 2 B t + a = 0, whose roots are a / q and q / A with q = -B -+ sqrt(b^2 - a d),
-/// the sign so that nothing cancels.
+/// With A = a - 2 b + d, B = b - a: A t^2 + 2 B t + a = 0, whose roots are a / q and q / A with q =
+/// -B -+ sqrt(b^2 - a d), the sign so that nothing cancels.
 fn quadratic(a: f64, b: f64, d: f64, noise: f64, found: &mut Roots) -> bool {
     let discriminant = b * b - a * d;
     let size = a.abs().max(b.abs()).max(d.abs());
@@ -177,8 +181,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Finds the roots between two ends, where the polynomial has the coefficients `c`, from left to right; true if the
-    /// halves must be searched instead.
+    /// Finds the roots between two ends, where the polynomial has the coefficients `c`, from left
+    /// to right; true if the halves must be searched instead.
     fn isolate(&mut self, c: &[f64], [low, high]: [f64; 2]) -> bool {
         let noise = self.noise;
         if c.iter().all(|x| x.abs() <= noise) {
@@ -193,7 +197,7 @@ impl Search<'_> {
         if changes == 1 && first.abs() > noise && last.abs() > noise {
             let t = low + (high - low) * bracketed(c);
             self.add(t, t);
-        } else if changes > 0 && high - low <= NARROW {
+        } else if changes > 0 && high - low <= MIN_WIDTH {
             self.add(low, high);
         } else if changes > 0 {
             return true;
@@ -204,7 +208,8 @@ impl Search<'_> {
         false
     }
 
-    /// Adds a root, or an interval of them, after all others; one that the noise does not separate from the last is the same.
+    /// Adds a root, or an interval of them, after all others; one that the noise does not separate
+    /// from the last is the same.
     fn add(&mut self, low: f64, high: f64) {
         if self.len > 0 {
             let last = &mut self.clusters[self.len - 1];
@@ -220,8 +225,8 @@ impl Search<'_> {
         }
     }
 
-    /// The root that a cluster stands for. An end of the whole interval that belongs to it is preferred: the next segment has
-    /// it too.
+    /// The root that a cluster stands for. An end of the whole interval that belongs to it is
+    /// preferred: the next segment has it too.
     fn centre(&self, low: f64, high: f64) -> f64 {
         if low == high || low <= 0.0 {
             return low.max(0.0);
@@ -252,13 +257,15 @@ impl Search<'_> {
     }
 }
 
-/// The one root of a polynomial whose first and last coefficients have different signs, with one change between them.
+/// The one root of a polynomial whose first and last coefficients have different signs, with one
+/// change between them.
 fn bracketed(c: &[f64]) -> f64 {
     bracketed_root(0.0, 1.0, c[0], |t| value_and_slope(c, t))
 }
 
-/// The root of a function between `low`, where it has the sign of `at_low`, and `high`, where it has the other: Newton's
-/// method from the middle, or halving where that leaves the bracket or does not halve the step. At most 100 rounds.
+/// The root of a function between `low`, where it has the sign of `at_low`, and `high`, where it
+/// has the other: Newton's method from the middle, or halving where that leaves the bracket or does
+/// not halve the step. At most 100 rounds.
 pub(crate) fn bracketed_root(mut low: f64, mut high: f64, at_low: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let mut t = 0.5 * (low + high);
     let mut last_step = high - low;

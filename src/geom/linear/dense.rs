@@ -1,4 +1,5 @@
-//! Small dense systems of linear equations: those of single curves, 64 rows at the most.
+//! Small dense systems of linear equations: Gaussian elimination with partial pivoting. O(n^3) for
+//! the factor, O(n^2) for each right side.
 
 use crate::alloc;
 use crate::error::Result;

@@ -1,18 +1,18 @@
-//! Tridiagonal systems whose unknowns are points, open and cyclic, by elimination without exchanges: for rows that are
-//! dominant.
+//! Tridiagonal systems whose unknowns are points, open and cyclic, by elimination without
+//! exchanges (Thomas's algorithm), which is stable for dominant rows. A cyclic system carries its
+//! last unknown along until its part has faded below rounding. O(n).
 
 use glam::DVec3;
 
-/// A row whose diagonal element comes out smaller than this, of coefficients near 1, makes the system singular.
-const SINGULAR: f64 = 1e-14;
+/// Smaller pivots, in rows whose coefficients are near 1, make the system singular.
+const MIN_PIVOT: f64 = 1e-14;
 
-/// What the last unknown of a cyclic system contributes is left out below this.
-const FAINT: f64 = 1e-24;
+/// Smaller contributions of the last unknown of a cyclic system are left out.
+const MAX_NEGLIGIBLE: f64 = 1e-24;
 
-/// Solves for `unknowns[1..n - 1]`; the first and the last one are given. `row(i)`: the coefficients of unknowns i - 1, i and
-/// i + 1; `known(i)`: the right side. `upper`: room for n factors. False if the system is singular.
-///
-/// Source: Thomas's algorithm.
+/// Solves for `unknowns[1..n - 1]`; the first and the last one are given. `row(i)`: the
+/// coefficients of unknowns i - 1, i and i + 1; `known(i)`: the right side. `upper`: room for n
+/// factors. False if the system is singular.
 pub(crate) fn solve(
     unknowns: &mut [DVec3],
     upper: &mut [f64],
@@ -25,7 +25,7 @@ pub(crate) fn solve(
     for i in 1..last {
         let [lower, diagonal, above] = row(i);
         let diagonal = diagonal - lower * ratio;
-        sound &= diagonal.abs() > SINGULAR;
+        sound &= diagonal.abs() > MIN_PIVOT;
         let scale = 1.0 / diagonal;
         before = (known(i) - before * lower) * scale;
         ratio = above * scale;
@@ -47,9 +47,9 @@ pub(crate) struct Cyclic<'a> {
     pub(crate) across: &'a mut [f64],
 }
 
-/// One end of a cyclic system while its rows are eliminated towards the middle: the unknown reached last is
-/// `known` - `ratio` * (the next one) - `across` * (the last unknown).
-struct End {
+/// One end of a cyclic system while its rows are eliminated towards the middle: the unknown reached
+/// last is `known` - `ratio` * (the next one) - `across` * (the last unknown).
+struct Front {
     known: DVec3,
     ratio: f64,
     across: f64,
@@ -57,14 +57,14 @@ struct End {
     far: f64,
 }
 
-impl End {
+impl Front {
     /// Before any row the unknown reached is the last one itself.
     fn new(far: f64) -> Self {
-        End { known: DVec3::ZERO, ratio: 0.0, across: -1.0, far }
+        Front { known: DVec3::ZERO, ratio: 0.0, across: -1.0, far }
     }
 
-    /// Takes a row: the coefficients of the unknown reached, of the next one and of the one after. The pivot, and what the row
-    /// took of the unknown reached.
+    /// Takes a row: the coefficients of the unknown reached, of the next one and of the one after.
+    /// The pivot, and what the row took of the unknown reached.
     #[inline]
     fn eliminate(&mut self, [behind, diagonal, ahead]: [f64; 3], known: DVec3) -> [f64; 2] {
         let pivot = diagonal - behind * self.ratio;
@@ -87,16 +87,17 @@ impl End {
 
     /// Whether the last unknown has no part in it any more.
     fn is_free(&self) -> bool {
-        self.across.abs() <= FAINT && self.far.abs() <= FAINT
+        self.across.abs() <= MAX_NEGLIGIBLE && self.far.abs() <= MAX_NEGLIGIBLE
     }
 }
 
 impl Cyclic<'_> {
-    /// Solves it. `row(i, before)`: the coefficients of unknowns `before` (i - 1, round the end), i and i + 1; `known(i)`:
-    /// the right side. False if the system is singular.
+    /// Solves it. `row(i, before)`: the coefficients of unknowns `before` (i - 1, round the end), i
+    /// and i + 1; `known(i)`: the right side. False if the system is singular.
     ///
-    /// As for an open system, but from both ends at once, which keeps a processor busy while it divides; and with the last
-    /// unknown carried along in the rows next to it, until it has faded away.
+    /// As for an open system, but from both ends at once, which keeps a processor busy while it
+    /// divides; and with the last unknown carried along in the rows next to it, until it has faded
+    /// away.
     pub(crate) fn solve(self, row: impl Fn(usize, usize) -> [f64; 3], known: impl Fn(usize) -> DVec3) -> bool {
         let Cyclic { unknowns, upper, across } = self;
         let n = unknowns.len();
@@ -108,7 +109,7 @@ impl Cyclic<'_> {
         };
         let [lower, diagonal, above] = row(n - 1, n - 2);
         let mut last = (diagonal, known(n - 1));
-        let (mut first_end, mut last_end) = (End::new(above), End::new(lower));
+        let (mut first_end, mut last_end) = (Front::new(above), Front::new(lower));
         let mut least = f64::INFINITY;
         // Rows 0 to n - 2 but the middle one: in pairs, and row 0 before them if it has no partner.
         let (pairs, alone) = ((n - 2) / 2, n % 2);
@@ -158,7 +159,7 @@ impl Cyclic<'_> {
         if alone == 1 {
             unknowns[0] = unknowns[0] - after * upper[0] - end * across[0];
         }
-        least.min(pivot.abs()).min(last_pivot.abs()) > SINGULAR
+        least.min(pivot.abs()).min(last_pivot.abs()) > MIN_PIVOT
     }
 }
 
