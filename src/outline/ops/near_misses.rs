@@ -146,7 +146,10 @@ impl Subdivision<[Part; 2], 2> for PairSearch<'_, '_> {
             None => {
                 let short = [p, q].map(|part| part.to - part.from <= MIN_PART_LENGTH);
                 let larger = || {
-                    usize::from(Aabb::of(p.controls.iter()).size().max_element() < Aabb::of(q.controls.iter()).size().max_element())
+                    usize::from(
+                        Aabb::of(p.controls.iter()).size().max_element()
+                            < Aabb::of(q.controls.iter()).size().max_element(),
+                    )
                 };
                 match short {
                     [true, true] => BoxTest::Unresolved,
